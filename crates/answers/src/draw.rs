@@ -103,6 +103,16 @@ pub enum View {
     Chambers,
     /// Of a motor: its dimensions and a table of wheel data.
     Dimensions,
+    /// Forces on the satellites and on the bearing of a motor.
+    Forces,
+    /// Ports of a motor as made.
+    Ports,
+    /// Pressure in a chamber of a motor over its cycle.
+    Pressure,
+    /// Contact stress of a satellite of a motor over its cycle.
+    Stress,
+    /// Total efficiency of a motor over speed and pressure.
+    Efficiency,
 }
 
 /// The sheet that a drawing fills.

@@ -65,6 +65,14 @@ pub enum Error {
     /// A speed of a hydromotor's rotor that is not above 0.
     #[error("it must be above 0; a motor that runs backwards is its mirror image")]
     RotorSpeed,
+    /// What is said of a hydromotor beside its geometry and does not go together.
+    #[error("{message}")]
+    MotorKey {
+        /// The key that it is about: `oil.viscosity`.
+        key: &'static str,
+        /// What is wrong, and what is allowed.
+        message: String,
+    },
     /// Too few or too many points of a hydromotor's centrodes.
     #[error("{points} points of a half-lobe: from 1 to {most}")]
     CentrodePoints {
@@ -315,6 +323,7 @@ impl Error {
             Self::NoSuchDesign { .. } => "no-such-design",
             Self::PressureDrop => "pressure-drop",
             Self::RotorSpeed => "rotor-speed",
+            Self::MotorKey { .. } => "motor-key",
             Self::CentrodePoints { .. } => "centrode-points",
             Self::Gear(error) => error.name(),
             Self::Gearbox(error) => error.name(),

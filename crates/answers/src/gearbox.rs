@@ -67,6 +67,20 @@ pub struct GearInputs {
 }
 
 impl Subject<'_> {
+    /// Refuses a set that there is not.
+    ///
+    /// # Errors
+    /// [`Error::NoSet`].
+    pub(crate) fn check_set(&self, name: Option<&str>) -> Result<(), Error> {
+        let ids = || self.gearbox.sets().iter().map(PlanetSet::id);
+        match name.filter(|name| ids().all(|id| id != *name)) {
+            Some(name) => {
+                Err(Error::NoSet { name: name.to_owned(), sets: ids().map(str::to_owned).collect() })
+            }
+            None => Ok(()),
+        }
+    }
+
     /// What is published of a gear.
     #[must_use]
     pub fn published(&self, gear: &str) -> Option<&PublishedGear> {

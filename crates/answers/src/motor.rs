@@ -2,12 +2,23 @@
 
 mod centrodes;
 mod design;
+mod flanks;
+mod made;
 mod over_angle;
 mod teeth;
 
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
 pub use design::{Chosen, Designed, Place, Question, design, of_file};
-pub use over_angle::{OverAngle, over_angle};
+pub use flanks::{
+    AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
+};
+pub(crate) use made::Point;
+pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
+pub use made::ports::{
+    ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
+};
+pub use made::{Groups, Made};
+pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
 use crate::number::{maybe_si, plain, si};
@@ -20,6 +31,7 @@ use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
 use epicyclic_hydromotor::closure::{self, Family};
+use epicyclic_hydromotor::second_harmonic::{self, HarmonicLaw};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length, Pressure};
@@ -39,8 +51,14 @@ pub struct Motor {
     pub rotor: Rotor,
     /// Displacement, torque and flow.
     pub work: Work,
+    /// Flanks under load: where they seal, forces, stresses; null where there are no teeth.
+    pub flanks: Option<Flanks>,
     /// Ideal ports in the cover.
     pub ports: Ports,
+    /// Ports as made; null where none are described.
+    pub made_ports: Option<MadePorts>,
+    /// Leaks, friction, efficiencies; null where neither gaps nor friction are given.
+    pub losses: Option<Losses>,
     /// Size of the centrodes.
     pub size: Size,
     /// Curvatures and distances of the centrodes against satellites and tooth heights.
@@ -155,8 +173,38 @@ pub struct CosineLaw {
     pub mean_radius_m: f64,
     /// Relative amplitude, `ε`.
     pub amplitude: f64,
-    /// The relative amplitude at which the stator gets cusps.
-    pub cusp_amplitude: f64,
+    /// Relative amplitude of the second harmonic, `ε₂`; 0 without one.
+    pub second_amplitude: f64,
+    /// The relative amplitude at which the stator gets cusps; null with a second harmonic.
+    pub cusp_amplitude: Option<f64>,
+    /// The values of `ε₂` with which motors of these numbers close without cusps; null where there are none.
+    pub second_harmonics: Option<HarmonicRange>,
+}
+
+/// Values of `ε₂`, both ends excluded.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct HarmonicRange {
+    /// Above this.
+    pub from: f64,
+    /// Below this.
+    pub to: f64,
+}
+
+impl CosineLaw {
+    fn of(motor: &hydromotor::Motor, law: &HarmonicLaw) -> Self {
+        let range = second_harmonic::range(motor.numbers()).ok();
+        Self {
+            mean_radius_m: si(law.mean_radius),
+            amplitude: plain(law.amplitude),
+            second_amplitude: plain(law.second_amplitude),
+            cusp_amplitude: motor.cosine_law().map(|law| plain(law.cusp_amplitude)),
+            second_harmonics: range.map(|range| HarmonicRange {
+                from: range.lower.second_amplitude,
+                to: range.upper.second_amplitude,
+            }),
+        }
+    }
 }
 
 /// How near arcs come to the rotor's exact curve.
@@ -386,6 +434,29 @@ pub struct Satellite {
     pub pressure_in_front_pa: Option<f64>,
     /// Force of the pressures on it, positive counter-clockwise across the ray from the axis.
     pub force_n: Option<f64>,
+    /// Which way the pressure pushes it; null while it is idle.
+    pub push: Option<Push>,
+    /// Force on each of its two flanks that carry, with contacts at the pitch points.
+    pub flank_force_n: Option<f64>,
+}
+
+/// Which way the pressure pushes a satellite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Push {
+    /// Counter-clockwise: it is by a crest.
+    Crest,
+    /// Clockwise: it is by a trough.
+    Trough,
+}
+
+impl Push {
+    const fn of(push: hydromotor::flanks::Push) -> Self {
+        match push {
+            hydromotor::flanks::Push::Forward => Self::Crest,
+            hydromotor::flanks::Push::Back => Self::Trough,
+        }
+    }
 }
 
 impl Answer for Motor {
@@ -417,17 +488,27 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
         }
         None => None,
     };
+    let flanks = match designed.profile.as_ref().map(|profile| Flanks::of(designed, profile)) {
+        Ok(Ok(flanks)) => Some(flanks),
+        Ok(Err(Error::Motor(why @ hydromotor::Error::CannotHold { .. }))) => {
+            warnings.push(Warning { name: "cannot-hold", message: why.to_string() });
+            None
+        }
+        Ok(Err(why)) => return Err(why),
+        Err(_) => None,
+    };
+    let made = &designed.made;
+    warnings.extend(made.port_warnings());
     Ok(Motor {
         numbers: Numbers::of(motor),
         arcs,
-        cosine_law: motor.cosine_law().map(|law| CosineLaw {
-            mean_radius_m: si(law.mean_radius),
-            amplitude: plain(law.amplitude),
-            cusp_amplitude: plain(law.cusp_amplitude),
-        }),
+        cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
         rotor: Rotor::of(motor),
         work: Work::of(designed)?,
+        flanks,
         ports: Ports::of(motor),
+        made_ports: made.port_figures.clone(),
+        losses: made.losses.clone(),
         size: Size::of(motor),
         checks,
         tooth_limits,
@@ -653,8 +734,17 @@ fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
         }
         _ => None,
     };
+    let alpha = designed.form.pressure_angle;
+    let on_flanks = match (designed.width, designed.pressure, &designed.profile) {
+        // What the flanks cannot hold is told of the motor.
+        (Some(width), Some(pressure), Ok(_)) => {
+            motor.flank_forces(alpha, designed.angle, width, pressure).unwrap_or_default()
+        }
+        _ => vec![],
+    };
     let record = |(i, satellite): (usize, &hydromotor::satellites::Satellite)| {
         let force = forces.as_ref().and_then(|forces| forces.get(i));
+        let on_flank = on_flanks.get(i);
         Satellite {
             satellite: satellite.index,
             x_m: si(satellite.centre.x),
@@ -663,6 +753,8 @@ fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
             pressure_behind_pa: force.map(|force| si(force.pressure_behind)),
             pressure_in_front_pa: force.map(|force| si(force.pressure_in_front)),
             force_n: force.map(|force| si(force.force)),
+            push: on_flank.and_then(|one| one.push).map(Push::of),
+            flank_force_n: on_flank.map(|one| si(one.force)),
         }
     };
     Ok(satellites.iter().enumerate().map(record).collect())
@@ -689,6 +781,7 @@ mod tests {
             pressure: Some(Pressure::new::<megapascal>(20.0)),
             speed: None,
             angle: Angle::default(),
+            made: Groups::default(),
         }
     }
 
@@ -722,7 +815,7 @@ mod tests {
 
     #[test]
     fn the_mean_of_the_flow_over_a_lobe_is_that_of_the_ripple() {
-        let over_angle = over_angle(&design(&question()).unwrap().motor).unwrap();
+        let over_angle = over_angle(&design(&question()).unwrap()).unwrap();
         let flow = &over_angle.flow_per_width_m2[1..];
         let mean = flow.iter().sum::<f64>() / flow.len() as f64;
         assert!((mean / over_angle.mean_flow_per_width_m2 - 1.0).abs() < 1e-4, "{mean}");

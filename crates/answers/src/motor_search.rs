@@ -4,7 +4,7 @@ mod funnel;
 
 pub use funnel::{Funnel, Reason, Refused};
 
-use crate::motor::{Chosen, Designed, Subject};
+use crate::motor::{Chosen, Designed, Groups, Made, Point, Subject};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
 use epicyclic_hydromotor::closure::Family;
@@ -250,15 +250,17 @@ impl Searched {
         let motor = design.motor(size.module)?;
         let form = ToothForm::default();
         let requirements = &self.wanted.search.requirements;
+        let (width, pressure, speed) = (Some(size.width), requirements.pressure_drop, requirements.speed);
         Ok(Designed {
+            made: Made::of(&motor, &Groups::default(), Point { form, width, pressure, speed })?,
             profile: Profile::new(&motor, form),
             family: Some(Family::new(design.numbers, size.module)?),
             motor,
             chosen: Chosen::Given,
             form,
-            width: Some(size.width),
-            pressure: requirements.pressure_drop,
-            speed: requirements.speed,
+            width,
+            pressure,
+            speed,
             angle,
         })
     }

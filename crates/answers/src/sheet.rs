@@ -13,14 +13,13 @@ pub mod records;
 
 use crate::gearbox::{Subject, alone};
 use crate::strength::place::refused;
-use crate::toothed::{Fault, gears, lacking, missing_teeth, simple_sets};
+use crate::toothed::{gears, lacking, missing_teeth, simple_sets};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
 use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
-use epicyclic_train::PlanetSet;
 use output::Known;
 use records::{Allowed, AtOutput, LeftOut, Limits, SetSheet};
 use schemars::JsonSchema;
@@ -82,36 +81,26 @@ pub fn chapter(subject: &Subject<'_>) -> Result<Option<DataSheets>, Error> {
 
 fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, Error> {
     let file: GearboxFile = subject.document.read()?;
-    let ids = || subject.gearbox.sets().iter().map(PlanetSet::id);
-    if let Some(name) = wanted.filter(|name| ids().all(|id| id != *name)) {
-        let sets = ids().map(str::to_owned).collect();
-        return Err(Error::NoSet { name: name.to_owned(), sets });
-    }
+    subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
     let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
-    for (set, simple) in simple_sets(subject, &file).filter(|(set, _)| is_wanted(set.id())) {
+    for (place_in_gearbox, (set, simple)) in simple_sets(subject, &file).enumerate() {
+        if !is_wanted(set.id()) {
+            continue;
+        }
         let Some((path, entry, spec)) = simple else {
             left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
             continue;
         };
+        let toothed = gears(subject, &path, spec, entry)?;
         let place = Place { document: subject.document, path };
-        let toothed = gears(spec, entry, &subject.rack).map_err(|fault| match fault {
-            Fault::Teeth(error) => place.refused(&["profile_shifts"], &error),
-            Fault::Fillet(error) => place.refused(&["strength", "shaper", "fillet"], &error),
-        })?;
         match (toothed, entry.module) {
             (Some(toothed), Some(module)) => {
                 let (sheet, allowed) = sheet(&place, entry, &toothed, module.0)?;
                 sets.push(sheet);
                 let face_width = entry.face_width.filter(|_| entry.planets.is_some()).map(|width| width.0);
-                let place = subject.gearbox.sets().iter().position(|one| one.id() == set.id());
-                known.extend(place.map(|place| Known {
-                    place,
-                    set: toothed,
-                    module: module.0,
-                    face_width,
-                    allowed,
-                }));
+                let place = place_in_gearbox;
+                known.push(Known { place, set: toothed, module: module.0, face_width, allowed });
             }
             (toothed, module) => {
                 let missing =

@@ -3,7 +3,7 @@
 //! Speeds and torques are positive along the axis; torques act on links from outside.
 //!
 //! # Peaks
-//! Powers and torques are looked for at the start and end, at every event, and at even instants between, at least two thousand of them;
+//! Powers and torques are looked for at the start and end, right before and right after every event, and at even instants between, at least two thousand of them;
 //! what is greater only between two instants is not seen.
 //!
 //! # Temperature
@@ -26,6 +26,7 @@
 
 mod build;
 mod elements;
+mod joints;
 mod parts;
 mod program;
 mod samples;
@@ -42,7 +43,8 @@ pub use elements::ElementResult;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
 use epicyclic_formats::{Document, Path, Physical, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_motion::{self as motion, Change, Run};
+use epicyclic_motion::{self as motion, Change, Contact, Run};
+pub use joints::{ConverterResult, ConverterSamples, ShaftResult, ShaftSamples};
 use parts::Built;
 pub use parts::ElementKind;
 pub use samples::{ElementSamples, LinkSamples, Samples, TorqueSamples};
@@ -87,7 +89,11 @@ pub struct Simulation {
     pub shifts: Vec<ShiftResult>,
     /// Shift elements and resistances.
     pub elements: Vec<ElementResult>,
-    /// Links at the end.
+    /// Elastic shafts.
+    pub shafts: Vec<ShaftResult>,
+    /// Torque converters.
+    pub converters: Vec<ConverterResult>,
+    /// Links and bodies at the end.
     pub end: Vec<LinkAtEnd>,
     /// Work of each torque.
     pub works: Vec<Work>,
@@ -147,6 +153,8 @@ pub enum ChangeKind {
     Element,
     /// A set with losses rolls otherwise.
     Set,
+    /// The ends of a shaft come into contact, or part.
+    Shaft,
     /// A speed is passed.
     Threshold,
 }
@@ -155,7 +163,7 @@ pub enum ChangeKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
-    /// It carries nothing; a set: it turns as a block.
+    /// It carries nothing; a set: it turns as a block; a shaft: it is within its backlash.
     Open,
     /// It slips, the first link faster than the second; a one-way clutch overruns; the first gear of a set is faster than its carrier.
     SlipsForward,
@@ -163,6 +171,10 @@ pub enum State {
     SlipsBackward,
     /// It holds its links together; a set: it turns as a block.
     Holds,
+    /// The first link of a shaft drives the second forward.
+    DrivesForward,
+    /// The first link of a shaft drives the second backward.
+    DrivesBackward,
 }
 
 impl State {
@@ -172,6 +184,14 @@ impl State {
             motion::State::Forward => Self::SlipsForward,
             motion::State::Backward => Self::SlipsBackward,
             motion::State::Stuck => Self::Holds,
+        }
+    }
+
+    fn of_shaft(contact: Contact) -> Self {
+        match contact {
+            Contact::Free => Self::Open,
+            Contact::Forward => Self::DrivesForward,
+            Contact::Backward => Self::DrivesBackward,
         }
     }
 }
@@ -216,7 +236,15 @@ pub struct Energies {
     pub element_heat_j: f64,
     /// Loss of all meshes.
     pub mesh_loss_j: f64,
-    /// What the locking of elements took beyond rounding: nothing.
+    /// Heat of the dampers of shafts.
+    pub damping_heat_j: f64,
+    /// Heat of the oil of converters.
+    pub converter_heat_j: f64,
+    /// Elastic energy of shafts at the start.
+    pub elastic_before_j: f64,
+    /// The same at the end.
+    pub elastic_after_j: f64,
+    /// What impacts of dog clutches took; friction elements lock without one.
     pub impact_j: f64,
     /// What is missing in the balance, over the largest of these energies.
     pub residual: f64,
@@ -250,8 +278,9 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
 
 fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
     let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
-    let shifts = shifts::results(scenario, built, run);
-    let elements = elements::results(built, run);
+    let instants = elements::instants(run);
+    let shifts = shifts::results(scenario, built, run, &instants);
+    let elements = elements::results(built, run, &instants);
     let energies = Energies::of(run);
     let warnings = warnings(scenario, run, &shifts, &energies);
     Simulation {
@@ -264,10 +293,12 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
         events: run.events.iter().map(|event| EventRecord::of(built, event)).collect(),
         shifts,
         elements,
+        shafts: joints::shafts(&file.shafts, run, &instants),
+        converters: joints::converters(&file.converters, run, &instants),
         end: at_end(run),
         works: works(file, run),
         energies,
-        samples: samples::of(built, run, kept),
+        samples: samples::of(built, run, &instants, kept),
         warnings,
     }
 }
@@ -303,6 +334,10 @@ impl Energies {
             work_j: sum(&audit.work),
             element_heat_j: sum(&audit.heat),
             mesh_loss_j: sum(&audit.mesh_losses),
+            damping_heat_j: sum(&audit.damping),
+            converter_heat_j: sum(&audit.converters),
+            elastic_before_j: audit.elastic_before.si(),
+            elastic_after_j: audit.elastic_after.si(),
             impact_j: audit.impacts.si(),
             residual: audit.residual(),
         }
@@ -329,16 +364,21 @@ impl EventRecord {
 
 impl ChangeRecord {
     fn of(change: &Change) -> Option<Self> {
-        let states = |kind, name: &str, from: motion::State, to: motion::State| Self {
+        let states = |kind, name: &str, from: State, to: State| Self {
             kind,
             id: name.to_owned(),
-            from: Some(State::of(from)),
-            to: Some(State::of(to)),
+            from: Some(from),
+            to: Some(to),
             is_rising: None,
         };
         Some(match change {
-            Change::Element { name, from, to } => states(ChangeKind::Element, name, *from, *to),
-            Change::Set { name, from, to } => states(ChangeKind::Set, name, *from, *to),
+            Change::Element { name, from, to } => {
+                states(ChangeKind::Element, name, State::of(*from), State::of(*to))
+            }
+            Change::Set { name, from, to } => states(ChangeKind::Set, name, State::of(*from), State::of(*to)),
+            Change::Shaft { name, from, to } => {
+                states(ChangeKind::Shaft, name, State::of_shaft(*from), State::of_shaft(*to))
+            }
             Change::Threshold { name, is_rising } => Self {
                 kind: ChangeKind::Threshold,
                 id: name.clone(),

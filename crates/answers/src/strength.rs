@@ -215,20 +215,21 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         if wanted.gear.is_some() || wanted.input.speed.is_some() {
             return Err(Error::OfOnePoint);
         }
-        if !file.duty.is_empty() {
-            let steps = duty::steps(subject, &file.duty)?;
-            let peaks = overload::peaks(subject, &file.overload, None)?;
-            bearings = bearings::rated(subject, &file, &steps, &peaks)?;
-            for set in &sets {
-                let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
-                found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
-            }
+    }
+    let is_over_duty = !is_at_point && !file.duty.is_empty();
+    let steps = if is_over_duty { duty::steps(subject, &file.duty)? } else { vec![] };
+    let peaks = overload::peaks(subject, &file.overload, wanted.gear.as_deref())?;
+    if is_over_duty {
+        bearings = bearings::rated(subject, &file, &steps, &peaks)?;
+        for set in &sets {
+            let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
+            found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
         }
     }
     if with_overloads {
-        for peak in overload::peaks(subject, &file.overload, wanted.gear.as_deref())? {
+        for peak in &peaks {
             for set in &sets {
-                let rated = overload::rated(subject, set, &peak, life);
+                let rated = overload::rated(subject, set, peak, life);
                 let row = |row: NotRated| row.against(Against::Overload).of_gear(peak.gear());
                 found.take(rated, |all| &mut all.overload, row)?;
             }

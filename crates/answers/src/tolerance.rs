@@ -12,9 +12,25 @@
 //! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 //! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
+//! | `BESIDE` | an angle beside a jump, rad | values right beside a jump are taken so near: 6·10⁻⁵ degrees |
+
+use epicyclic_formats::Physical as _;
+use uom::si::f64::Angle;
 
 /// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;
+
+const BESIDE: f64 = 1e-6;
+
+/// An angle in radians, 0 of one that stands for the side of a jump at 0.
+pub(crate) fn beside_zero(angle: Angle) -> f64 {
+    if angle.si().abs() < BESIDE { 0.0 } else { angle.si() }
+}
+
+/// A share, 0 where it is only the rounding that balances and differences of speeds leave.
+pub(crate) fn rounded(share: f64) -> f64 {
+    if share.abs() < ROUNDED { 0.0 } else { share }
+}
 
 /// Members of a series that differ by less are the right ones.
 pub(crate) const SAME: f64 = 1e-9;

@@ -1,30 +1,35 @@
 //! The toothed gears of a simple set as a file has them.
 
 use crate::gearbox::Subject;
+use crate::strength::place::refused;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
 use epicyclic_formats::{Number, Path};
 use epicyclic_gears::Error;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
-use epicyclic_gears::rack::BasicRack;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
 
-/// What keeps a set from its teeth.
-#[derive(Debug)]
-pub(crate) enum Fault {
-    /// Its teeth and shifts.
-    Teeth(Error),
-    /// The fillet of the rack that stands for the shaper of its ring.
-    Fillet(Error),
-}
-
-/// Sun, planets and ring in mesh, the ring with the fillet of the rack that stands for its shaper; `None` where the file does not say enough of them.
-pub(crate) fn gears(spec: &SetSpec, entry: &SetEntry, rack: &BasicRack) -> Result<Option<PlanetSet>, Fault> {
-    let Some(set) = spec.toothed_set(rack).transpose().map_err(Fault::Teeth)? else { return Ok(None) };
+/// Sun, planets and ring of a set at a place of the file, in mesh, the ring with the fillet of the rack that stands for its shaper; `None` where the file
+/// does not say enough of them.
+///
+/// # Errors
+/// [`Error::Document`](crate::Error::Document) at the shifts or the fillet.
+pub(crate) fn gears(
+    subject: &Subject<'_>,
+    path: &Path,
+    spec: &SetSpec,
+    entry: &SetEntry,
+) -> Result<Option<PlanetSet>, crate::Error> {
+    let at =
+        |keys: &'static [&str]| move |error: Error| refused(subject.document, path, keys, &error.to_string());
+    let set = spec.toothed_set(&subject.rack).transpose().map_err(at(&["profile_shifts"]))?;
+    let Some(set) = set else { return Ok(None) };
     let shaper = entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
     match shaper.and_then(|shaper| shaper.fillet) {
         None => Ok(Some(set)),
-        Some(fillet) => with_ring_fillet(&set, Number::get(fillet)).map(Some).map_err(Fault::Fillet),
+        Some(fillet) => with_ring_fillet(&set, Number::get(fillet))
+            .map(Some)
+            .map_err(at(&["strength", "shaper", "fillet"])),
     }
 }
 

@@ -22,7 +22,7 @@ mod torsional;
 use crate::analyze::{analysis, warnings};
 use crate::gearbox::{Subject, alone};
 use crate::losses::Places;
-use crate::strength::load::rounded;
+use crate::tolerance::rounded;
 use crate::toothed::simple_sets;
 use crate::{Answer, Error, Warning};
 use branches::Branches;
@@ -116,10 +116,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error
 fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
     let file: GearboxFile = subject.document.read()?;
     let gearbox = &subject.gearbox;
-    let ids = || gearbox.sets().iter().map(PlanetSet::id);
-    if let Some(name) = wanted.set.as_ref().filter(|name| ids().all(|id| id != *name)) {
-        return Err(Error::NoSet { name: name.clone(), sets: ids().map(str::to_owned).collect() });
-    }
+    subject.check_set(wanted.set.as_deref())?;
     if let Some(name) = &wanted.gear {
         analysis(gearbox, name)?;
     }

@@ -150,6 +150,16 @@ enum View {
     Chambers,
     /// Of a motor: its dimensions and a table of wheel data, for a drawing office.
     Dimensions,
+    /// Of a motor: forces on its satellites and on the rotor's bearing.
+    Forces,
+    /// Of a motor: its ports as made.
+    Ports,
+    /// Of a motor: pressure in a chamber over its cycle.
+    Pressure,
+    /// Of a motor: contact stress of a satellite over its cycle.
+    Stress,
+    /// Of a motor: total efficiency over speed and pressure.
+    Efficiency,
 }
 
 impl View {
@@ -162,6 +172,11 @@ impl View {
             Self::Motor => Some(motor::View::Motor),
             Self::Chambers => Some(motor::View::Chambers),
             Self::Dimensions => Some(motor::View::Dimensions),
+            Self::Forces => Some(motor::View::Forces),
+            Self::Ports => Some(motor::View::Ports),
+            Self::Pressure => Some(motor::View::Pressure),
+            Self::Stress => Some(motor::View::Stress),
+            Self::Efficiency => Some(motor::View::Efficiency),
         }
     }
 
@@ -177,6 +192,11 @@ impl View {
             Self::Motor => answers::View::Motor,
             Self::Chambers => answers::View::Chambers,
             Self::Dimensions => answers::View::Dimensions,
+            Self::Forces => answers::View::Forces,
+            Self::Ports => answers::View::Ports,
+            Self::Pressure => answers::View::Pressure,
+            Self::Stress => answers::View::Stress,
+            Self::Efficiency => answers::View::Efficiency,
         }
     }
 }
@@ -209,7 +229,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let scene = scene?;
     let mut files: Vec<(&Path, FileFormat)> = vec![];
     if let Some(file) = args.output.as_deref() {
-        files.push((file, format_of(file)?));
+        files.push((file, drawing_file::format_by_name(file, "--output")?));
     }
     drawing_file::check_dpi(args.dpi, files.iter().map(|(_, format)| *format))?;
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
@@ -231,15 +251,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     write_files(&written)?;
     say(&told)
-}
-
-/// What the end of a file's name asks for.
-fn format_of(file: &Path) -> Result<FileFormat, Failure> {
-    let Some(end) = drawing_file::end_of(file) else { return Ok(FileFormat::Svg) };
-    drawing_file::format_of(&end).ok_or_else(|| {
-        let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
-        Failure::Option { option: "--output", message }
-    })
 }
 
 /// The drawing that the options describe, before it is made.

@@ -25,6 +25,15 @@ pub(crate) fn format_of(end: &str) -> Option<FileFormat> {
     }
 }
 
+/// The same of a file that an option names; SVG without an end.
+pub(crate) fn format_by_name(file: &Path, option: &'static str) -> Result<FileFormat, Failure> {
+    let Some(end) = end_of(file) else { return Ok(FileFormat::Svg) };
+    format_of(&end).ok_or_else(|| {
+        let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
+        Failure::Option { option, message }
+    })
+}
+
 /// Refuses a resolution where no file has pixels.
 pub(crate) fn check_dpi(
     dpi: Option<Number>,

@@ -2,6 +2,7 @@
 
 mod design;
 mod files;
+mod made;
 mod search;
 
 use crate::failure::Failure;
@@ -19,8 +20,8 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 /// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
 ///
 /// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that roll on both.
-/// The numbers leave one distance free: --l, --a or --part choose it. Torque and flow are theoretical: no leaks, no
-/// friction.
+/// The numbers leave one distance free: --l, --a or --part choose it. Torque and flow are theoretical; --oil, --gaps and
+/// --friction add losses, --ports the ports as they are made.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 #[command(override_usage = "\
@@ -37,6 +38,10 @@ Example:
       --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
       --view dimensions -o dimensions.pdf
+  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
+      --width '50 mm' --pressure '20 MPa' --speed '100 rpm' \\
+      --oil 'viscosity: 46 mm²/s, density: 870 kg/m³, bulk_modulus: 1.4 GPa' \\
+      --gaps 'satellites: 10 µm' --friction 0.05..0.1 --ports 'part: 0.9'
   epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
       --stator 5..6 --z3 ..66")]
 pub(crate) struct Args {
@@ -95,6 +100,10 @@ pub(crate) struct Design {
     #[arg(long, group = "place")]
     cosine: bool,
 
+    /// Relative amplitude ε₂ of a second harmonic of the cosine law.
+    #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
+    second_harmonic: Option<Number>,
+
     /// Width of the wheels, for displacement, torque and forces.
     #[arg(long, allow_hyphen_values = true)]
     width: Option<Quantity<Length>>,
@@ -113,6 +122,9 @@ pub(crate) struct Design {
 
     #[command(flatten)]
     teeth: Teeth,
+
+    #[command(flatten)]
+    made: made::Made,
 
     #[command(flatten)]
     files: Files,
@@ -195,6 +207,16 @@ pub(crate) enum View {
     Chambers,
     /// Dimensions and a table of wheel data, for a drawing office.
     Dimensions,
+    /// Forces on the satellites and on the rotor's bearing, with --width and --pressure.
+    Forces,
+    /// The ports as made, with --ports.
+    Ports,
+    /// Pressure in a chamber over its cycle, with --ports and the bulk modulus of --oil.
+    Pressure,
+    /// Contact stress of a satellite over its cycle, with --pressure.
+    Stress,
+    /// Total efficiency over speed and pressure, with --gaps, --oil and --friction.
+    Efficiency,
 }
 
 /// Runs the command.

@@ -340,7 +340,7 @@ fn cases(usual: u32) -> u32 {
 }
 
 /// Examples, and the commands that read them.
-const READ: [(&str, &[&str]); 17] = [
+const READ: [(&str, &[&str]); 18] = [
     ("every-gearbox-key.yaml", GEARBOXES),
     ("ravigneaux.yaml", GEARBOXES),
     ("simpson.yaml", GEARBOXES),
@@ -355,6 +355,7 @@ const READ: [(&str, &[&str]); 17] = [
     ("every-drive-key.yaml", &["drive", "report"]),
     ("every-scenario-key.yaml", &["simulate", "simulate --format=json"]),
     ("power-shift.yaml", &["simulate", "simulate --format=csv"]),
+    ("tip-in.yaml", &["simulate"]),
     ("minimal-drive.yaml", &["drive", "report"]),
     ("motor-5x3.yaml", &["report", "draw --view=teeth", "draw --view=chambers"]),
     (

@@ -18,7 +18,7 @@ use std::str::FromStr;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
 ///
-/// A scenario names a gearbox, inertias, torques on links, capacities of shift elements and shifts. Links are rigid, and shift elements
+/// A scenario names a gearbox, inertias, torques on links, capacities of shift elements and shifts. Shift elements
 /// are dry friction without smoothing, so that slip, lock and release are exact events. With a file that ends in .svg, .pdf, .png or
 /// .dxf --output draws a plot over time.
 #[derive(Debug, clap::Args)]

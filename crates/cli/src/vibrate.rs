@@ -8,7 +8,6 @@ use crate::losses::Range;
 use crate::output::OutputArgs;
 use crate::writing::Content;
 use epicyclic_answers::Error;
-use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::vibration::{self as answers, Vibration, Wanted};
 use epicyclic_drawing::Scene;
 use epicyclic_views::vibration as views;
@@ -97,13 +96,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 
 /// A picture as a file.
 fn drawn(file: &Path, option: &'static str, scene: &Scene) -> Result<Content, Failure> {
-    let format = match drawing_file::end_of(file) {
-        None => FileFormat::Svg,
-        Some(end) => drawing_file::format_of(&end).ok_or_else(|| Failure::Option {
-            option,
-            message: format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}"),
-        })?,
-    };
+    let format = drawing_file::format_by_name(file, option)?;
     Ok((file.to_owned(), drawing_file::content(scene, format, None)?))
 }
 

@@ -61,11 +61,12 @@ fn written() -> Vec<(&'static str, String)> {
         "vibrate {} {speeds} --campbell campbell.svg --shapes modes.svg -o modes.csv",
         fan.display()
     ));
-    for file in ["shift-two-three.yaml", "real-transmissions.yaml"] {
+    for file in ["shift-two-three.yaml", "real-transmissions.yaml", "tip-in.yaml"] {
         fs::copy(console::root().join("examples").join(file), folder.path().join(file)).unwrap();
     }
     run("simulate shift-two-three.yaml -o shift-speeds.svg");
     run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
+    run("simulate tip-in.yaml --view torques -o tip-in.svg");
     let read = |name: &'static str| (name, fs::read_to_string(folder.path().join(name)).unwrap());
     [
         "campbell.svg",
@@ -74,6 +75,7 @@ fn written() -> Vec<(&'static str, String)> {
         "synthesized.svg",
         "shift-speeds.svg",
         "shift-torques.svg",
+        "tip-in.svg",
     ]
     .map(read)
     .to_vec()

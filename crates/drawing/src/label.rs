@@ -10,6 +10,9 @@ pub const FONTS: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif"
 
 /// Height of capitals over the size of the font.
 pub(crate) const CAP_HEIGHT: f64 = 0.716;
+/// Letters of a line that no font makes much longer.
+const LONG: usize = 4;
+
 /// What reaches below the base line, over the size of the font.
 const DESCENT: f64 = 0.21;
 
@@ -71,6 +74,12 @@ impl Text {
         self.content.chars().map(width).sum::<f64>() / 1000.0 * self.font_size_mm()
     }
 
+    /// Width of a line that a wider font would make longer than it may be: of those that have some letters, each of a width that is known.
+    pub(crate) fn fixed_width_mm(&self) -> Option<f64> {
+        let is_long = self.content.chars().nth(LONG).is_some();
+        (is_long && self.content.chars().all(|c| helvetica(c).is_some())).then(|| self.width_mm())
+    }
+
     /// The box around it.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
@@ -97,8 +106,17 @@ pub(crate) fn one_line(text: &str) -> String {
 
 /// Advance of a character in thousandths of the font's size.
 fn width(c: char) -> f64 {
-    f64::from(match c {
-        'i' | 'j' | 'l' | '\'' | '|' => 222_u16,
+    f64::from(helvetica(c).unwrap_or(match c {
+        '₀'..='₉' => 400,
+        'α'..='ω' => 630,
+        _ => 1000,
+    }))
+}
+
+/// The same of a character in the table of Helvetica.
+fn helvetica(c: char) -> Option<u16> {
+    Some(match c {
+        'i' | 'j' | 'l' | '\'' | '|' => 222,
         ' ' | '!' | ',' | '.' | '/' | ':' | ';' | '[' | ']' | 'I' | 'f' | 't' | '\\' | '·' | '\u{a0}' => 278,
         '(' | ')' | '-' | 'r' | '`' | '¹' | '²' | '³' => 333,
         '"' => 355,
@@ -112,13 +130,11 @@ fn width(c: char) -> f64 {
         'F' | 'T' | 'Z' => 611,
         'A' | 'B' | 'E' | 'K' | 'P' | 'S' | 'V' | 'X' | 'Y' | '&' => 667,
         'C' | 'D' | 'H' | 'N' | 'R' | 'U' | 'w' => 722,
-        'G' | 'O' | 'Q' => 778,
+        'G' | 'O' | 'Q' | 'Ø' => 778,
         'M' | 'm' => 833,
         '%' => 889,
         'W' => 944,
-        '₀'..='₉' => 400,
-        'α'..='ω' => 630,
-        _ => 1000,
+        _ => return None,
     })
 }
 

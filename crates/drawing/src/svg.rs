@@ -146,6 +146,10 @@ fn element(text: &Text, style: Style) -> TextElement {
         .set("text-anchor", anchor)
         .set("fill", style.color.hex())
         .set("stroke", "none");
+    // Where none of the fonts is there, another is drawn together to the width that was counted on.
+    if let Some(width) = text.fixed_width_mm() {
+        element = element.set("textLength", number(width)).set("lengthAdjust", "spacingAndGlyphs");
+    }
     if text.rotation_rad != 0.0 {
         let degrees = -text.rotation_rad.to_degrees();
         element =

@@ -15,6 +15,10 @@
 //!
 //! The numbers and the module are needed. The keys are the options of `epicyclic motor`.
 
+mod made;
+
+pub use made::{GapsGroup, Keys, MaterialGroup, OilGroup, PortGroup, PortsGroup, TurbulenceGroup};
+
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
@@ -23,7 +27,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-use crate::{Document, Error, Number, Path, Problem, Quantity};
+use crate::{Document, Error, Number, Path, Problem, Quantity, Span};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -49,6 +53,8 @@ pub struct MotorFile {
     pub a: Option<Quantity<Length>>,
     /// Part of the family, from 0, where the arcs of the troughs vanish, to 1, even in 1/l; in place of `l`.
     pub part: Option<Number>,
+    /// `ε₂`: relative amplitude of a second harmonic of a rotor by the cosine law. Default 0.
+    pub second_harmonic: Option<Number>,
     /// Width of the wheels. Without it volumes, torques and flows are per width.
     pub width: Option<Quantity<Length>>,
     /// Pressure difference between the ports.
@@ -59,6 +65,16 @@ pub struct MotorFile {
     pub angle: Option<Quantity<Angle>>,
     /// Form of the teeth. Default: one that keeps every limit of usual motors.
     pub teeth: Option<TeethForm>,
+    /// Material of all teeth. Default: steel, without limits.
+    pub material: Option<MaterialGroup>,
+    /// The fluid.
+    pub oil: Option<OilGroup>,
+    /// Gaps at the end faces, for the leaks.
+    pub gaps: Option<GapsGroup>,
+    /// Coefficient of friction of the flanks: one number, or a range `0.05..0.1` from the least to the greatest.
+    pub friction: Option<Span<f64>>,
+    /// Ports as made. Default: ideal ones.
+    pub ports: Option<PortsGroup>,
 }
 
 /// Form of the teeth; lengths in modules.
@@ -111,12 +127,16 @@ impl MotorFile {
     /// The motor, and the family that it is of; a cosine-law motor has none.
     ///
     /// # Errors
-    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`].
+    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`], [`Motor::of_second_harmonic`].
     pub fn motor(&self) -> Result<(Motor, Option<Family>), MotorError> {
         let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
         let module = self.module.0;
         if self.law == Some(Law::Cosine) {
-            return Ok((Motor::of_cosine_law(numbers, module)?, None));
+            let motor = match self.second_harmonic {
+                Some(second) => Motor::of_second_harmonic(numbers, module, second.get()),
+                None => Motor::of_cosine_law(numbers, module),
+            };
+            return Ok((motor?, None));
         }
         let family = Family::new(numbers, module)?;
         let arcs = match (self.l, self.a, self.part) {
@@ -125,6 +145,18 @@ impl MotorFile {
             (.., part) => family.at_part(part.map_or(0.5, Number::get)),
         }?;
         Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
+    }
+
+    /// What it says beside the geometry.
+    #[must_use]
+    pub fn made(&self) -> Keys {
+        Keys {
+            material: self.material.clone(),
+            oil: self.oil.clone(),
+            gaps: self.gaps.clone(),
+            friction: self.friction,
+            ports: self.ports.clone(),
+        }
     }
 
     /// Whether it says which motor of its family is meant.
@@ -157,6 +189,9 @@ pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), E
     let refuse = |key: &str, message: &str| {
         Err(document.error(&Path::root().key(key), Problem::Refused { message: message.to_owned() }))
     };
+    if file.second_harmonic.is_some() && file.law != Some(Law::Cosine) {
+        return refuse("second_harmonic", "it is of a rotor by the cosine law: give law: cosine, too");
+    }
     let given = [file.l.is_some(), file.a.is_some(), file.part.is_some()];
     match file.place_key() {
         Some(key) if file.law == Some(Law::Cosine) => {
@@ -190,8 +225,19 @@ pub fn place(error: &MotorError) -> Path {
         MotorError::SatelliteTooLarge { .. } | MotorError::NoFamily | MotorError::NoCosineRotor { .. } => {
             "zs"
         }
+        MotorError::NoSecondHarmonicRotor { .. } => "zs",
+        MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",
+        MotorError::CannotHold { .. } => "teeth.pressure_angle",
+        MotorError::PortOutside { .. }
+        | MotorError::PortsOverlap
+        | MotorError::SatelliteAcrossRay
+        | MotorError::PortNeverOpens { .. }
+        | MotorError::PortNeverCloses { .. }
+        | MotorError::NoOpening { .. } => "ports",
+        MotorError::NotLaminar { wheel, .. } => of_wheel(wheel, "gaps", "gaps.rotor", "gaps.satellites"),
+        MotorError::PlayClosed { .. } => "gaps.temperature_rise",
         MotorError::NotPositive { quantity, .. }
         | MotorError::NotFinite { quantity, .. }
         | MotorError::OutOfRange { quantity, .. } => of_quantity(*quantity),
@@ -207,6 +253,7 @@ fn of_quantity(quantity: Of) -> &'static str {
         Of::TroughDistance => "l",
         Of::CrestDistance => "a",
         Of::FamilyPart => "part",
+        Of::SecondAmplitude => "second_harmonic",
         Of::Width => "width",
         Of::PressureDrop | Of::HighPressure => "pressure",
         Of::Speed => "speed",
@@ -217,6 +264,32 @@ fn of_quantity(quantity: Of) -> &'static str {
         Of::ProfileShift => "teeth.shift",
         Of::Backlash => "teeth.backlash",
         Of::Fillet => "teeth.fillet",
+        Of::ElasticModulus | Of::ContactModulus => "material.youngs_modulus",
+        Of::PoissonRatio => "material.poissons_ratio",
+        Of::ContactLimit => "material.contact_limit",
+        Of::RootLimit => "material.root_limit",
+        Of::Viscosity => "oil.viscosity",
+        Of::Density => "oil.density",
+        Of::BulkModulus => "oil.bulk_modulus",
+        Of::TurbulentFactor => "oil.turbulence.factor",
+        Of::TurbulentExponent => "oil.turbulence.exponent",
+        Of::SatelliteGap => "gaps.satellites",
+        Of::RotorGap => "gaps.rotor",
+        Of::AxialPlay => "gaps",
+        Of::BoreRadius => "gaps.rotor_bore",
+        Of::Expansion => "gaps.expansion",
+        Of::TemperatureDifference => "gaps.temperature_rise",
+        Of::FrictionCoefficient => "friction",
+        Of::HoleDiameter
+        | Of::PitchCircleRadius
+        | Of::PortAngle
+        | Of::KidneyInnerRadius
+        | Of::KidneyOuterRadius
+        | Of::KidneySpan
+        | Of::KidneyCorner => "ports",
+        Of::DeadArea => "ports.dead_volume",
+        Of::DischargeCoefficient => "ports.discharge",
+        Of::TrappedPressure => "ports.most_trapped",
         _ => "",
     }
 }

@@ -19,14 +19,17 @@
 
 mod change;
 mod elements;
+mod joints;
 mod tables;
 mod torques;
 
 pub use change::{changed, path_of};
-pub use elements::{CapacityEntry, ElementEntry, PressureEntry, ShiftEntry};
+pub use elements::{CapacityEntry, ElementEntry, OverSlipEntry, PressureEntry, ShiftEntry};
+pub use joints::{ConverterEntry, DogEntry, ShaftEntry};
 pub use tables::{Points, TableFault, Texts, read_csv};
 pub use torques::{
-    HarmonicEntry, KlossEntry, LinearEntry, OverSpeedEntry, OverTimeEntry, ResistingEntry, TorqueEntry,
+    ConstantPowerEntry, HarmonicEntry, KlossEntry, LinearEntry, OverSpeedEntry, OverTimeEntry,
+    ResistingEntry, ThrottleEntry, TorqueEntry,
 };
 
 use crate::gearbox::GearboxFile;
@@ -57,6 +60,9 @@ pub struct ScenarioFile {
     /// Inertia of each link about the main axis, without planets. Default 0.
     #[serde(default)]
     pub inertias: BTreeMap<String, Quantity<MomentOfInertia>>,
+    /// Bodies beside the gearbox, which shafts and converters join to it, and their inertias.
+    #[serde(default)]
+    pub bodies: BTreeMap<String, Quantity<MomentOfInertia>>,
     /// Planets that have inertia. Default: none has, whatever the gearbox says of their masses.
     #[serde(default)]
     pub planets: Vec<PlanetsEntry>,
@@ -80,6 +86,12 @@ pub struct ScenarioFile {
     /// Shift elements of the gearbox that carry by friction.
     #[serde(default)]
     pub elements: Vec<ElementEntry>,
+    /// Elastic shafts. Default: all is rigid.
+    #[serde(default)]
+    pub shafts: Vec<ShaftEntry>,
+    /// Torque converters.
+    #[serde(default)]
+    pub converters: Vec<ConverterEntry>,
     /// Shifts, in order of time.
     #[serde(default)]
     pub shifts: Vec<ShiftEntry>,
@@ -143,21 +155,30 @@ impl ScenarioFile {
     /// The files of tables that it names, each with the place where.
     #[must_use]
     pub fn csv_files(&self) -> Vec<(&str, Path)> {
-        let torques = (0..).zip(&self.torques).flat_map(|(place, torque)| {
+        let torques = (0..).zip(&self.torques).map(|(place, torque)| {
             let entry = Path::root().key("torques").index(place);
             let over_time = torque.over_time.as_ref().and_then(|table| table.csv.as_deref());
             let over_speed = torque.over_speed.as_ref().and_then(|table| table.csv.as_deref());
-            [("over_time", over_time), ("over_speed", over_speed)]
-                .map(|(key, file)| file.map(|file| (file, entry.clone().key(key).key("csv"))))
+            let of_throttle = |of: fn(&ThrottleEntry) -> &OverSpeedEntry| {
+                torque.throttle.as_ref().and_then(|throttle| of(throttle).csv.as_deref())
+            };
+            let throttle = entry.clone().key("throttle");
+            [
+                (over_time, entry.clone().key("over_time")),
+                (over_speed, entry.key("over_speed")),
+                (of_throttle(|one| &one.closed), throttle.clone().key("closed")),
+                (of_throttle(|one| &one.full), throttle.key("full")),
+            ]
+            .map(|(file, path)| file.map(|file| (file, path.key("csv"))))
         });
-        let elements = (0..).zip(&self.elements).flat_map(|(place, element)| {
+        let elements = (0..).zip(&self.elements).map(|(place, element)| {
             let entry = Path::root().key("elements").index(place);
             let capacity = element.capacity.as_ref().and_then(|table| table.csv.as_deref());
             let pressure = element.pressure.as_ref().and_then(|table| table.csv.as_deref());
             [("capacity", capacity), ("pressure", pressure)]
                 .map(|(key, file)| file.map(|file| (file, entry.clone().key(key).key("csv"))))
         });
-        torques.chain(elements).flatten().collect()
+        torques.flatten().chain(elements.flatten()).flatten().collect()
     }
 }
 

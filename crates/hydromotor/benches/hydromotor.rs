@@ -8,6 +8,7 @@ use epicyclic_hydromotor::flanks::{LoadedPath, MaterialLimits, SealingContact, e
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::search::forms::FormSearch;
 use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::hint::black_box;
@@ -163,5 +164,16 @@ fn trial(search: &MotorSearch) -> usize {
     motors.iter().filter(|one| !motors.iter().any(|other| dominates(other, one))).count()
 }
 
-criterion_group!(benches, closed_motor, profiles, flanks, search);
+/// The search with the tooth form free: all numbers, three families, 350 forms, on all cores.
+fn forms(c: &mut Criterion) {
+    let search = FormSearch::new(order().requirements);
+    let found = search.front().expect("sound");
+    assert!(found.funnel.points() > 10_000_000 && found.designs.len() > 20);
+    let mut group = c.benchmark_group("hydromotor/forms");
+    group.sample_size(10);
+    group.bench_function("all", |b| b.iter(|| black_box(&search).front()));
+    group.finish();
+}
+
+criterion_group!(benches, closed_motor, profiles, flanks, search, forms);
 criterion_main!(benches);

@@ -170,18 +170,24 @@ pub(crate) mod tests {
     use super::*;
     use crate::closure::Family;
     use crate::closure::tests::any_motor as any_numbers;
+    use crate::second_harmonic::{self, HarmonicRange};
     use crate::units::radians;
     use proptest::prelude::*;
     use std::f64::consts::FRAC_PI_3;
     use uom::si::curvature::radian_per_meter;
     use uom::si::length::{meter, millimeter};
 
-    /// A random motor of two arcs, or of a cosine law where there is one; module 1 m, so that lengths are modules.
+    /// A random motor of two arcs, or of a cosine law, or with a second harmonic, where there is one; module 1 m, so that lengths
+    /// are modules.
     pub(crate) fn any_motor() -> impl Strategy<Value = Motor> {
-        (any_numbers(), any::<bool>()).prop_map(|((numbers, part), cosine)| {
+        (any_numbers(), 0..4_u8).prop_map(|((numbers, part), kind)| {
             let module = Length::new::<meter>(1.0);
-            if let (true, Ok(motor)) = (cosine, Motor::of_cosine_law(numbers, module)) {
+            if let (2, Ok(motor)) = (kind, Motor::of_cosine_law(numbers, module)) {
                 return motor;
+            }
+            if let (3, Ok(HarmonicRange { lower, upper })) = (kind, second_harmonic::range(numbers)) {
+                let [low, high] = [lower, upper].map(|end| end.second_amplitude);
+                return Motor::of_second_harmonic(numbers, module, low + part * (high - low)).unwrap();
             }
             let arcs = Family::new(numbers, module).unwrap().at_part(part).unwrap();
             Motor::of_two_arcs(numbers, module, arcs.trough_distance()).unwrap()

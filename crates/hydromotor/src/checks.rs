@@ -106,7 +106,7 @@ impl Motor {
     /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
     ///
     /// Of a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's image. Of a
-    /// cosine law they are sampled at 257 places of the half-lobe.
+    /// cosine law, with a second harmonic or without, they are sought among 257 places of the half-lobe and refined about the best.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the heights are finite and not below 0.

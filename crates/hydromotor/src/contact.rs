@@ -129,12 +129,8 @@ pub(crate) trait Conjugate {
         (contact.flow(), contact.flow_slope(self.satellite_radius()))
     }
 
-    /// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` along the half-lobe, by samples.
-    fn curvature_extremes(&self) -> [f64; 4] {
-        let end = self.trough().phase;
-        let places = (0..=PLACES).map(|i| end * f64::from(i) / f64::from(PLACES));
-        greatest_curvatures(places.map(|phase| self.within(By::Phase, phase)))
-    }
+    /// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` along the half-lobe; 0 of those that are negative throughout.
+    fn curvature_extremes(&self) -> [f64; 4];
 
     /// The satellite's centre at a phase between 0 and that of the trough, in the stator's frame.
     fn centre_within(&self, phase: f64) -> [f64; 2] {
@@ -178,9 +174,6 @@ pub(crate) trait Conjugate {
         if lobes == 0.0 { contact } else { contact.shifted(lobes, trough) }
     }
 }
-
-/// Places along the half-lobe at which curvatures are looked at where their extremes are not known.
-const PLACES: u32 = 256;
 
 /// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` of some contacts; 0 of those that are negative throughout.
 pub(crate) fn greatest_curvatures(contacts: impl Iterator<Item = Contact>) -> [f64; 4] {

@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{ArcsFault, OpenPair, Quantity, WheelKind};
+use crate::quantity::{ArcsFault, Choice, OpenPair, PortSide, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -184,12 +184,34 @@ pub enum Error {
     /// Numbers for which no cosine-law rotor closes.
     #[error(
         "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude:.6}, where \
-         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth"
+         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth, or try a second harmonic"
     )]
     NoCosineRotor {
         /// The relative amplitude at which the stator gets cusps.
         cusp_amplitude: f64,
         /// What the stator's half-lobe spans too much there, degrees.
+        excess_deg: f64,
+    },
+    /// An amplitude of the second harmonic with which no rotor closes without cusps.
+    #[error(
+        "ε₂ = {second}: a second-harmonic rotor of these numbers closes without cusps for ε₂ between \
+         {low:.6} and {high:.6}"
+    )]
+    OutsideHarmonic {
+        /// The amplitude given.
+        second: f64,
+        /// The range's lower end.
+        low: f64,
+        /// Its upper end.
+        high: f64,
+    },
+    /// Numbers for which no second-harmonic rotor closes without cusps.
+    #[error(
+        "no second-harmonic rotor closes with these numbers without cusps: where the stator gets them, its \
+         half-lobe still spans at least {excess_deg:.6}° too much; take more satellite teeth"
+    )]
+    NoSecondHarmonicRotor {
+        /// What the stator's half-lobe spans too much there at least, degrees.
         excess_deg: f64,
     },
     /// A tooth whose flanks meet below its tip.
@@ -254,6 +276,49 @@ pub enum Error {
         /// Unit of both.
         unit: &'static str,
     },
+    /// Steps that lead nowhere.
+    #[error(
+        "{quantity} from {from} to {to} in steps of {step}{}: write the smaller end first, and a step above 0 where they differ",
+        spaced(.unit)
+    )]
+    EmptySteps {
+        /// What is stepped.
+        quantity: Quantity,
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// Step.
+        step: f64,
+        /// Unit of the three.
+        unit: &'static str,
+    },
+    /// More tooth forms than a search takes.
+    #[error("{forms} tooth forms within the steps: a search takes at most {most}; take greater steps")]
+    TooManyForms {
+        /// Forms within the steps.
+        forms: u64,
+        /// The greatest number allowed.
+        most: u64,
+    },
+    /// A search without something to choose from.
+    #[error("no {what} to choose from: give at least one")]
+    NothingToChoose {
+        /// What there is none of.
+        what: Choice,
+    },
+    /// Objectives of flanks under load without what they are calculated with.
+    #[error("objectives of flanks under load without materials: give them, or other objectives")]
+    NoFlankOrder,
+    /// A limit of a stress without a pressure drop.
+    #[error("a limit of the {quantity} without a pressure drop: give the pressure drop")]
+    NoPressureDrop {
+        /// The stress.
+        quantity: Quantity,
+    },
+    /// A search that its observer ended.
+    #[error("the search was cancelled")]
+    Cancelled,
     /// More sets of numbers than a search takes.
     #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
     TooManySets {
@@ -261,6 +326,101 @@ pub enum Error {
         sets: u64,
         /// The greatest number allowed.
         most: u64,
+    },
+    /// A port where no chamber ever is.
+    #[error(
+        "the {side} port lies from {from_mm:.4} to {to_mm:.4} mm from the axis, where no chamber ever is: \
+         chambers lie between {low_mm:.4} and {high_mm:.4} mm"
+    )]
+    PortOutside {
+        /// Which ports.
+        side: PortSide,
+        /// Its least distance from the axis, mm.
+        from_mm: f64,
+        /// Its greatest distance from the axis, mm.
+        to_mm: f64,
+        /// The rotor's least radius, mm.
+        low_mm: f64,
+        /// The stator's greatest radius, mm.
+        high_mm: f64,
+    },
+    /// Ports of both pressures that share an area.
+    #[error("a high-pressure and a low-pressure port overlap: move them apart, or make them smaller")]
+    PortsOverlap,
+    /// Centrodes steeper than 45°, or a satellite that reaches across the ray through its neighbour's contacts.
+    #[error(
+        "ports of this motor: its centrodes are steeper than 45°, or a satellite reaches across the ray through its neighbour's contacts, so that \
+         the rays do not part the chambers; choose an l or numbers with less steep centrodes"
+    )]
+    SatelliteAcrossRay,
+    /// A port that stays covered.
+    #[error(
+        "the {side} ports never open: satellites, rotor or stator cover them at every angle; a port that opens \
+         lies about {radius_mm:.4} mm from the axis at {angle_deg:.4}° from a crest"
+    )]
+    PortNeverOpens {
+        /// Which ports.
+        side: PortSide,
+        /// Distance of the ideal port's centre from the axis, mm.
+        radius_mm: f64,
+        /// Its polar angle from the crest, degrees.
+        angle_deg: f64,
+    },
+    /// A port that a chamber always sees.
+    #[error(
+        "the {side} ports never close: every chamber is open to them at every angle; a hole closes up to a diameter \
+         of {most_mm:.4} mm at {radius_mm:.4} mm from the axis and {angle_deg:.4}° from a crest"
+    )]
+    PortNeverCloses {
+        /// Which ports.
+        side: PortSide,
+        /// The greatest diameter of a hole that closes, mm.
+        most_mm: f64,
+        /// Distance of the ideal port's centre from the axis, mm.
+        radius_mm: f64,
+        /// Its polar angle from the crest, degrees.
+        angle_deg: f64,
+    },
+    /// Ports that leave no opening at some angle.
+    #[error(
+        "all {side} ports are closed at a rotation of {rotation_deg:.4}°: a flow through them needs one open at every angle"
+    )]
+    NoOpening {
+        /// Which ports.
+        side: PortSide,
+        /// A rotation of the rotor at which it is so, degrees.
+        rotation_deg: f64,
+    },
+    /// Ports that were made for another motor.
+    #[error("the ports are those of another motor: give ports of the same numbers, module and shape")]
+    OtherMotor,
+    /// A gap in which the flow is not laminar.
+    #[error(
+        "the Reynolds number in the gap of the {wheel} is {reynolds:.0}: the laminar law holds up to {most}, here up to a gap \
+         of {gap_most_um:.2} µm; a turbulent law needs its factor and exponent"
+    )]
+    NotLaminar {
+        /// The wheel at whose faces the gap is.
+        wheel: WheelKind,
+        /// The Reynolds number by the laminar law.
+        reynolds: f64,
+        /// The greatest of the laminar range.
+        most: f64,
+        /// The gap at which it is reached, µm.
+        gap_most_um: f64,
+    },
+    /// A play that heat takes up.
+    #[error(
+        "an axial play of {play_um:.2} µm: the expansion takes up {closed_um:.2} µm; the play must be greater, or the satellite at most \
+         {most_k:.2} K warmer than the housing"
+    )]
+    PlayClosed {
+        /// The play when cold, µm.
+        play_um: f64,
+        /// What the expansion takes up, µm.
+        closed_um: f64,
+        /// The difference of temperatures that takes up all, K.
+        most_k: f64,
     },
 }
 
@@ -287,6 +447,8 @@ impl Error {
             Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
             Self::NoFamily => "no-family",
             Self::NoCosineRotor { .. } => "no-cosine-rotor",
+            Self::OutsideHarmonic { .. } => "outside-harmonic",
+            Self::NoSecondHarmonicRotor { .. } => "no-second-harmonic-rotor",
             Self::PointedTip { .. } => "pointed-tip",
             Self::FilletTooLarge { .. } => "fillet-too-large",
             Self::NoTip { .. } => "no-tip",
@@ -294,7 +456,22 @@ impl Error {
             Self::CannotHold { .. } => "cannot-hold",
             Self::NoModules => "no-modules",
             Self::EmptyLimits { .. } => "empty-limits",
+            Self::EmptySteps { .. } => "empty-steps",
+            Self::TooManyForms { .. } => "too-many-forms",
+            Self::NothingToChoose { .. } => "nothing-to-choose",
+            Self::NoFlankOrder => "no-flank-order",
+            Self::NoPressureDrop { .. } => "no-pressure-drop",
+            Self::Cancelled => "cancelled",
             Self::TooManySets { .. } => "too-many-sets",
+            Self::PortOutside { .. } => "port-outside",
+            Self::PortsOverlap => "ports-overlap",
+            Self::SatelliteAcrossRay => "satellite-across-ray",
+            Self::PortNeverOpens { .. } => "port-never-opens",
+            Self::PortNeverCloses { .. } => "port-never-closes",
+            Self::NoOpening { .. } => "no-opening",
+            Self::OtherMotor => "other-motor",
+            Self::NotLaminar { .. } => "not-laminar",
+            Self::PlayClosed { .. } => "play-closed",
         }
     }
 }

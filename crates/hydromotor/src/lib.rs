@@ -12,6 +12,7 @@
 //! | [`closure`] | which of them close: the whole family of motors of given numbers, sensitivity |
 //! | [`junction`] | the point where the images of the arcs meet on the rotor, by the source's formulas |
 //! | [`cosine`] | the other way: a cosine-law rotor and its conjugate stator |
+//! | [`second_harmonic`] | the same with a second harmonic: one family, no jump of the curvature; its range |
 //! | [`motor`] | a closed motor; frame and signs |
 //! | [`centrode`] | stator, rotor and satellite as curves of their arc length |
 //! | [`satellites`] | where each satellite is, how it has turned, how near its neighbours come |
@@ -19,6 +20,10 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
+//! | [`ports`] | ports as made: openings, timing, trapped pressure, throttling |
+//! | [`leakage`] | leakage through the gaps at the end faces |
+//! | [`friction`] | friction of flanks and end gaps, starting torque |
+//! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
@@ -27,7 +32,8 @@
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Drawings; leaks, friction; elastic teeth, strength beyond the stresses of [`flanks`].
+//! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it opens or closes, the change of
+//! viscosity; elastic teeth, strength beyond the stresses of [`flanks`].
 //!
 //! # Example
 //!
@@ -57,19 +63,24 @@ pub mod checks;
 pub mod closure;
 mod contact;
 pub mod cosine;
+pub mod efficiency;
 pub mod error;
 pub mod flanks;
 pub mod flow;
 pub mod forces;
+pub mod friction;
 pub mod junction;
+pub mod leakage;
 pub mod motor;
 pub mod numbers;
+pub mod ports;
 pub mod profile;
 pub mod quantity;
 mod real;
 mod roots;
 pub mod satellites;
 pub mod search;
+pub mod second_harmonic;
 mod threads;
 mod tolerance;
 pub mod two_arc_fit;

@@ -11,8 +11,9 @@ use crate::Error;
 use crate::arcs::StatorArcs;
 use crate::closure::arcs_at;
 use crate::contact::{By, Conjugate, Contact};
-use crate::cosine::Cosine;
+use crate::cosine::{Cosine, Law};
 use crate::numbers::MotorNumbers;
+use crate::second_harmonic::{self, HarmonicLaw};
 use crate::two_arcs::TwoArcs;
 use crate::units::{angle, finite_angle, finite_modules, length, positive_length};
 
@@ -71,6 +72,37 @@ impl Motor {
         Ok(Self { numbers, module, shape: Shape::Cosine(Cosine::new(numbers)?) })
     }
 
+    /// The motor with a second-harmonic rotor of an amplitude `ε₂` ([`crate::second_harmonic`]); with 0 that of the cosine law.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`, [`Error::OutsideHarmonic`] where none closes without cusps
+    /// with this `ε₂`, [`Error::NoSecondHarmonicRotor`] where none does with any.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{area::square_millimeter, f64::Length, length::millimeter};
+    ///
+    /// let numbers = MotorNumbers::new(6, 4, 66, 10)?;
+    /// let motor = Motor::of_second_harmonic(numbers, Length::new::<millimeter>(1.0), 0.015)?;
+    /// let [least, greatest] = motor.chamber_extremes();
+    /// assert!(((greatest - least).get::<square_millimeter>() - 96.395).abs() < 5e-4);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn of_second_harmonic(
+        numbers: MotorNumbers,
+        module: Length,
+        second_amplitude: f64,
+    ) -> Result<Self, Error> {
+        let module = positive_length(Quantity::Module, module)?;
+        Ok(Self { numbers, module, shape: Shape::Cosine(second_harmonic::lobe(numbers, second_amplitude)?) })
+    }
+
+    /// From a law known to close without cusps.
+    pub(crate) fn of_law(numbers: MotorNumbers, module: Length, law: Law) -> Self {
+        Self { numbers, module, shape: Shape::Cosine(Cosine::of_law(law)) }
+    }
+
     /// The numbers.
     #[must_use]
     pub fn numbers(&self) -> MotorNumbers {
@@ -92,16 +124,25 @@ impl Motor {
         }
     }
 
-    /// The rotor's law, of a motor with a cosine-law rotor.
+    /// The rotor's law, of a motor with a cosine-law rotor; none with a second harmonic.
     #[must_use]
     pub fn cosine_law(&self) -> Option<CosineLaw> {
         match &self.shape {
-            Shape::Arcs(..) => None,
-            Shape::Cosine(cosine) => Some(CosineLaw {
-                mean_radius: self.length(cosine.mean_radius()),
-                amplitude: cosine.amplitude(),
+            Shape::Cosine(cosine) if cosine.law().second == 0.0 => Some(CosineLaw {
+                mean_radius: self.length(cosine.law().c),
+                amplitude: cosine.law().amplitude,
                 cusp_amplitude: cosine.cusp_amplitude(),
             }),
+            _ => None,
+        }
+    }
+
+    /// The rotor's law, of a motor with a cosine-law rotor, with or without a second harmonic.
+    #[must_use]
+    pub fn harmonic_law(&self) -> Option<HarmonicLaw> {
+        match &self.shape {
+            Shape::Arcs(..) => None,
+            Shape::Cosine(cosine) => Some(HarmonicLaw::of(cosine.law(), self.module)),
         }
     }
 

@@ -50,10 +50,16 @@ words! {
         OuterDiameter "outer diameter"
         Ripple "ripple"
         LeastRadius "least radius"
+        ContactRatio "contact ratio"
+        LeastTorque "least torque over the mean"
+        ContactStress "pressure of Hertz"
+        RootStress "bending stress at the roots"
+        AllowedPressure "allowed pressure drop"
         FamilyPoints "points of a family"
         Resolution "resolution"
         Steps "steps"
         Points "points"
+        SecondAmplitude "ε₂"
         PressureAngle "pressure angle"
         Addendum "addendum"
         Dedendum "dedendum"
@@ -79,6 +85,33 @@ words! {
         StatorTeeth "stator teeth"
         RotorTeeth "rotor teeth"
         SatelliteTeeth "satellite teeth"
+        HoleDiameter "diameter of the hole"
+        PitchCircleRadius "pitch circle radius of the hole"
+        PortAngle "angle of the port"
+        KidneyInnerRadius "inner radius of the kidney"
+        KidneyOuterRadius "outer radius of the kidney"
+        KidneySpan "span of the kidney"
+        KidneyCorner "corner radius of the kidney"
+        ClosedAngle "closed angle"
+        ChamberArea "area of the chamber"
+        ChamberBend "second derivative of the chamber's area"
+        DeadArea "dead area"
+        BulkModulus "bulk modulus"
+        Density "density"
+        Viscosity "viscosity"
+        DischargeCoefficient "discharge coefficient"
+        TrappedPressure "trapped pressure allowed"
+        Gap "gap"
+        SatelliteGap "gap of the satellites"
+        RotorGap "gap of the rotor"
+        SealedAngle "sealed angle"
+        AxialPlay "axial play"
+        Expansion "coefficient of thermal expansion"
+        TemperatureDifference "temperature difference"
+        TurbulentFactor "factor of the turbulent law"
+        TurbulentExponent "exponent of the turbulent law"
+        FrictionCoefficient "friction coefficient"
+        BoreRadius "bore radius of the rotor"
     }
 }
 
@@ -90,6 +123,23 @@ words! {
         Satellite "satellite"
         WheelCutter "cutter of the wheels"
         SatelliteRack "rack of the satellite"
+    }
+}
+
+words! {
+    /// The ports of one pressure.
+    PortSide {
+        High "high-pressure"
+        Low "low-pressure"
+    }
+}
+
+words! {
+    /// What a search chooses from.
+    Choice {
+        Families "families"
+        Objectives "objectives"
+        Crests "crests"
     }
 }
 

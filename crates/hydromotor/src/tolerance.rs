@@ -6,6 +6,9 @@
 //! | `EDGE_ANGLE` | the same of the angle `B`, over `θ₃` | the residual is smooth there: some steps of rounding suffice |
 //! | `BESIDE_JUMP` | a distance from a jump of a slope, over the piece | the slope's own error stays below the jump |
 //! | `EDGE` | the part of a family's interval that is left out at either end | its ends are no motors |
+//! | `BESIDE_ROOT` | the step of a secant's first two places, over the root | its error and rounding's are both far below what the step corrects |
+//! | `LAST_STEP` | the last step of Newton's method within a panel, over the half-lobe | the square of it is below rounding |
+//! | `STEP_SLACK` | a value beyond the last of some steps, over the step | the last is met though rounding puts it beyond |
 //! | `SERIES` | `√z` of the integral `A(z)` | the next term of the series is below rounding |
 //! | `SLACK` | a size beyond a limit, over the limit | what is asked for to the last digit is not refused by rounding |
 //! | `ALONGSIDE` | the determinant of two tangents | curves along each other have no crossing |
@@ -19,6 +22,8 @@
 //! | `LEVEL` | a deviation above the level one, over it | it is the greatest then |
 //! | `NOISE` | a share in the exchange | the difference quotients' own noise |
 //! | `EXTREME` | the growth of a chamber, over the greatest among the chambers | what rounding leaves at an extreme |
+//! | `OPEN` | the area that a port and a chamber share, over the port's | the sums of both outlines leave less |
+//! | `INSTANT` | a stretch of rotation | a satellite that just covers a port touches its edge: opened and closed at once |
 //! | `SINGULAR` | a pivot | equations with it have no solution |
 
 /// Ends of intervals are left by this part of them.
@@ -30,11 +35,20 @@ pub(crate) const EDGE_ANGLE: f64 = 1e-12;
 /// A slope is taken so far from its jump.
 pub(crate) const BESIDE_JUMP: f64 = 1e-7;
 
+/// The secant starts so far beside its root.
+pub(crate) const BESIDE_ROOT: f64 = 1e-5;
+
 /// The outer points of a search lie this part of the interval within it.
 pub(crate) const EDGE: f64 = 1e-6;
 
 /// Below, `A(z)` is the start of its series.
 pub(crate) const SERIES: f64 = 1e-8;
+
+/// After a smaller step within a panel nothing is left.
+pub(crate) const LAST_STEP: f64 = 1e-9;
+
+/// The last of some steps is met that is missed by less.
+pub(crate) const STEP_SLACK: f64 = 1e-9;
 
 /// A size keeps a limit that it exceeds by less.
 pub(crate) const SLACK: f64 = 1e-12;
@@ -74,3 +88,9 @@ pub(crate) const SINGULAR: f64 = 1e-12;
 
 /// A chamber that grows less is at an extreme.
 pub(crate) const EXTREME: f64 = 1e-6;
+
+/// A port that shares less with a chamber is closed to it.
+pub(crate) const OPEN: f64 = 1e-10;
+
+/// A shorter stretch of rotation is an instant.
+pub(crate) const INSTANT: f64 = 1e-5;

@@ -5,15 +5,20 @@
 use crate::quantity::Quantity;
 use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::area::square_meter;
+use uom::si::area::{square_meter, square_millimeter};
 use uom::si::curvature::radian_per_meter;
+use uom::si::dynamic_viscosity::pascal_second;
 use uom::si::f64::{
-    Angle, AngularVelocity, Area, Curvature, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
+    Angle, AngularVelocity, Area, Curvature, DynamicViscosity, Force, Length, MassDensity, Power, Pressure,
+    TemperatureCoefficient, TemperatureInterval, Torque, Volume, VolumeRate,
 };
 use uom::si::force::newton;
-use uom::si::length::{meter, millimeter};
+use uom::si::length::{meter, micrometer, millimeter};
+use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::power::watt;
 use uom::si::pressure::{megapascal, pascal};
+use uom::si::temperature_coefficient::per_kelvin;
+use uom::si::temperature_interval::kelvin;
 use uom::si::torque::newton_meter;
 use uom::si::volume::{cubic_centimeter, cubic_meter};
 use uom::si::volume_rate::cubic_meter_per_second;
@@ -160,6 +165,11 @@ pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Er
     }
 }
 
+/// A pressure over another.
+pub(crate) fn over(one: Pressure, other: Pressure) -> f64 {
+    one.get::<pascal>() / other.get::<pascal>()
+}
+
 pub(crate) fn metres(value: Length) -> f64 {
     value.get::<meter>()
 }
@@ -189,4 +199,137 @@ pub(crate) fn displacement_of_torque(torque: Torque, pressure: Pressure) -> Volu
     Volume::new::<cubic_meter>(
         std::f64::consts::TAU * (torque.get::<newton_meter>() / pressure.get::<pascal>()),
     )
+}
+
+/// A number that is finite and above 0, of a quantity whose value is named in a unit.
+pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value, unit })
+    }
+}
+
+/// A number that is finite and within a range, both ends allowed.
+pub(crate) fn ranging(
+    quantity: Quantity,
+    value: f64,
+    [low, high]: [f64; 2],
+    unit: &'static str,
+) -> Result<f64, Error> {
+    if value.is_finite() && value >= low && value <= high {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange { quantity, value, low, high, unit })
+    }
+}
+
+/// A pressure that is finite and above 0, in pascals.
+pub(crate) fn positive_pascals(quantity: Quantity, value: Pressure) -> Result<f64, Error> {
+    positive(quantity, value.get::<megapascal>(), "MPa")?;
+    Ok(value.get::<pascal>())
+}
+
+/// A pressure that is finite, in pascals.
+pub(crate) fn finite_pascals(quantity: Quantity, value: Pressure) -> Result<f64, Error> {
+    Ok(finite_pressure(quantity, value)?.get::<pascal>())
+}
+
+/// An area that is finite and not below 0, in square metres.
+pub(crate) fn area_from_zero(quantity: Quantity, value: Area) -> Result<f64, Error> {
+    ranging(quantity, value.get::<square_millimeter>(), [0.0, f64::INFINITY], "mm²")?;
+    Ok(value.get::<square_meter>())
+}
+
+/// An area that is finite and above 0, in square metres.
+pub(crate) fn positive_area(quantity: Quantity, value: Area) -> Result<f64, Error> {
+    positive(quantity, value.get::<square_millimeter>(), "mm²")?;
+    Ok(value.get::<square_meter>())
+}
+
+pub(crate) fn square_metres(value: Area) -> f64 {
+    value.get::<square_meter>()
+}
+
+pub(crate) fn volume_of_cubic_metres(value: f64) -> Volume {
+    Volume::new::<cubic_meter>(value)
+}
+
+/// A length that is finite and above 0, in metres.
+pub(crate) fn positive_metres(quantity: Quantity, value: Length) -> Result<f64, Error> {
+    positive_length(quantity, value).map(metres)
+}
+
+/// A density that is finite and above 0, in kilograms a cubic metre.
+pub(crate) fn positive_density(value: MassDensity) -> Result<f64, Error> {
+    positive(Quantity::Density, value.get::<kilogram_per_cubic_meter>(), "kg/m³")
+}
+
+/// A dynamic viscosity that is finite and above 0, in pascal seconds.
+pub(crate) fn positive_viscosity(value: DynamicViscosity) -> Result<f64, Error> {
+    positive(Quantity::Viscosity, value.get::<pascal_second>(), "Pa·s")
+}
+
+/// A speed that is finite and above 0, in radians a second.
+pub(crate) fn positive_speed(value: AngularVelocity) -> Result<f64, Error> {
+    positive(Quantity::Speed, value.get::<radian_per_second>(), "rad/s")
+}
+
+pub(crate) fn flow_of_cubic_metres(value: f64) -> VolumeRate {
+    VolumeRate::new::<cubic_meter_per_second>(value)
+}
+
+pub(crate) fn torque_of_newton_metres(value: f64) -> Torque {
+    Torque::new::<newton_meter>(value)
+}
+
+pub(crate) fn power_of_watts(value: f64) -> Power {
+    Power::new::<watt>(value)
+}
+
+/// A coefficient of thermal expansion that is finite, a kelvin.
+pub(crate) fn finite_expansion(value: TemperatureCoefficient) -> Result<f64, Error> {
+    let value = value.get::<per_kelvin>();
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity: Quantity::Expansion, value, unit: "1/K" })
+    }
+}
+
+/// A difference of temperatures that is finite, in kelvins.
+pub(crate) fn finite_kelvins(value: TemperatureInterval) -> Result<f64, Error> {
+    let value = value.get::<kelvin>();
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity: Quantity::TemperatureDifference, value, unit: "K" })
+    }
+}
+
+pub(crate) fn micrometres(value: Length) -> f64 {
+    value.get::<micrometer>()
+}
+
+pub(crate) fn newtons(value: Force) -> f64 {
+    value.get::<newton>()
+}
+
+/// A speed that is finite and not below 0, in radians a second.
+pub(crate) fn speed_from_zero(value: AngularVelocity) -> Result<f64, Error> {
+    ranging(Quantity::Speed, value.get::<radian_per_second>(), [0.0, f64::INFINITY], "rad/s")
+}
+
+/// A radian a second.
+pub(crate) fn speed_of_one() -> AngularVelocity {
+    AngularVelocity::new::<radian_per_second>(1.0)
+}
+
+pub(crate) fn watts(value: Power) -> f64 {
+    value.get::<watt>()
+}
+
+/// Cubic metres a second.
+pub(crate) fn volume_flow(value: VolumeRate) -> f64 {
+    value.get::<cubic_meter_per_second>()
 }

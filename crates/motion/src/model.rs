@@ -5,6 +5,7 @@ use crate::converter::{Converter, Coupling};
 use crate::course::Course;
 use crate::mechanism::{Mechanism, Place, not_negative};
 use crate::shaft::{Joint, Shaft};
+use crate::table;
 use crate::torque_law::{Law, TorqueLaw};
 use crate::units::{rad_per_s, seconds};
 use epicyclic_train::GROUND;
@@ -203,6 +204,18 @@ impl Model {
         }
         *curve = points;
         Ok(())
+    }
+
+    /// The factor of a friction element's capacity at a slip speed of either sign; 1 of one whose friction depends on none, and of other elements.
+    #[must_use]
+    pub fn friction_factor(&self, name: &str, slip: AngularVelocity) -> f64 {
+        let speed = rad_per_s(slip).abs();
+        match self.elements.iter().find(|one| one.name == name).map(|one| &one.kind) {
+            Some(Kind::Friction { curve, .. }) if !curve.is_empty() => {
+                table::value(curve, table::segment(curve, speed, true), speed)
+            }
+            _ => 1.0,
+        }
     }
 
     /// Joins two links by an elastic, damped shaft with backlash: of the gearbox, the housing, or [bodies](Mechanism::with_body) beside it.

@@ -13,6 +13,7 @@ use uom::si::f64::{Angle, AngularVelocity};
 pub struct Start {
     speeds: Vec<(String, f64)>,
     twists: Vec<(String, f64)>,
+    together: Vec<[String; 2]>,
     is_at_rest: bool,
 }
 
@@ -37,6 +38,13 @@ impl Start {
         self
     }
 
+    /// With the first link of each pair at the speed of the second.
+    #[must_use]
+    pub fn together(mut self, pairs: &[[&str; 2]]) -> Self {
+        self.together.extend(pairs.iter().map(|pair| pair.map(ToOwned::to_owned)));
+        self
+    }
+
     /// Twists of the shafts, in this order.
     pub(crate) fn twists(&self, shafts: &[Joint]) -> Result<Vec<f64>, Error> {
         let mut found = vec![0.0; shafts.len()];
@@ -55,9 +63,16 @@ impl Start {
             return Ok(vec![0.0; n]);
         }
         let mut rows = vec![];
+        let mut due: Vec<(&str, f64)> = vec![];
         for (link, speed) in &self.speeds {
             crate::course::finite(&format!("the initial speed of {link} in rad/s"), *speed)?;
             rows.push(mechanism.speed_factors(link)?);
+            due.push((link, *speed));
+        }
+        for [link, other] in &self.together {
+            let (one, other) = (mechanism.speed_factors(link)?, mechanism.speed_factors(other)?);
+            rows.push(one.iter().zip(&other).map(|(one, other)| one - other).collect());
+            due.push((link, 0.0));
         }
         let found = independent(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
         if found.kept.len() < n {
@@ -76,13 +91,13 @@ impl Start {
         for (place, &row) in found.kept.iter().enumerate() {
             system.row_mut(place).copy_from_slice(&rows[row]);
         }
-        let right: Vec<f64> = found.kept.iter().map(|&row| self.speeds[row].1).collect();
+        let right: Vec<f64> = found.kept.iter().map(|&row| due[row].1).collect();
         let solved = Split::new(system).map(|split| split.solve(&right)).unwrap_or_default();
         let scale = largest(&right);
-        for ((link, given), row) in self.speeds.iter().zip(&rows) {
+        for ((link, given), row) in due.iter().zip(&rows) {
             let speed = dot(row, &solved);
             if (speed - given).abs() > SLIP * scale.max(given.abs()) {
-                return Err(Error::InitialSpeeds { link: link.clone(), given: *given, found: speed });
+                return Err(Error::InitialSpeeds { link: (*link).to_owned(), given: *given, found: speed });
             }
         }
         Ok(solved)

@@ -2,7 +2,8 @@
 
 use uom::si::angle::{degree, radian};
 use uom::si::area::square_millimeter;
-use uom::si::f64::{Angle, Area, Length};
+use uom::si::f64::{Angle, Area, Force, Length};
+use uom::si::force::newton;
 use uom::si::length::millimeter;
 
 pub(crate) fn mm(value: Length) -> f64 {
@@ -23,4 +24,8 @@ pub(crate) fn rad(value: Angle) -> f64 {
 
 pub(crate) fn deg(value: Angle) -> f64 {
     value.get::<degree>()
+}
+
+pub(crate) fn newtons(value: Force) -> f64 {
+    value.get::<newton>()
 }

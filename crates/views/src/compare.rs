@@ -3,7 +3,7 @@
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::quantities::column;
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_answers::compare::{
     Compared, ComparedFigure, ComparedGear, Comparison, Differs, FigureName, GearFigure, GearsBy, Value,
 };
@@ -37,8 +37,7 @@ impl AsReport for Comparison {
         }));
         parts.push(Part::Records(shift_elements(self, &letters)));
         parts.push(Part::Records(all(self, &letters)));
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
-        Report { title: None, parts, warnings: Some(warnings) }
+        Report { title: None, parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -290,8 +289,8 @@ fn shift_elements(comparison: &Comparison, letters: &[String]) -> Records {
             Column::words("torque_gear", "in gear"),
             Column::number("slip_of_input", "slip"),
             Column::words("slip_gear", "in gear"),
-            Column { heading: "T, N·m".to_owned(), ..Column::quantity("torque", Dimension::Torque) },
-            Column { heading: "slip, rpm".to_owned(), ..Column::quantity("slip", Dimension::AngularSpeed) },
+            Column::headed("torque", "T, N·m", Dimension::Torque),
+            Column::headed("slip", "slip, rpm", Dimension::AngularSpeed),
         ],
         views: vec![View {
             note: "T, slip: over the input's torque, with losses, and its speed.".to_owned(),

@@ -3,7 +3,7 @@
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::words;
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use crate::size::{designs, left_out};
 use crate::strength::{Worn, over_duty};
 use epicyclic_answers::design::Design;
@@ -20,8 +20,7 @@ impl AsReport for Design {
     fn report(&self) -> Report {
         let mut parts = parts_of_choice(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
-        Report { title: Some(in_short(self)), parts, warnings: Some(warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked};
-use crate::report::{Part, Report, Row, Section};
+use crate::report::{Part, Report, Row, Section, warned};
 use epicyclic_answers::drive::{Bearing, Drive, Gear, Motion, Outcome, Shaft};
 use epicyclic_formats::Dimension::{
     self, Angle, AngularAcceleration, AngularSpeed, Energy, Force, Inertia, Length, Mass, Power, Pressure,
@@ -53,9 +53,7 @@ impl AsReport for Drive {
                 section("start", "Start", &[], starting_torques(self)),
                 section("start", "Motion from rest", MOTIONS, motions(self)),
             ],
-            warnings: Some(
-                self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect(),
-            ),
+            warnings: warned(&self.warnings),
         }
     }
 }

@@ -3,22 +3,13 @@
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::quantities::{optional, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::rpm;
-use epicyclic_answers::Warning;
 use epicyclic_answers::losses::{
     GearLosses, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
 };
 use epicyclic_formats::Dimension::{self, AngularSpeed, Power, Torque};
 use epicyclic_pictures::contours::Contours;
-
-fn warnings(all: &[Warning]) -> Option<Vec<(&'static str, String)>> {
-    Some(all.iter().map(|warning| (warning.name, warning.message.clone())).collect())
-}
-
-fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
-}
 
 fn column(si: f64, dimension: Dimension) -> Figure {
     Figure::Column { si, dimension }
@@ -32,7 +23,7 @@ impl AsReport for Losses {
     fn report(&self) -> Report {
         let tables = tables(&self.gears, &self.losses, &self.not_calculated);
         let parts = [Part::Facts(facts(self))].into_iter().chain(tables).collect();
-        Report { title: Some(format!("{}: losses", self.gearbox)), parts, warnings: warnings(&self.warnings) }
+        Report { title: Some(format!("{}: losses", self.gearbox)), parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -78,14 +69,14 @@ fn gears(all: &[GearLosses]) -> Records {
         name: "gears",
         columns: vec![
             Column::words("gear", "gear"),
-            headed("output_speed", "n out, rpm", AngularSpeed),
-            headed("input_torque", "T in, N·m", Torque),
-            headed("output_torque", "T out, N·m", Torque),
-            headed("input_power", "P in, kW", Power),
-            headed("output_power", "P out, kW", Power),
-            headed("mesh_loss", "meshes, kW", Power),
-            headed("drag_loss", "drags, kW", Power),
-            headed("loss", "lost, kW", Power),
+            Column::headed("output_speed", "n out, rpm", AngularSpeed),
+            Column::headed("input_torque", "T in, N·m", Torque),
+            Column::headed("output_torque", "T out, N·m", Torque),
+            Column::headed("input_power", "P in, kW", Power),
+            Column::headed("output_power", "P out, kW", Power),
+            Column::headed("mesh_loss", "meshes, kW", Power),
+            Column::headed("drag_loss", "drags, kW", Power),
+            Column::headed("loss", "lost, kW", Power),
             Column::number("efficiency", "η"),
         ],
         rows: all.iter().map(row).collect(),
@@ -129,9 +120,9 @@ fn losses(all: &[Loss]) -> Records {
             Column::words("kind", "kind"),
             Column::words("of", "of"),
             Column::words("between", "between"),
-            headed("slip", "n, rpm", AngularSpeed),
-            headed("torque", "M, N·m", Torque),
-            headed("loss", "kW", Power),
+            Column::headed("slip", "n, rpm", AngularSpeed),
+            Column::headed("torque", "M, N·m", Torque),
+            Column::headed("loss", "kW", Power),
             Column::number("of_loss_percent", "%"),
         ],
         rows: all.iter().map(row).collect(),
@@ -174,12 +165,12 @@ impl AsReport for LossMap {
         let records = Records {
             name: "map",
             columns: vec![
-                headed("speed", "speed, rpm", AngularSpeed),
-                headed("torque", "torque, N·m", Torque),
-                headed("output_torque", "output, N·m", Torque),
-                headed("mesh_loss", "meshes, kW", Power),
-                headed("drag_loss", "drags, kW", Power),
-                headed("loss", "lost, kW", Power),
+                Column::headed("speed", "speed, rpm", AngularSpeed),
+                Column::headed("torque", "torque, N·m", Torque),
+                Column::headed("output_torque", "output, N·m", Torque),
+                Column::headed("mesh_loss", "meshes, kW", Power),
+                Column::headed("drag_loss", "drags, kW", Power),
+                Column::headed("loss", "lost, kW", Power),
                 Column::number("efficiency", "η"),
             ],
             rows: self.map.iter().map(row).collect(),
@@ -195,7 +186,7 @@ impl AsReport for LossMap {
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
             parts: vec![Part::Records(records)],
-            warnings: warnings(&self.warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }

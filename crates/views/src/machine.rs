@@ -238,7 +238,7 @@ fn discharges(rotor: &Rotor) -> Records {
     Records {
         name: "discharges",
         columns: vec![
-            Column { heading: "chute at, deg".to_owned(), ..Column::quantity("chute", Dimension::Angle) },
+            Column::headed("chute", "chute at, deg", Dimension::Angle),
             Column::number("discharge", "Ω"),
             Column::words("counts", "counts"),
         ],

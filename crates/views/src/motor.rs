@@ -1,13 +1,16 @@
 //! A hydromotor, as tables; its drawings, and its centrodes as CSV.
 
 mod lists;
+mod made;
+pub(crate) mod plots;
 
 pub(crate) use lists::subject;
 
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked, words};
-use crate::report::{Part, Report, Row, Section, Text};
+use crate::report::{Part, Report, Row, Section, Text, warned};
 use crate::{AsReport, Error, text};
+use epicyclic_answers::motor;
 use epicyclic_answers::motor::{
     Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Motor, Numbers, Wheel,
 };
@@ -17,10 +20,6 @@ use epicyclic_formats::Dimension::{
 };
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_pictures::motor as pictures;
-
-const NEGLECTED: &str = "Leaks, friction and what they cost of flow, torque and power; the compression of the fluid, \
-                         and the real ports, which open by and by; inertia; contact forces and the strength of teeth, \
-                         wheels and housing.";
 
 impl AsReport for Motor {
     fn report(&self) -> Report {
@@ -40,7 +39,16 @@ impl AsReport for Motor {
         }
         parts.push(section("rotor", "Rotor: the exact curve, and arcs laid to it", rotor(self)));
         parts.push(section("work", "Displacement, torque and flow, without losses", work(self)));
+        if let Some(flanks) = &self.flanks {
+            parts.extend(made::flanks(flanks));
+        }
         parts.push(section("ports", "Ideal ports in the cover", ports(self)));
+        if let Some(ports) = &self.made_ports {
+            parts.extend(made::ports(ports));
+        }
+        if let Some(losses) = &self.losses {
+            parts.extend(made::losses(losses));
+        }
         parts.push(section("size", "Size of the centrodes", size(self)));
         parts.push(Part::Records(lists::checks(self)));
         match (&self.tooth_limits, &self.clearances) {
@@ -58,11 +66,10 @@ impl AsReport for Motor {
         parts.push(Part::Records(lists::satellites(self)));
         parts.push(Part::Text(Text {
             heading: Some("Left out".to_owned()),
-            paragraphs: vec![NEGLECTED.to_owned()],
+            paragraphs: vec![made::neglected(self.made_ports.is_some(), self.losses.as_ref())],
             ..Text::default()
         }));
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone()));
-        Report { title: Some(title(&self.numbers)), parts, warnings: Some(warnings.collect()) }
+        Report { title: Some(title(&self.numbers)), parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -172,11 +179,21 @@ fn limit(limit: FamilyLimit) -> &'static str {
 
 fn cosine_law(law: &CosineLaw) -> Vec<Row> {
     let number = |name, label, symbol, value| Row::new(name, label, symbol, [Figure::Number(value)]);
-    vec![
+    let mut rows = vec![
         one("mean_radius", "mean radius of the rotor", "c", Length, law.mean_radius_m),
         number("amplitude", "relative amplitude", "ε", law.amplitude),
-        number("cusp_amplitude", "at which the stator gets cusps", "", law.cusp_amplitude),
-    ]
+    ];
+    if law.second_amplitude != 0.0 {
+        rows.push(number("second_amplitude", "of the second harmonic", "ε₂", law.second_amplitude));
+    }
+    rows.extend(
+        law.cusp_amplitude.map(|cusp| number("cusp_amplitude", "at which the stator gets cusps", "", cusp)),
+    );
+    if let Some(range) = &law.second_harmonics {
+        rows.push(number("second_from", "second harmonics close above ε₂ =", "", range.from));
+        rows.push(number("second_to", "… and below ε₂ =", "", range.to));
+    }
+    rows
 }
 
 /// A row of a figure that may be missing, and is left out then.
@@ -302,6 +319,16 @@ pub enum View {
     Chambers,
     /// Dimensions and a table of wheel data.
     Dimensions,
+    /// Forces on satellites and bearing.
+    Forces,
+    /// The ports as made.
+    Ports,
+    /// Pressure in a chamber over its cycle.
+    Pressure,
+    /// Contact stress of a satellite over its cycle.
+    Stress,
+    /// Total efficiency over speed and pressure.
+    Efficiency,
 }
 
 /// A drawing of a motor at its angle.
@@ -316,6 +343,35 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         View::Chambers => pictures::chambers(motor, *angle),
         View::Dimensions => {
             pictures::dimensions(motor, designed.profile.as_ref().ok(), designed.width, *angle)
+        }
+        View::Forces => {
+            let lacking = || Error::Lacking("width and pressure".to_owned());
+            let (width, drop) = designed.width.zip(designed.pressure).ok_or_else(lacking)?;
+            pictures::forces(motor, designed.form.pressure_angle, *angle, width, drop)
+        }
+        View::Ports => {
+            let lacking = || Error::Lacking("ports as made, with the key or option ports".to_owned());
+            let plate = designed.made.ports.as_ref().ok_or_else(lacking)?;
+            let timing = plate.timing().map_err(epicyclic_pictures::Error::from)?;
+            pictures::plate(plate, &timing, *angle)
+        }
+        View::Pressure | View::Stress => {
+            let cycle = motor::over_cycle(designed).map_err(|why| Error::Answer(Box::new(why)))?;
+            let (plot, lacking) = if view == View::Pressure {
+                (plots::pressure(&cycle), "ports as made, the oil's bulk modulus, and pressure")
+            } else {
+                (plots::stress(&cycle), "teeth and a pressure")
+            };
+            let plot = plot.ok_or_else(|| Error::Lacking(lacking.to_owned()))?;
+            return Ok(plot.scene().map_err(epicyclic_pictures::Error::from)?);
+        }
+        View::Efficiency => {
+            let losses = designed
+                .made
+                .losses()
+                .ok_or_else(|| Error::Lacking("gaps, oil, friction, width, pressure and speed".to_owned()))?;
+            let map = losses.map.as_ref().ok_or_else(|| Error::Lacking(losses.missing.join(", ")))?;
+            return Ok(plots::efficiency(map).scene().map_err(epicyclic_pictures::Error::from)?);
         }
         View::Teeth => match &designed.profile {
             Ok(profile) => pictures::teeth(profile, *angle),

@@ -7,7 +7,7 @@ use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_answers::motor::Subject;
 use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLimits};
-use epicyclic_formats::Dimension::{self, Length, Power, Torque, Volume, VolumeRate};
+use epicyclic_formats::Dimension::{Length, Power, Torque, Volume, VolumeRate};
 
 /// The objectives, of which the error is stated.
 const OBJECTIVES: &[(&str, &str)] =
@@ -60,10 +60,6 @@ fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row
 
 fn many(count: usize) -> Figure {
     Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
-}
-
-fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
 }
 
 fn records(search: &MotorSearch) -> Records {
@@ -125,19 +121,19 @@ fn records(search: &MotorSearch) -> Records {
         Column::number("spacing_error_displacement_by_volume", ""),
         Column::number("spacing_error_ripple", ""),
         Column::number("spacing_error_least_radius", ""),
-        headed("module", "m, mm", Length),
-        headed("width", "b, mm", Length),
-        headed("outer_diameter", "Ø, mm", Length),
-        headed("l", "l, mm", Length),
-        headed("a", "a, mm", Length),
-        headed("r1", "R₁, mm", Length),
-        headed("r2", "R₂, mm", Length),
-        headed("displacement", "q, cm³", Volume),
-        headed("torque", "M, N·m", Torque),
-        headed("least_torque", "least", Torque),
-        headed("flow", "l/min", VolumeRate),
-        headed("power", "kW", Power),
-        headed("modules", "all m, mm", Length),
+        Column::headed("module", "m, mm", Length),
+        Column::headed("width", "b, mm", Length),
+        Column::headed("outer_diameter", "Ø, mm", Length),
+        Column::headed("l", "l, mm", Length),
+        Column::headed("a", "a, mm", Length),
+        Column::headed("r1", "R₁, mm", Length),
+        Column::headed("r2", "R₂, mm", Length),
+        Column::headed("displacement", "q, cm³", Volume),
+        Column::headed("torque", "M, N·m", Torque),
+        Column::headed("least_torque", "least", Torque),
+        Column::headed("flow", "l/min", VolumeRate),
+        Column::headed("power", "kW", Power),
+        Column::headed("modules", "all m, mm", Length),
         Column::words("all_modules", "all m, mm").for_people(),
     ];
     Records {

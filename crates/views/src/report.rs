@@ -8,6 +8,7 @@ pub(crate) mod html;
 
 use crate::figure::{self, Figure, suffix};
 use crate::text::{self, Error};
+use epicyclic_answers::Warning;
 use epicyclic_formats::Dimension;
 use epicyclic_formats::visible::one_line;
 use std::borrow::Cow;
@@ -157,6 +158,11 @@ pub struct Column {
     pub is_for_people: bool,
 }
 
+/// Warnings of an answer as a report has them.
+pub(crate) fn warned(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
+    Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())
+}
+
 impl Column {
     /// A column of words.
     pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
@@ -186,6 +192,11 @@ impl Column {
     pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
         let heading = dimension.usual_unit().symbol;
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
+    }
+
+    /// A column of quantities with a heading of its own.
+    pub fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Self {
+        Self { heading: heading.into(), ..Self::quantity(name, dimension) }
     }
 
     /// The same column of one of several things, which heads it.

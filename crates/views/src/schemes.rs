@@ -2,7 +2,7 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
 use epicyclic_answers::schemes::{Connection, Gear, Parameters, Scheme, Schemes};
 use epicyclic_formats::quantity::format::trimmed;
@@ -88,8 +88,7 @@ impl AsReport for Scheme {
             parts.push(Part::Facts(parameters(numbers)));
             parts.push(Part::Records(gears(&self.gears)));
             parts.push(Part::Records(speeds(&self.sets, &self.gears)));
-            let told = self.warnings.iter().map(|warning| (warning.name, warning.message.clone()));
-            warnings = Some(told.collect());
+            warnings = warned(&self.warnings);
         }
         Report { title: Some(format!("Scheme {}", self.scheme)), parts, warnings }
     }

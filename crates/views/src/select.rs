@@ -198,8 +198,8 @@ fn common_columns() -> Vec<Column> {
         Column::number("k2", "k₂"),
         Column::number("efficiency_1", "η₁"),
         Column::number("efficiency_2", "η₂"),
-        Column { heading: "n₁".to_owned(), ..Column::quantity("output_speed_1", Dimension::AngularSpeed) },
-        Column { heading: "n₂".to_owned(), ..Column::quantity("output_speed_2", Dimension::AngularSpeed) },
+        Column::headed("output_speed_1", "n₁", Dimension::AngularSpeed),
+        Column::headed("output_speed_2", "n₂", Dimension::AngularSpeed),
         Column::quantity("output_torque_1", Dimension::Torque),
         Column::quantity("output_torque_2", Dimension::Torque),
         Column::quantity("brake_torque_at_load_1", Dimension::Torque),
@@ -210,7 +210,7 @@ fn common_columns() -> Vec<Column> {
         Column::number("k_distance", "k"),
         Column::number("ratio_error", "ratio error"),
         Column::number("size", "size"),
-        Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
+        Column::headed("ring_diameter", "ring, mm", Dimension::Length),
         Column::words("mixed_directions", "mixed directions"),
     ]
 }

@@ -2,7 +2,7 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, View};
+use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::sheet::records::{
     AtOutput, GearInMesh, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Tool,
@@ -27,11 +27,10 @@ impl AsReport for DataSheets {
         if !self.left_out.is_empty() {
             parts.push(Part::Records(left_out(&self.left_out)));
         }
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
         Report {
             title: Some(format!("{}: data sheets of gears", self.gearbox)),
             parts,
-            warnings: Some(warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }

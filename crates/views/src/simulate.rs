@@ -6,9 +6,10 @@ mod sweep;
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{column, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::simulate::{
-    ChangeKind, ChangeRecord, ElementKind, ElementResult, ShiftResult, Simulation, State,
+    ChangeKind, ChangeRecord, ConverterResult, ElementKind, ElementResult, ShaftResult, ShiftResult,
+    Simulation, State,
 };
 use epicyclic_formats::Dimension::{
     self, AngularSpeed, Energy, EnergyPerArea, Power, PowerPerArea, TemperatureDifference, Time, Torque,
@@ -28,10 +29,6 @@ pub enum PlotView {
     Temperatures,
 }
 
-fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Column {
-    Column { heading: heading.into(), ..Column::quantity(name, dimension) }
-}
-
 impl AsReport for Simulation {
     fn report(&self) -> Report {
         let mut parts = vec![];
@@ -39,18 +36,23 @@ impl AsReport for Simulation {
             parts.push(Part::Records(events(self)));
         }
         if !self.shifts.is_empty() {
-            parts.push(Part::Records(shifts(&self.shifts)));
+            parts.push(Part::Records(of_shifts(&self.shifts)));
         }
         if !self.elements.is_empty() {
             parts.push(Part::Records(elements(&self.elements)));
         }
+        if !self.shafts.is_empty() {
+            parts.push(Part::Records(shafts(&self.shafts)));
+        }
+        if !self.converters.is_empty() {
+            parts.push(Part::Records(converters(&self.converters)));
+        }
         parts.push(Part::Records(end(self)));
         parts.push(Part::Facts(energies(self)));
-        let warnings = self.warnings.iter().map(|one| (one.name, one.message.clone())).collect();
         Report {
             title: Some(format!("{}: {} in motion", self.scenario, self.gearbox)),
             parts,
-            warnings: Some(warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -63,15 +65,17 @@ pub fn state(state: State) -> &'static str {
         State::SlipsForward => "slips +",
         State::SlipsBackward => "slips −",
         State::Holds => "holds",
+        State::DrivesForward => "drives +",
+        State::DrivesBackward => "drives −",
     }
 }
 
 /// How a set with losses rolls, in words.
 fn rolling(state: State) -> &'static str {
     match state {
-        State::Open | State::Holds => "turns as a block",
         State::SlipsForward => "rolls +",
         State::SlipsBackward => "rolls −",
+        _ => "turns as a block",
     }
 }
 
@@ -81,6 +85,10 @@ pub fn change(change: &ChangeRecord) -> String {
     match (change.from.zip(change.to), change.is_rising) {
         (Some((from, to)), _) if change.kind == ChangeKind::Set => {
             format!("{}: {} → {}", change.id, rolling(from), rolling(to))
+        }
+        (Some((from, to)), _) if change.kind == ChangeKind::Shaft => {
+            let contact = |of| if of == State::Open { "free" } else { state(of) };
+            format!("{}: {} → {}", change.id, contact(from), contact(to))
         }
         (Some((from, to)), _) => format!("{}: {} → {}", change.id, state(from), state(to)),
         (None, Some(true)) => format!("{}: passed upwards", change.id),
@@ -92,6 +100,7 @@ fn kind(kind: ChangeKind) -> &'static str {
     match kind {
         ChangeKind::Element => "element",
         ChangeKind::Set => "set",
+        ChangeKind::Shaft => "shaft",
         ChangeKind::Threshold => "threshold",
     }
 }
@@ -119,15 +128,15 @@ fn events(simulation: &Simulation) -> Records {
     Records {
         name: "events",
         columns: vec![
-            headed("time", "t, s", Time),
+            Column::headed("time", "t, s", Time),
             Column::words("change", "what changes").for_people(),
             Column::words("kind", "kind"),
             Column::words("id", "of"),
             Column::words("from", "from"),
             Column::words("to", "to"),
             Column::words("is_rising", "upwards"),
-            headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
-            headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
+            Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
+            Column::headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
         ],
         rows: rows.collect(),
         views: vec![View::new("Events", &["time", "change", "input_speed", "output_speed"])],
@@ -139,7 +148,7 @@ fn per_cent(share: Option<f64>) -> Figure {
     share.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
 }
 
-fn shifts(all: &[ShiftResult]) -> Records {
+fn of_shifts(all: &[ShiftResult]) -> Records {
     let row = |shift: &ShiftResult| {
         vec![
             text(format!("{} → {}", shift.from, shift.to)),
@@ -162,17 +171,17 @@ fn shifts(all: &[ShiftResult]) -> Records {
         name: "shifts",
         columns: vec![
             Column::words("shift", "shift"),
-            headed("at", "at, s", Time),
-            headed("shift_time", "takes, s", Time),
-            headed("torque_phase", "torque phase", Time),
-            headed("inertia_phase", "inertia phase", Time),
-            headed("output_torque_before", "T before, N·m", Torque),
-            headed("output_torque_least", "least", Torque),
-            headed("output_torque_greatest", "greatest", Torque),
+            Column::headed("at", "at, s", Time),
+            Column::headed("shift_time", "takes, s", Time),
+            Column::headed("torque_phase", "torque phase", Time),
+            Column::headed("inertia_phase", "inertia phase", Time),
+            Column::headed("output_torque_before", "T before, N·m", Torque),
+            Column::headed("output_torque_least", "least", Torque),
+            Column::headed("output_torque_greatest", "greatest", Torque),
             Column::number("torque_hole_percent", "hole, %"),
             Column::number("torque_surge_percent", "surge, %"),
-            headed("heat", "heat, J", Energy),
-            headed("locked", "locked, s", Time),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("locked", "locked, s", Time),
             Column::words("released", "released"),
             Column::words("applied", "applied"),
         ],
@@ -206,6 +215,7 @@ fn kind_of(kind: ElementKind) -> &'static str {
         ElementKind::Brake => "brake",
         ElementKind::Clutch => "clutch",
         ElementKind::OneWayClutch => "one-way",
+        ElementKind::DogClutch => "dogs",
         ElementKind::Resistance => "resistance",
     }
 }
@@ -258,17 +268,86 @@ fn elements(all: &[ElementResult]) -> Records {
             Column::words("kind", "kind"),
             Column::words("links", "between"),
             Column::words("at_end", "at the end"),
-            headed("slip_time", "slips, s", Time),
-            headed("heat", "heat, J", Energy),
-            headed("peak_power", "P, kW", Power),
-            headed("peak_torque", "T, N·m", Torque),
-            headed("heat_per_area", "J/mm²", EnergyPerArea),
-            headed("peak_power_per_area", "W/mm²", PowerPerArea),
-            headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
-            headed("end_temperature_rise", "end, K", TemperatureDifference),
+            Column::headed("slip_time", "slips, s", Time),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("peak_power", "P, kW", Power),
+            Column::headed("peak_torque", "T, N·m", Torque),
+            Column::headed("heat_per_area", "J/mm²", EnergyPerArea),
+            Column::headed("peak_power_per_area", "W/mm²", PowerPerArea),
+            Column::headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
+            Column::headed("end_temperature_rise", "end, K", TemperatureDifference),
         ],
         rows: all.iter().map(row).collect(),
         views,
+        is_answer: false,
+    }
+}
+
+fn shafts(all: &[ShaftResult]) -> Records {
+    let row = |one: &ShaftResult| {
+        vec![
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(Dimension::Angle, Some(one.peak_twist_rad)),
+            column(Torque, Some(one.end_torque_n_m)),
+            column(Dimension::Angle, Some(one.end_twist_rad)),
+            column(Energy, Some(one.heat_j)),
+        ]
+    };
+    let columns = vec![
+        Column::words("id", "shaft"),
+        Column::words("links", "between"),
+        Column::headed("peak_torque", "T, N·m", Torque),
+        Column::headed("peak_twist", "twist, deg", Dimension::Angle),
+        Column::headed("end_torque", "T at the end", Torque),
+        Column::headed("end_twist", "twist at the end", Dimension::Angle),
+        Column::headed("heat", "heat, J", Energy),
+    ];
+    let view = View {
+        note: "T, twist: the greatest; heat: of the damper.".to_owned(),
+        ..View::new("Elastic shafts", &["id", "peak_torque", "peak_twist", "end_torque", "end_twist", "heat"])
+    };
+    Records {
+        name: "shafts",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
+        is_answer: false,
+    }
+}
+
+fn converters(all: &[ConverterResult]) -> Records {
+    let row = |one: &ConverterResult| {
+        vec![
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(Power, Some(one.peak_heat_flow_w)),
+            column(Torque, Some(one.end_torque_n_m)),
+            one.end_speed_ratio.map_or(Figure::None, |ratio| Figure::Printed(ratio, 4)),
+            column(Energy, Some(one.heat_j)),
+        ]
+    };
+    let columns = vec![
+        Column::words("id", "converter"),
+        Column::words("links", "between"),
+        Column::headed("peak_torque", "T, N·m", Torque),
+        Column::headed("peak_heat_flow", "heat flow, kW", Power),
+        Column::headed("end_torque", "T at the end", Torque),
+        Column::number("end_speed_ratio", "ν at the end"),
+        Column::headed("heat", "heat, J", Energy),
+    ];
+    let shown = ["id", "peak_torque", "peak_heat_flow", "end_torque", "end_speed_ratio", "heat"];
+    let view = View {
+        note: "T: on the turbine, the greatest; ν: its speed over that of the impeller.".to_owned(),
+        ..View::new("Torque converters", &shown)
+    };
+    Records {
+        name: "converters",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
         is_answer: false,
     }
 }
@@ -285,8 +364,8 @@ fn end(simulation: &Simulation) -> Records {
         name: "end",
         columns: vec![
             Column::words("link", "link"),
-            headed("speed", "n, rpm", AngularSpeed),
-            headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
+            Column::headed("speed", "n, rpm", AngularSpeed),
+            Column::headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
         ],
         rows: simulation.end.iter().map(row).collect(),
         views: vec![View::new("At the end", &["link", "speed", "acceleration"])],
@@ -297,26 +376,44 @@ fn end(simulation: &Simulation) -> Records {
 fn energies(simulation: &Simulation) -> Section {
     let energies = &simulation.energies;
     let one = |name, label, si| Row::new(name, label, "", [quantity(Energy, si)]);
-    Section {
-        name: "energies",
-        title: "Energies",
-        columns: &[],
-        rows: vec![
-            one("kinetic_before", "kinetic, at the start", energies.kinetic_before_j),
-            one("work", "work of the torques", energies.work_j),
-            one("element_heat", "heat of elements", energies.element_heat_j),
-            one("mesh_loss", "loss of meshes", energies.mesh_loss_j),
-            one("kinetic_after", "kinetic, at the end", energies.kinetic_after_j),
-        ],
-        note: "",
-    }
+    let mut rows = vec![
+        one("kinetic_before", "kinetic, at the start", energies.kinetic_before_j),
+        one("work", "work of the torques", energies.work_j),
+        one("element_heat", "heat of elements", energies.element_heat_j),
+        one("mesh_loss", "loss of meshes", energies.mesh_loss_j),
+        one("kinetic_after", "kinetic, at the end", energies.kinetic_after_j),
+    ];
+    let parts = [
+        (
+            !simulation.shafts.is_empty(),
+            "elastic_before",
+            "in shafts, at the start",
+            energies.elastic_before_j,
+        ),
+        (!simulation.shafts.is_empty(), "damping_heat", "heat of dampers of shafts", energies.damping_heat_j),
+        (
+            !simulation.converters.is_empty(),
+            "converter_heat",
+            "heat of converters' oil",
+            energies.converter_heat_j,
+        ),
+        (has_dogs(simulation), "impact", "taken by impacts of dog clutches", energies.impact_j),
+        (!simulation.shafts.is_empty(), "elastic_after", "in shafts, at the end", energies.elastic_after_j),
+    ];
+    let there = parts.into_iter().filter(|(is_there, ..)| *is_there);
+    rows.extend(there.map(|(_, name, label, si)| one(name, label, si)));
+    Section { name: "energies", title: "Energies", columns: &[], rows, note: "" }
+}
+
+fn has_dogs(simulation: &Simulation) -> bool {
+    simulation.elements.iter().any(|one| one.kind == ElementKind::DogClutch)
 }
 
 /// Speeds and torques over time as a table: a line for each time.
 #[must_use]
 pub fn samples(simulation: &Simulation) -> Report {
     let all = &simulation.samples;
-    let mut columns = vec![headed("time", "t, s", Time)];
+    let mut columns = vec![Column::headed("time", "t, s", Time)];
     let mut lists: Vec<(&[f64], Dimension)> = vec![(&all.times_s, Time)];
     for link in &all.links {
         columns.push(Column::quantity("speed", AngularSpeed).of(&link.link));
@@ -340,6 +437,18 @@ pub fn samples(simulation: &Simulation) -> Report {
         if let Some(rises) = &element.temperature_rises_k {
             add("temperature_rise", rises, TemperatureDifference);
         }
+    }
+    for shaft in &all.shafts {
+        columns.push(Column::quantity("torque", Torque).of(&shaft.id));
+        lists.push((&shaft.torques_n_m, Torque));
+        columns.push(Column::quantity("twist", Dimension::Angle).of(&shaft.id));
+        lists.push((&shaft.twists_rad, Dimension::Angle));
+    }
+    for converter in &all.converters {
+        columns.push(Column::quantity("impeller_torque", Torque).of(&converter.id));
+        lists.push((&converter.impeller_torques_n_m, Torque));
+        columns.push(Column::quantity("turbine_torque", Torque).of(&converter.id));
+        lists.push((&converter.turbine_torques_n_m, Torque));
     }
     columns.push(Column::quantity("output_torque", Torque));
     lists.push((&all.output_torques_n_m, Torque));

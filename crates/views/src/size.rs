@@ -3,7 +3,7 @@
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{column, optional, quantity, words};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::hours;
 use epicyclic_answers::size::Size;
 use epicyclic_answers::size::records::{
@@ -43,9 +43,7 @@ impl AsReport for Size {
         Report {
             title: Some(format!("{}: {what}", self.gearbox)),
             parts: parts.into_iter().flatten().collect(),
-            warnings: Some(
-                self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect(),
-            ),
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -149,22 +147,18 @@ pub(crate) fn designs<'s>(
         ]
     };
     let rows = sets.iter().flat_map(|set| of(set).iter().enumerate().map(move |one| row(set, one))).collect();
-    let named = |name: &'static str, heading: &str, dimension| Column {
-        heading: heading.to_owned(),
-        ..Column::quantity(name, dimension)
-    };
     Records {
         name,
         columns: vec![
             Column::words("set", "set"),
             Column::number("place", "no."),
-            named("module", "m, mm", Dimension::Length),
-            named("face_width", "b, mm", Dimension::Length),
+            Column::headed("module", "m, mm", Dimension::Length),
+            Column::headed("face_width", "b, mm", Dimension::Length),
             Column::number("planets", "p"),
-            named("centre_distance", "a, mm", Dimension::Length),
+            Column::headed("centre_distance", "a, mm", Dimension::Length),
             Column::words("bearing", "bearing"),
-            named("ring_diameter", "ring, mm", Dimension::Length),
-            named("mass", "kg", Dimension::Mass),
+            Column::headed("ring_diameter", "ring, mm", Dimension::Length),
+            Column::headed("mass", "kg", Dimension::Mass),
             Column::words("governing", "governs"),
             Column::number("flank_safety", "S_H"),
             Column::number("root_safety", "S_F"),

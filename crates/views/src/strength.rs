@@ -6,7 +6,7 @@ mod words;
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{optional, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::hours;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
@@ -30,7 +30,7 @@ impl AsReport for Strength {
         }
         let title =
             self.governing.as_ref().map(|governing| format!("{}: {governing} governs.", self.gearbox));
-        Report { title, parts, warnings: Some(warnings(self)) }
+        Report { title, parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -68,11 +68,7 @@ pub(crate) fn for_page(strength: &Strength) -> Report {
         parts.push(Part::Records(not_rated(&strength.not_rated)));
     }
     parts.extend(compact::factors(strength).into_iter().map(Part::Records));
-    Report { title: None, parts, warnings: Some(warnings(strength)) }
-}
-
-fn warnings(strength: &Strength) -> Vec<(&'static str, String)> {
-    strength.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect()
+    Report { title: None, parts, warnings: warned(&strength.warnings) }
 }
 
 /// The facts of an answer that all its tables share.
@@ -128,11 +124,6 @@ impl Facts for Strength {
     }
 }
 
-/// A column of quantities headed by a symbol.
-fn with_symbol(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
-}
-
 fn column(si: f64, dimension: Dimension) -> Figure {
     Figure::Column { si, dimension }
 }
@@ -155,8 +146,8 @@ fn duty(all: &[DutyStep]) -> Records {
         columns: vec![
             Column::words("gear", "gear"),
             Column::number("share", "share of time"),
-            with_symbol("torque", "T, N·m", Dimension::Torque),
-            with_symbol("speed", "n, rpm", Dimension::AngularSpeed),
+            Column::headed("torque", "T, N·m", Dimension::Torque),
+            Column::headed("speed", "n, rpm", Dimension::AngularSpeed),
         ],
         rows: all.iter().map(row).collect(),
         views: vec![View::new(
@@ -198,13 +189,13 @@ fn at_point(all: &[Rated]) -> Records {
             Column::words("material", "material"),
             Column::number("flank_safety", "S_H"),
             Column::number("root_safety", "S_F"),
-            with_symbol("contact_stress", "σ_H", Dimension::Pressure),
-            with_symbol("contact_limit", "σ_HG", Dimension::Pressure),
-            with_symbol("root_stress", "σ_F", Dimension::Pressure),
-            with_symbol("root_limit", "σ_FG", Dimension::Pressure),
-            with_symbol("tangential_force", "F_t, N", Dimension::Force),
-            with_symbol("mesh_torque", "T, N·m", Dimension::Torque),
-            with_symbol("mesh_speed", "n, rpm", Dimension::AngularSpeed),
+            Column::headed("contact_stress", "σ_H", Dimension::Pressure),
+            Column::headed("contact_limit", "σ_HG", Dimension::Pressure),
+            Column::headed("root_stress", "σ_F", Dimension::Pressure),
+            Column::headed("root_limit", "σ_FG", Dimension::Pressure),
+            Column::headed("tangential_force", "F_t, N", Dimension::Force),
+            Column::headed("mesh_torque", "T, N·m", Dimension::Torque),
+            Column::headed("mesh_speed", "n, rpm", Dimension::AngularSpeed),
             Column::number("cycles", "N_L"),
             Column::number("million_cycles", "N_L, 10⁶").for_people(),
         ],
@@ -292,9 +283,9 @@ fn bearings(all: &[BearingOverDuty]) -> Records {
             Column::words("set", "set"),
             Column::words("planet", "planet"),
             Column::words("rolling", "of"),
-            with_symbol("load_rating", "C, N", Dimension::Force),
+            Column::headed("load_rating", "C, N", Dimension::Force),
             Column::number("load_sharing", "K_γ"),
-            with_symbol("greatest_force", "F, N", Dimension::Force),
+            Column::headed("greatest_force", "F, N", Dimension::Force),
             Column::number("static_safety", "f_s"),
             Column::quantity("basic_life", Dimension::Time),
             Column::number("basic_hours", "L_10, h").for_people(),
@@ -347,8 +338,8 @@ fn bearing_steps(all: &[BearingOverDuty]) -> Records {
             Column::words("set", "set"),
             Column::words("planet", "planet"),
             Column::words("gear", "gear"),
-            with_symbol("force", "F, N", Dimension::Force),
-            with_symbol("speed", "n, rpm", Dimension::AngularSpeed),
+            Column::headed("force", "F, N", Dimension::Force),
+            Column::headed("speed", "n, rpm", Dimension::AngularSpeed),
             Column::number("viscosity_ratio", "κ"),
             Column::number("modification", "a_ISO"),
         ],
@@ -538,7 +529,7 @@ fn overload(all: &[Overloaded]) -> Records {
     };
     let columns = vec![
         Column::words("gear", "gear"),
-        with_symbol("torque", "T, N·m", Dimension::Torque),
+        Column::headed("torque", "T, N·m", Dimension::Torque),
         Column::words("set", "set"),
         Column::words("mesh", "mesh"),
         Column::words("toothed_gear", "of"),

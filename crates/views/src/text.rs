@@ -30,6 +30,12 @@ pub enum Error {
     /// The teeth of a hydromotor that are drawn and are not there.
     #[error("the motor has no teeth of this form: {0}")]
     NoTeeth(Box<epicyclic_answers::Error>),
+    /// What a drawing shows and cannot be calculated.
+    #[error(transparent)]
+    Answer(Box<epicyclic_answers::Error>),
+    /// A drawing of what is not described.
+    #[error("there is nothing to draw: it needs {0}")]
+    Lacking(String),
     /// A figure of an answer that no double holds.
     #[error("not a finite number: {figure}; a given number is too small or too large for it")]
     NotFinite {

@@ -3,14 +3,14 @@
 use crate::AsReport;
 use crate::figure::{Figure, count, text};
 use crate::quantities::{column, optional};
-use crate::report::{Column, Part, Records, Report, View};
+use crate::report::{Column, Part, Records, Report, View, warned};
 use crate::units::{hertz_of_rpm, rpm};
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{
     self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, SetModes, Source,
     StiffnessOrigin, StrainPart, TorsionalModes, What,
 };
-use epicyclic_formats::Dimension::{self, AngularSpeed, Frequency, Inertia, Length, Mass, Stiffness};
+use epicyclic_formats::Dimension::{AngularSpeed, Frequency, Inertia, Length, Mass, Stiffness};
 use epicyclic_formats::quantity::format::in_unit;
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
@@ -103,17 +103,12 @@ impl AsReport for Vibration {
         if !self.not_calculated.is_empty() {
             parts.push(Part::Records(not_calculated(&self.not_calculated)));
         }
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone()));
         Report {
             title: Some(format!("{}: vibration", self.gearbox)),
             parts,
-            warnings: Some(warnings.collect()),
+            warnings: warned(&self.warnings),
         }
     }
-}
-
-fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
 }
 
 /// A frequency with one decimal.
@@ -156,9 +151,9 @@ const fn source(source: Source) -> &'static str {
 }
 
 /// The part with most of an energy, with its share.
-fn most<const N: usize>(shares: [(f64, &str); N]) -> String {
+fn most<N: std::fmt::Display>(shares: impl IntoIterator<Item = (f64, N)>) -> Figure {
     let most = shares.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
-    most.map_or_else(String::new, |(share, name)| format!("{name} {:.0}", 100.0 * share))
+    most.map_or(Figure::None, |(share, name)| text(format!("{name} {:.0}", 100.0 * share)))
 }
 
 fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
@@ -173,7 +168,7 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
         Column::number("mode", "mode"),
         Column::words("kind", "kind"),
         Column::number("multiplicity", "×"),
-        headed("frequency", "f, Hz", Frequency),
+        Column::headed("frequency", "f, Hz", Frequency),
         Column::words("moves", "moves most, %").for_people(),
         Column::words("strained", "strained most, %").for_people(),
     ];
@@ -228,8 +223,8 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
         Figure::choice(mode.kind, kind(mode.kind)),
         count(mode.multiplicity),
         hertz(mode.frequency_hz),
-        text(most(bodies)),
-        springs.map_or(Figure::None, |springs| text(most(springs))),
+        most(bodies),
+        springs.map_or(Figure::None, most),
     ];
     row.extend(bodies.map(|(of, _)| share(of)));
     match springs {
@@ -240,10 +235,6 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
 }
 
 fn torsional(all: &[TorsionalModes]) -> Records {
-    let most = |shares: Vec<(f64, String)>| {
-        let most = shares.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
-        most.map_or(Figure::None, |(share, name)| text(format!("{name} {:.0}", 100.0 * share)))
-    };
     let rows = all.iter().flat_map(|gear| {
         gear.modes.iter().map(move |mode| {
             let kinetic = mode.kinetic.iter().map(|one| {
@@ -264,8 +255,8 @@ fn torsional(all: &[TorsionalModes]) -> Records {
                 count(mode.mode),
                 count(mode.multiplicity),
                 hertz(mode.frequency_hz),
-                most(kinetic.collect()),
-                most(strain.collect()),
+                most(kinetic),
+                most(strain),
             ]
         })
     });
@@ -275,7 +266,7 @@ fn torsional(all: &[TorsionalModes]) -> Records {
             Column::words("gear", "gear"),
             Column::number("mode", "mode"),
             Column::number("multiplicity", "×"),
-            headed("frequency", "f, Hz", Frequency),
+            Column::headed("frequency", "f, Hz", Frequency),
             Column::words("moves", "moves most, %"),
             Column::words("strained", "strained most, %"),
         ],
@@ -311,12 +302,12 @@ fn resonances(all: &[Resonance]) -> Records {
         columns: vec![
             Column::words("set", "set"),
             Column::words("gear", "gear"),
-            headed("input_speed", "n in, rpm", AngularSpeed),
+            Column::headed("input_speed", "n in, rpm", AngularSpeed),
             Column::words("source", "excited by"),
             Column::number("harmonic", "harm."),
             Column::number("mode", "mode"),
             Column::words("kind", "kind"),
-            headed("frequency", "f, Hz", Frequency),
+            Column::headed("frequency", "f, Hz", Frequency),
         ],
         rows: all.iter().map(row).collect(),
         views: vec![View {
@@ -380,9 +371,9 @@ fn bodies(sets: &[SetModes]) -> Records {
             Column::words("set", "set"),
             Column::words("gears", "gears"),
             Column::words("body", "body"),
-            headed("mass", "m, kg", Mass),
-            Column { heading: "I".to_owned(), ..Column::quantity("inertia", Inertia) },
-            headed("radius", "r, mm", Length),
+            Column::headed("mass", "m, kg", Mass),
+            Column::headed("inertia", "I", Inertia),
+            Column::headed("radius", "r, mm", Length),
         ],
         rows: rows.collect(),
         views: vec![View {
@@ -424,7 +415,7 @@ fn springs(sets: &[SetModes]) -> Records {
             Column::words("set", "set"),
             Column::words("gears", "gears"),
             Column::words("spring", "spring"),
-            headed("stiffness", "k, N/µm", Stiffness),
+            Column::headed("stiffness", "k, N/µm", Stiffness),
             Column::words("by", "by"),
         ],
         rows: rows.collect(),

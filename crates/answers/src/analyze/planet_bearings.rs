@@ -4,7 +4,7 @@ use super::Worked;
 use super::records::planet_name;
 use crate::Error;
 use crate::gearbox::Subject;
-use crate::tolerance::ROUNDED;
+use crate::tolerance::rounded;
 use epicyclic_formats::Physical;
 use epicyclic_train::planet_bearings as train;
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
@@ -172,8 +172,7 @@ fn one(
     let forces = bearing.forces(at, speed)?;
     let planet = analysis.sets()[bearing.set].planets[bearing.planet];
     // A set that turns as a block leaves the rounding of a difference.
-    let relative = |turning: f64| if turning.abs() < ROUNDED { 0.0 } else { turning };
-    let turning = input.speed.zip(planet).map(|(speed, planet)| speed * relative(planet.relative));
+    let turning = input.speed.zip(planet).map(|(speed, planet)| speed * rounded(planet.relative));
     let life = match forces.total.zip(turning) {
         Some((force, turning)) => bearing.life(force, turning)?,
         None => None,

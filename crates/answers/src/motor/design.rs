@@ -1,5 +1,6 @@
 //! Which motor is meant.
 
+use super::made::{Groups, Made, Point};
 use crate::Error;
 use epicyclic_formats::{Document, Path, Problem, motor as file};
 use epicyclic_hydromotor::closure::Family;
@@ -28,6 +29,8 @@ pub struct Question {
     pub speed: Option<AngularVelocity>,
     /// Angle of the rotor from where one of its crests faces one of the stator's.
     pub angle: Angle,
+    /// Material, oil, gaps, friction, ports.
+    pub made: Groups,
 }
 
 /// Which motor of its numbers.
@@ -43,6 +46,8 @@ pub enum Place {
     Part(f64),
     /// A rotor by the cosine law: one motor, no family.
     CosineLaw,
+    /// A rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
+    SecondHarmonic(f64),
 }
 
 /// How a motor was chosen from its family.
@@ -76,6 +81,8 @@ pub struct Designed {
     pub speed: Option<AngularVelocity>,
     /// Angle of the rotor.
     pub angle: Angle,
+    /// What a maker adds, and what follows from it.
+    pub made: Made,
 }
 
 /// The motor that a question means.
@@ -84,16 +91,17 @@ pub struct Designed {
 /// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, a form that no teeth have;
 /// [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
-    let &Question { numbers, module, place, form, width, pressure, speed, angle } = question;
+    let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
     let (motor, family) = match place {
         Place::CosineLaw => (Motor::of_cosine_law(numbers, module)?, None),
+        Place::SecondHarmonic(second) => (Motor::of_second_harmonic(numbers, module, second)?, None),
         place => {
             let family = Family::new(numbers, module)?;
             let arcs = match place {
                 Place::TroughDistance(l) => family.at(l),
                 Place::CrestDistance(a) => family.at_crest_distance(a),
                 Place::Part(part) => family.at_part(part),
-                Place::Middle | Place::CosineLaw => family.at_part(0.5),
+                Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
             }?;
             (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
         }
@@ -101,7 +109,8 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
     check(pressure, speed)?;
     let profile = profile(&motor, form)?;
-    Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle })
+    let made = Made::of(&motor, made, Point { form, width, pressure, speed })?;
+    Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
 fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(), Error> {
@@ -141,13 +150,24 @@ pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error>
     let profile =
         profile(&motor, form).map_err(|error| placed(document, &file::place(&error), error.into()))?;
     let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
+    let width = file.width.map(|width| width.0);
+    let point = Point { form, width, pressure, speed };
+    let made = Made::of(&motor, &file.made(), point).map_err(|why| {
+        let path = match &why {
+            Error::Motor(error) => file::place(error),
+            Error::MotorKey { key, .. } => key.split('.').fold(Path::root(), Path::key),
+            _ => Path::root(),
+        };
+        placed(document, &path, why)
+    })?;
     let designed = Designed {
+        made,
         motor,
         family,
         chosen,
         form,
         profile,
-        width: file.width.map(|width| width.0),
+        width,
         pressure,
         speed,
         angle: file.angle.map_or_else(Angle::default, |angle| angle.0),

@@ -1,7 +1,7 @@
 //! The chapters of a hydromotor.
 
 use crate::Error;
-use crate::motor::{self, Designed, Motor, OverAngle};
+use crate::motor::{self, Designed, Motor, OverAngle, OverCycle};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -15,6 +15,8 @@ pub struct MotorReport {
     pub motor: Motor,
     /// Flow and chambers through one lobe of the rotor.
     pub over_angle: OverAngle,
+    /// A chamber and a satellite over their cycle.
+    pub over_cycle: OverCycle,
 }
 
 /// The chapters of a motor.
@@ -23,5 +25,6 @@ pub struct MotorReport {
 /// Those of [`motor::answer`] and [`motor::over_angle`].
 pub fn answer(title: Option<String>, designed: &Designed) -> Result<MotorReport, Error> {
     let motor = motor::answer(designed)?;
-    Ok(MotorReport { title, motor, over_angle: motor::over_angle(&designed.motor)? })
+    let (over_angle, over_cycle) = (motor::over_angle(designed)?, motor::over_cycle(designed)?);
+    Ok(MotorReport { title, motor, over_angle, over_cycle })
 }

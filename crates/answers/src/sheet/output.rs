@@ -19,7 +19,7 @@ pub(super) struct Known {
     pub(super) place: usize,
     pub(super) set: ToothedSet,
     pub(super) module: Length,
-    /// The planets are counted, and so wide: the stiffness follows.
+    /// Told where the planets are counted: the stiffness follows from both.
     pub(super) face_width: Option<Length>,
     pub(super) allowed: Option<Allowed>,
 }
@@ -42,7 +42,7 @@ fn of_gear(
         row.missing.push("no torques follow".to_owned());
         return Ok(row);
     };
-    let (mut parts, mut is_stiff, mut is_whole) = (vec![], true, true);
+    let (mut parts, mut is_whole) = (vec![], true);
     for (place, members) in case.members.iter().enumerate() {
         let share = members.as_ref().map_or(0.0, |members| members[0] / case.output);
         if share.abs() < ROUNDED {
@@ -55,12 +55,10 @@ fn of_gear(
             continue;
         };
         let stiffness = match one.face_width {
-            Some(width) => one.stiffness(width)?,
+            Some(width) => Some(one.stiffness(width)?),
             None => {
                 row.missing.push(format!("planets or face_width of set {id}, for the stiffness"));
-                is_stiff = false;
-                // Any number above 0: it is not told.
-                Torque::from_si(1.0)
+                None
             }
         };
         let (thickness, centre) =
@@ -71,7 +69,7 @@ fn of_gear(
     if is_whole {
         let (stiffness, backlash) = at_output(&parts)?;
         row.backlash_rad = Some(Limits { lower: backlash.least, upper: backlash.greatest });
-        row.stiffness_n_m = Some(stiffness.si()).filter(|si| is_stiff && si.is_finite());
+        row.stiffness_n_m = stiffness.map(Physical::si).filter(|si| si.is_finite());
     }
     Ok(row)
 }

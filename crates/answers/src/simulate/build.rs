@@ -1,13 +1,16 @@
 //! The model of a scenario, with the place of every fault.
 
-use super::parts::{Built, Element, Output, Scenario};
+use super::parts::{Built, Element, ElementKind, Output, Scenario};
 use super::program::Program;
 use super::{INSTANTS, MOST_SAMPLES, placed, refused, root};
 use crate::Error;
 use crate::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
-use epicyclic_formats::scenario::{ElementEntry, PlanetsEntry, PressureEntry, TableFault, TorqueEntry};
-use epicyclic_formats::{Number, Path, Physical};
+use epicyclic_formats::scenario::{
+    DogEntry, ElementEntry, OverSpeedEntry, PlanetsEntry, PressureEntry, StartEntry, TableFault,
+    ThrottleEntry, TorqueEntry,
+};
+use epicyclic_formats::{Number, Path, Physical, Quantity};
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
 use epicyclic_train::{GROUND, ShiftElement};
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
@@ -26,6 +29,12 @@ impl Scenario<'_> {
         let program = Program::of(self)?;
         let mut model = Model::new(mechanism);
         let mut elements = self.one_way_clutches(&model);
+        for (place, entry) in self.file.shafts.iter().enumerate() {
+            self.add_shaft(&mut model, place, entry)?;
+        }
+        for (place, entry) in self.file.converters.iter().enumerate() {
+            self.add_converter(&mut model, place, entry)?;
+        }
         for (place, entry) in self.file.torques.iter().enumerate() {
             self.add_torque(&mut model, &mut elements, place, entry)?;
         }
@@ -54,8 +63,7 @@ impl Scenario<'_> {
             masses.planets.push((entry.set.clone(), self.planets(&root("planets").index(place), entry)?));
         }
         let engaged: Vec<&str> = self.file.engaged.iter().map(String::as_str).collect();
-        let found = Mechanism::of(gearbox, &engaged, &masses);
-        found.map_err(|why| {
+        let mut found = Mechanism::of(gearbox, &engaged, &masses).map_err(|why| {
             let of_planets = |set: &str| {
                 let place = self.file.planets.iter().position(|one| one.set == set);
                 place.map(|place| root("planets").index(place))
@@ -75,7 +83,12 @@ impl Scenario<'_> {
                 _ => None,
             };
             placed(document, &path.unwrap_or_default(), why)
-        })
+        })?;
+        for (body, inertia) in &self.file.bodies {
+            let with = found.with_body(body, inertia.0);
+            found = with.map_err(|why| placed(document, &root("bodies").key(body), why))?;
+        }
+        Ok(found)
     }
 
     /// Planets of a set; what is not given, the gearbox says.
@@ -114,7 +127,7 @@ impl Scenario<'_> {
         let slips =
             |links: &[String; 2]| !model.mechanism().is_one_piece(&links[0], &links[1]).unwrap_or(true);
         all.filter(|(_, links)| slips(links))
-            .map(|(id, links)| Element::new(id, super::parts::ElementKind::OneWayClutch, links, None))
+            .map(|(id, links)| Element::new(id, ElementKind::OneWayClutch, links, None))
             .collect()
     }
 
@@ -142,12 +155,7 @@ impl Scenario<'_> {
             added.map_err(|why| placed(self.document, &either(path, at_law.clone(), &why), why))?;
             let course = Course::constant(torque.0).map_err(|why| placed(self.document, &at_law, why))?;
             let links = [entry.link.clone(), GROUND.to_owned()];
-            elements.push(Element::new(
-                &entry.id,
-                super::parts::ElementKind::Resistance,
-                links,
-                Some(course),
-            ));
+            elements.push(Element::new(&entry.id, ElementKind::Resistance, links, Some(course)));
             return Ok(());
         }
         let law = self.law(entry, &at_law)?;
@@ -177,10 +185,32 @@ impl Scenario<'_> {
             let phase = law.phase.map_or(Angle::from_si(0.0), |phase| phase.0);
             Course::harmonic(mean, law.amplitude.0, per_second(law.frequency.0), phase)
                 .map(TorqueLaw::over_time)
+        } else if let Some(law) = &entry.constant_power {
+            TorqueLaw::constant_power(law.power.0, law.limit.0)
+        } else if let Some(law) = &entry.throttle {
+            return self.throttle(law, path);
         } else {
             return Err(refused(self.document, path, &"a law is due"));
         };
         law.map_err(|why| placed(self.document, path, why))
+    }
+
+    fn throttle(&self, law: &ThrottleEntry, path: &Path) -> Result<TorqueLaw, Error> {
+        let curve = |key: &str, table: &OverSpeedEntry| {
+            table.points(self.texts).map_err(|fault| self.of_table(&path.clone().key(key), fault))
+        };
+        let (closed, full) = (curve("closed", &law.closed)?, curve("full", &law.full)?);
+        if law.times.len() != law.openings.len() {
+            let message = format!(
+                "{} times and {} openings: each has one of the other",
+                law.times.len(),
+                law.openings.len()
+            );
+            return Err(refused(self.document, path, &message));
+        }
+        let openings = law.openings.iter().map(|opening| opening.get());
+        let openings: Vec<(Time, f64)> = law.times.iter().map(|time| time.0).zip(openings).collect();
+        TorqueLaw::map(&closed, &full, &openings).map_err(|why| placed(self.document, path, why))
     }
 
     fn of_table(&self, path: &Path, fault: TableFault) -> Error {
@@ -227,6 +257,21 @@ impl Scenario<'_> {
         if conductance < 0.0 {
             return Err(refused(document, &path.key("conductance"), &"it must be at least 0"));
         }
+        let links = found.links().map(|link| gearbox.link_name(link).to_owned());
+        let sources = [
+            entry.holding.is_some(),
+            entry.capacity.is_some(),
+            entry.pressure.is_some(),
+            entry.dog.is_some(),
+        ];
+        if sources.into_iter().filter(|is_given| *is_given).count() != 1 {
+            let message = "give one of holding, capacity, pressure and dog";
+            return Err(refused(document, &path, &message));
+        }
+        if let Some(dog) = &entry.dog {
+            self.add_dog(model, &path, entry, dog)?;
+            return Ok(Element::new(&entry.id, ElementKind::DogClutch, links, None));
+        }
         let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure) {
             (Some(_), None, None) => ("holding", program.course(entry).map_err(|why| (root("shifts"), why))),
             (None, Some(table), None) => {
@@ -238,10 +283,7 @@ impl Scenario<'_> {
                 let path = path.clone().key("pressure");
                 ("pressure", self.by_pressure(&path, pressure)?.map_err(|why| (path, why)))
             }
-            _ => {
-                let message = "give one of holding, capacity and pressure";
-                return Err(refused(document, &path, &message));
-            }
+            _ => return Err(refused(document, &path, &"its capacity is due")),
         };
         let course = course.map_err(|(path, why)| placed(document, &path, why))?;
         let ratio = entry.static_ratio.map_or(1.0, Number::get);
@@ -253,14 +295,63 @@ impl Scenario<'_> {
             };
             placed(document, &path.clone().key(key), why)
         })?;
-        let kind =
-            if found.is_brake() { super::parts::ElementKind::Brake } else { super::ElementKind::Clutch };
-        let links = found.links().map(|link| gearbox.link_name(link).to_owned());
+        if let Some(curve) = &entry.friction_over_slip {
+            let path = path.key("friction_over_slip");
+            if curve.speeds.len() != curve.factors.len() {
+                let message = format!(
+                    "{} speeds and {} factors: each has one of the other",
+                    curve.speeds.len(),
+                    curve.factors.len()
+                );
+                return Err(refused(document, &path, &message));
+            }
+            let factors = curve.factors.iter().map(|factor| factor.get());
+            let points: Vec<_> = curve.speeds.iter().map(|speed| speed.0).zip(factors).collect();
+            model.friction_over_slip(&entry.id, &points).map_err(|why| placed(document, &path, why))?;
+        }
+        let kind = if found.is_brake() { ElementKind::Brake } else { ElementKind::Clutch };
         Ok(Element {
             friction_area_m2: entry.friction_area.map(|one| one.0.si()),
             heat_capacity_j_per_k: entry.heat_capacity.map(|one| one.0.si()),
             conductance_w_per_k: conductance,
             ..Element::new(&entry.id, kind, links, Some(course))
+        })
+    }
+
+    /// A dog clutch; it has no friction.
+    fn add_dog(
+        &self,
+        model: &mut Model,
+        path: &Path,
+        entry: &ElementEntry,
+        dog: &DogEntry,
+    ) -> Result<(), Error> {
+        let document = self.document;
+        for (key, is_given) in [
+            ("friction_over_slip", entry.friction_over_slip.is_some()),
+            ("static_ratio", entry.static_ratio.is_some()),
+            ("friction_area", entry.friction_area.is_some()),
+            ("heat_capacity", entry.heat_capacity.is_some()),
+        ] {
+            if is_given {
+                return Err(refused(
+                    document,
+                    &path.clone().key(key),
+                    &"a dog clutch has no friction: leave it out",
+                ));
+            }
+        }
+        let times = |all: &[Quantity<Time>], is_engaged: bool| -> Vec<(Time, bool)> {
+            all.iter().map(|time| (time.0, is_engaged)).collect()
+        };
+        let mut program = times(&dog.engage, true);
+        program.extend(times(&dog.release, false));
+        program.sort_by(|one, other| one.0.si().total_cmp(&other.0.si()));
+        let path = path.clone().key("dog");
+        model.shift_dog_clutch(&entry.id, &program, dog.largest_slip.map(|slip| slip.0)).map_err(|why| {
+            let path =
+                if matches!(why, motion::Error::Value { .. }) { path.key("largest_slip") } else { path };
+            placed(document, &path, why)
         })
     }
 
@@ -293,7 +384,9 @@ impl Scenario<'_> {
     }
 
     fn start(&self) -> Result<Start, Error> {
-        let Some(start) = &self.file.start else { return Ok(Start::at_rest()) };
+        let twists = self.file.shafts.iter().filter_map(|one| Some((one.id.as_str(), one.twist?.0)));
+        let twists: Vec<(&str, Angle)> = twists.collect();
+        let Some(start) = &self.file.start else { return Ok(Start::at_rest().twisted(&twists)) };
         let gearbox = &self.subject.gearbox;
         let mut speeds: Vec<(&str, AngularVelocity)> = vec![];
         for (link, speed) in &start.speeds {
@@ -319,7 +412,25 @@ impl Scenario<'_> {
             let message = "give input_speed or speeds, or leave start out: then everything is at rest";
             return Err(refused(self.document, &root("start"), &message));
         }
-        Ok(Start::speeds(&speeds))
+        Ok(Start::speeds(&speeds).together(&self.on_shafts(start)).twisted(&twists))
+    }
+
+    /// Bodies without a speed of their own turn with what shafts join them to, each with the other end of its first shaft.
+    fn on_shafts(&self, start: &StartEntry) -> Vec<[&str; 2]> {
+        let mut free: Vec<&String> =
+            self.file.bodies.keys().filter(|body| !start.speeds.contains_key(*body)).collect();
+        let mut pairs = vec![];
+        for entry in &self.file.shafts {
+            let [first, second] = &entry.links;
+            for (body, other) in [(first, second), (second, first)] {
+                if let Some(place) = free.iter().position(|one| *one == body) {
+                    free.remove(place);
+                    pairs.push([body.as_str(), other]);
+                    break;
+                }
+            }
+        }
+        pairs
     }
 
     /// How finely to sample: as finely as asked for, and at [`INSTANTS`] at least.

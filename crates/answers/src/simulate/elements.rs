@@ -52,11 +52,10 @@ pub(super) fn slip(run: &Run, element: &Element, sample: &Sample) -> f64 {
     first - second
 }
 
-pub(super) fn results(built: &Built, run: &Run) -> Vec<ElementResult> {
-    let instants = instants(run);
+pub(super) fn results(built: &Built, run: &Run, instants: &[&Sample]) -> Vec<ElementResult> {
     let result = |(place, id): (usize, &String)| {
         let element = built.elements.iter().find(|one| one.id == *id)?;
-        Some(of(element, place, run, &instants))
+        Some(of(element, place, run, instants))
     };
     run.elements.iter().enumerate().filter_map(result).collect()
 }

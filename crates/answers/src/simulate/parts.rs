@@ -17,6 +17,8 @@ pub enum ElementKind {
     Clutch,
     /// A one-way clutch or brake.
     OneWayClutch,
+    /// A clutch or brake by dogs.
+    DogClutch,
     /// A load against the motion of a link.
     Resistance,
 }
@@ -44,7 +46,7 @@ pub(super) struct Element {
     pub(super) id: String,
     pub(super) kind: ElementKind,
     pub(super) links: [String; 2],
-    /// Its capacity over time; none of a one-way clutch.
+    /// Its capacity over time; none of one-way and dog clutches.
     pub(super) capacity: Option<Course>,
     pub(super) friction_area_m2: Option<f64>,
     pub(super) heat_capacity_j_per_k: Option<f64>,
@@ -96,6 +98,10 @@ pub(super) struct Output {
     torques: Vec<usize>,
     /// Places of resistances on them.
     resistances: Vec<usize>,
+    /// Places of shafts on them, and the sign of their torque there.
+    shafts: Vec<(usize, f64)>,
+    /// Places of converters on them, and whether it is the turbine.
+    converters: Vec<(usize, usize)>,
 }
 
 impl Output {
@@ -107,7 +113,16 @@ impl Output {
         let inertias = file.inertias.iter().filter(|(link, _)| is_it(link));
         let torques = file.torques.iter().filter(|one| one.resistance.is_none()).enumerate();
         let is_resistance = |one: &Element| one.kind == ElementKind::Resistance && is_it(&one.links[0]);
+        let ends = |links: &[String; 2], place: usize| {
+            let at = links.each_ref().map(|link| is_it(link));
+            at.into_iter().enumerate().filter(|(_, is_there)| *is_there).map(move |(end, _)| (place, end))
+        };
+        let of_shafts = file.shafts.iter().enumerate().flat_map(|(place, one)| ends(&one.links, place));
+        let of_converters =
+            file.converters.iter().enumerate().flat_map(|(place, one)| ends(&one.links, place));
         Self {
+            shafts: of_shafts.map(|(place, end)| (place, if end == 0 { -1.0 } else { 1.0 })).collect(),
+            converters: of_converters.collect(),
             place: gearbox.output().index(),
             inertia_kg_m2: inertias.map(|(_, inertia)| inertia.0.si()).sum(),
             torques: torques.filter(|(_, one)| is_it(&one.link)).map(|(place, _)| place).collect(),
@@ -124,6 +139,9 @@ impl Output {
     pub(super) fn torque(&self, sample: &Sample) -> f64 {
         let applied: f64 = self.torques.iter().map(|&place| sample.torques[place].si()).sum();
         let resisting: f64 = self.resistances.iter().map(|&place| sample.elements[place].si()).sum();
-        self.inertia_kg_m2 * sample.accelerations[self.place].si() - applied - resisting
+        let twisting: f64 = self.shafts.iter().map(|&(place, sign)| sign * sample.shafts[place].si()).sum();
+        let by_oil: f64 =
+            self.converters.iter().map(|&(place, end)| sample.converters[place][end].si()).sum();
+        self.inertia_kg_m2 * sample.accelerations[self.place].si() - applied - resisting - twisting - by_oil
     }
 }

@@ -1,11 +1,13 @@
 //! Speeds and torques over time, as lists.
 
-use super::elements::{instants, slip, temperature_rises};
+use super::elements::{slip, temperature_rises};
+use super::joints::{ConverterSamples, ShaftSamples};
 use super::parts::Built;
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample};
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::AngularVelocity;
 
 /// Speeds and torques over time; all lists have the length of `times_s`.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -19,6 +21,10 @@ pub struct Samples {
     pub torques: Vec<TorqueSamples>,
     /// Each element.
     pub elements: Vec<ElementSamples>,
+    /// Each shaft.
+    pub shafts: Vec<ShaftSamples>,
+    /// Each converter.
+    pub converters: Vec<ConverterSamples>,
     /// Torque that sets and shift elements exert on the output.
     pub output_torques_n_m: Vec<f64>,
 }
@@ -53,7 +59,7 @@ pub struct ElementSamples {
     pub slips_rad_s: Vec<f64>,
     /// Torque on its first link.
     pub torques_n_m: Vec<f64>,
-    /// What it could carry while slipping; `null` of a one-way clutch.
+    /// What it could carry while slipping; `null` of one-way and dog clutches.
     pub capacities_n_m: Option<Vec<f64>>,
     /// Heat from the start on.
     pub heats_j: Vec<f64>,
@@ -62,12 +68,11 @@ pub struct ElementSamples {
 }
 
 /// One of so many samples of a run, and the last.
-pub(super) fn of(built: &Built, run: &Run, kept: usize) -> Samples {
+pub(super) fn of(built: &Built, run: &Run, instants: &[&Sample], kept: usize) -> Samples {
     let last = run.samples.len() - 1;
     let places: Vec<usize> = (0..last).step_by(kept).chain([last]).collect();
     let samples: Vec<&Sample> = places.iter().map(|&place| &run.samples[place]).collect();
     let list = |of: &dyn Fn(&Sample) -> f64| samples.iter().map(|sample| of(sample)).collect::<Vec<f64>>();
-    let instants = instants(run);
     let links = run.links.iter().enumerate().skip(1).map(|(place, link)| LinkSamples {
         link: link.clone(),
         speeds_rad_s: list(&|sample| sample.speeds[place].si()),
@@ -78,7 +83,7 @@ pub(super) fn of(built: &Built, run: &Run, kept: usize) -> Samples {
     });
     let elements = run.elements.iter().enumerate().filter_map(|(place, id)| {
         let element = built.elements.iter().find(|one| one.id == *id)?;
-        let rises = temperature_rises(element, place, &instants);
+        let rises = temperature_rises(element, place, instants);
         // The rise at a sample stands at its place among the instants.
         let at = |rises: &[f64]| {
             let mut rises = instants.iter().zip(rises);
@@ -92,15 +97,29 @@ pub(super) fn of(built: &Built, run: &Run, kept: usize) -> Samples {
             id: id.clone(),
             slips_rad_s: list(&|sample| slip(run, element, sample)),
             torques_n_m: list(&|sample| sample.elements[place].si()),
-            capacities_n_m: element
-                .capacity
-                .as_ref()
-                .map(|course| list(&|sample| course.at(sample.time).si())),
+            capacities_n_m: element.capacity.as_ref().map(|course| {
+                let factor = |sample: &Sample| {
+                    built.model.friction_factor(id, AngularVelocity::from_si(slip(run, element, sample)))
+                };
+                list(&|sample| factor(sample) * course.at(sample.time).si())
+            }),
             heats_j: list(&|sample| sample.heats[place].si()),
             temperature_rises_k: rises.as_deref().map(at),
         })
     });
+    let shafts = run.shafts.iter().enumerate().map(|(place, id)| ShaftSamples {
+        id: id.clone(),
+        torques_n_m: list(&|sample| sample.shafts[place].si()),
+        twists_rad: list(&|sample| sample.twists[place].si()),
+    });
+    let converters = run.converters.iter().enumerate().map(|(place, id)| ConverterSamples {
+        id: id.clone(),
+        impeller_torques_n_m: list(&|sample| -sample.converters[place][0].si()),
+        turbine_torques_n_m: list(&|sample| sample.converters[place][1].si()),
+    });
     Samples {
+        shafts: shafts.collect(),
+        converters: converters.collect(),
         times_s: list(&|sample| sample.time.si()),
         links: links.collect(),
         torques: torques.collect(),

@@ -1,6 +1,5 @@
 //! What each shift does: its phases, and the torque of the output.
 
-use super::elements::instants;
 use super::parts::{Built, Ramps, Scenario};
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
@@ -43,17 +42,21 @@ pub struct ShiftResult {
     pub heat_j: f64,
 }
 
-pub(super) fn results(scenario: &Scenario<'_>, built: &Built, run: &Run) -> Vec<ShiftResult> {
+pub(super) fn results(
+    scenario: &Scenario<'_>,
+    built: &Built,
+    run: &Run,
+    instants: &[&Sample],
+) -> Vec<ShiftResult> {
     let duration = scenario.file.duration.0.si();
     let of = |(place, shift): (usize, &Ramps)| {
         let end = built.shifts.get(place + 1).map_or(duration, |next| next.at).min(duration);
-        (shift.at < duration).then(|| result(built, run, shift, end))
+        (shift.at < duration).then(|| result(built, run, instants, shift, end))
     };
     built.shifts.iter().enumerate().filter_map(of).collect()
 }
 
-fn result(built: &Built, run: &Run, shift: &Ramps, end: f64) -> ShiftResult {
-    let instants = instants(run);
+fn result(built: &Built, run: &Run, instants: &[&Sample], shift: &Ramps, end: f64) -> ShiftResult {
     let places = |ids: &[String]| -> Vec<usize> { ids.iter().filter_map(|id| run.element(id)).collect() };
     let (released, applied) = (places(&shift.released), places(&shift.applied));
     let one_way = built.elements.iter().filter(|one| one.kind == super::parts::ElementKind::OneWayClutch);

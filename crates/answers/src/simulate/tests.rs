@@ -212,3 +212,170 @@ fn a_sweep_is_its_single_runs() {
     let stopped = sweep::sweep(&document, &Beside::default(), &wanted, |_| false).unwrap();
     assert!(stopped.runs.is_empty() && stopped.warnings[0].name == "interrupted");
 }
+
+fn refused_as(text: &str) -> String {
+    let document = document(text);
+    answer(&document, &scenario::read(&document).unwrap(), &Beside::default()).unwrap_err().to_string()
+}
+
+/// A set locked as one piece of 1 kg·m², and a body of 0.5 kg·m² on its output by a shaft.
+const TWO_MASSES: &str = "\
+scenario: two masses
+gearbox: { gearbox: g, input: s, output: c, sets: [{ id: P, sun: s, ring: r, carrier: c, k: 3 }], clutches: [{ id: C, links: [s, c] }] }
+inertias: { s: 0.1 kg·m², r: 0.2 kg·m², c: 0.7 kg·m² }
+bodies: { wheel: 0.5 kg·m² }
+engaged: [C]
+duration: 1 s
+sample_every: 1 ms
+shafts: [{ id: axle, links: [c, wheel], stiffness: 3000 N·m/rad, twist: 2 deg }]
+";
+
+/// `f = √(c·(1/J₁ + 1/J₂))/2π`, and all energy in the shaft at the start; the ring's share of the torque comes to the output through the set.
+#[test]
+fn two_masses_swing_at_their_natural_frequency() {
+    let found = simulated(TWO_MASSES);
+    let [axle] = &found.samples.shafts[..] else { panic!("{:?}", found.samples.shafts) };
+    let (omega, twist) = ((3000.0_f64 * (1.0 + 2.0)).sqrt(), 2.0_f64.to_radians());
+    for ((t, torque), by) in
+        found.samples.times_s.iter().zip(&axle.torques_n_m).zip(&found.samples.output_torques_n_m)
+    {
+        assert!((torque - 3000.0 * twist * (omega * t).cos()).abs() < 1e-5, "{t}");
+        assert!((0.2 * torque - by).abs() < 1e-9, "through the set comes what the ring gives: {torque} {by}");
+    }
+    close(found.shafts[0].peak_torque_n_m, 3000.0 * twist, 1e-12);
+    close(found.energies.elastic_before_j, 1500.0 * twist * twist, 1e-12);
+    assert!(found.energies.residual.abs() < 1e-9);
+    let damped = simulated(&TWO_MASSES.replace("twist:", "damping: { torque: 20 N·m, at: 1 rad/s }, twist:"));
+    close(damped.shafts[0].heat_j, damped.energies.damping_heat_j, 1e-15);
+    close(
+        damped.energies.damping_heat_j + damped.energies.elastic_after_j + damped.energies.kinetic_after_j,
+        found.energies.elastic_before_j,
+        1e-9,
+    );
+}
+
+#[test]
+fn a_body_at_the_start_turns_with_its_shaft() {
+    let text = TWO_MASSES.replace("duration:", "gear: one\nstart: { input_speed: 50 rad/s }\nduration:");
+    let text = text
+        .replace("clutches:", "gears: [{ name: one, engaged: [C] }], clutches:")
+        .replace(", twist: 2 deg", "");
+    let found = simulated(&text);
+    assert!(found.end.iter().all(|link| (link.speed_rad_s - 50.0).abs() < 1e-12), "{:?}", found.end);
+    close(found.energies.kinetic_before_j, 0.5 * 1.5 * 2500.0, 1e-12);
+}
+
+/// Play: nothing moves the wheel before the shaft has turned through half its backlash.
+#[test]
+fn a_shaft_with_backlash_drives_when_it_is_used_up() {
+    let text = TWO_MASSES.replace("twist: 2 deg", "backlash: 4 deg")
+        + "torques: [{ id: motor, link: s, constant: 5 N·m }]\n";
+    let found = simulated(&text);
+    let first = &found.events[0];
+    assert_eq!(
+        (first.changes[0].kind, first.changes[0].from, first.changes[0].to),
+        (ChangeKind::Shaft, Some(State::Open), Some(State::DrivesForward))
+    );
+    // φ = ½·(M/J)·t² = 2 deg.
+    close(first.time_s, (2.0 * 2.0_f64.to_radians() / 5.0).sqrt(), 1e-9);
+}
+
+/// A stalled turbine: the impeller is driven at its steady speed `√(T/λ)`, and all power is heat.
+#[test]
+fn a_stalled_converter_takes_torque_with_the_square_of_the_speed() {
+    let text = "\
+scenario: stall
+gearbox: { gearbox: g, input: s, output: c, sets: [{ id: P, sun: s, ring: r, carrier: c, k: 3 }], brakes: [{ id: B, link: r }] }
+inertias: { s: 0.1 kg·m², c: 0.7 kg·m² }
+bodies: { engine: 0.2 kg·m² }
+engaged: [B]
+duration: 2 s
+start: { speeds: { s: 0 rpm, engine: 2000 rpm } }
+torques: [{ id: engine torque, link: engine, constant: 80 N·m }, { id: brake, link: c, resistance: 5000 N·m }]
+converters: [{ id: TC, links: [engine, s], speed_ratios: [0, 1], torque_ratios: [2, 1], impeller_torques: [80 N·m, 0 N·m], impeller_speed: 2000 rpm }]
+";
+    let found = simulated(text);
+    let [converter] = &found.converters[..] else { panic!("{:?}", found.converters) };
+    let speed = 2000.0 * std::f64::consts::PI / 30.0;
+    close(converter.end_torque_n_m, 160.0, 1e-9);
+    close(converter.heat_j, 80.0 * speed * 2.0, 1e-9);
+    close(converter.peak_heat_flow_w, 80.0 * speed, 1e-9);
+    close(found.energies.converter_heat_j, converter.heat_j, 1e-15);
+    assert_eq!(converter.end_speed_ratio, Some(0.0));
+    close(found.samples.converters[0].impeller_torques_n_m[0], 80.0, 1e-9);
+    // The carrier gets four times the turbine's torque through the set.
+    close(found.samples.output_torques_n_m[5], 4.0 * 160.0, 1e-9);
+    let message = refused_as(&text.replace("torque_ratios: [2, 1]", "torque_ratios: [2]"));
+    assert!(message.contains("converters[0].torque_ratios: 1 values at 2 speed_ratios"), "{message}");
+    let message = refused_as(&text.replace("impeller_speed: 2000 rpm", "impeller_speed: 0 rpm"));
+    assert!(message.contains("converters[0].impeller_speed: it must be above 0"), "{message}");
+}
+
+/// Two free bodies through dogs: `½·J₁·J₂/(J₁ + J₂)·Δω²` goes.
+#[test]
+fn dogs_take_the_energy_of_an_impact() {
+    let text = "\
+scenario: dogs
+gearbox: { gearbox: g, input: s, output: c, sets: [{ id: P, sun: s, ring: r, carrier: c, k: 3 }], clutches: [{ id: C, links: [s, c] }, { id: D, links: [c, x] }], links: [x] }
+inertias: { s: 0.1 kg·m², r: 0.2 kg·m², c: 0.7 kg·m², x: 0.5 kg·m² }
+engaged: [C]
+duration: 1 s
+start: { speeds: { s: 30 rad/s, x: 10 rad/s } }
+elements: [{ id: D, dog: { engage: [0.25 s], release: [0.75 s] } }]
+";
+    let found = simulated(text);
+    close(found.energies.impact_j, 0.5 * (1.0 * 0.5 / 1.5) * 400.0, 1e-12);
+    close(found.end[0].speed_rad_s, (30.0 + 5.0) / 1.5, 1e-12);
+    let times: Vec<f64> = found.events.iter().map(|event| event.time_s).collect();
+    assert_eq!(times, [0.25, 0.75]);
+    assert_eq!(found.elements[0].kind, ElementKind::DogClutch);
+    let never = simulated(&text.replace("release: [0.75 s]", "largest_slip: 5 rad/s"));
+    assert_eq!((never.events.len(), never.energies.impact_j), (0, 0.0));
+    let message = refused_as(&text.replace("dog:", "static_ratio: 1.1, dog:"));
+    assert!(message.contains("elements[0].static_ratio: a dog clutch has no friction"), "{message}");
+    let message = refused_as(&text.replace("dog:", "holding: 5 N·m, dog:"));
+    assert!(message.contains("needs the gear at the start"), "{message}");
+}
+
+/// At constant power above the base speed the kinetic energy grows by `P·t`; below it the torque is the limit.
+#[test]
+fn a_source_of_constant_power_gives_it() {
+    let text = TWO_MASSES
+        .replace("shafts: [{ id: axle, links: [c, wheel], stiffness: 3000 N·m/rad, twist: 2 deg }]\n", "")
+        .replace("bodies: { wheel: 0.5 kg·m² }\n", "")
+        + "start: { speeds: { s: 20 rad/s } }\ntorques: [{ id: motor, link: s, constant_power: { power: 2 kW, limit: 100 N·m } }]\n";
+    let found = simulated(&text);
+    close(found.energies.work_j, 2000.0, 1e-9);
+    let slow = simulated(&text.replace("20 rad/s", "10 rad/s").replace("duration: 1 s", "duration: 0.1 s"));
+    // 100 rad/s² from 10 rad/s to the base speed of 20 rad/s.
+    close(slow.end[0].speed_rad_s, 20.0, 1e-9);
+}
+
+/// Half open between −10 and 30 N·m is 10 N·m; the throttle opens within the time.
+#[test]
+fn a_throttle_lies_between_its_curves() {
+    let text = TWO_MASSES
+        .replace("shafts: [{ id: axle, links: [c, wheel], stiffness: 3000 N·m/rad, twist: 2 deg }]\n", "")
+        .replace("bodies: { wheel: 0.5 kg·m² }\n", "")
+        + "torques: [{ id: engine, link: s, throttle: { closed: { speeds: [0 rpm], torques: [-10 N·m] }, full: { speeds: [0 rpm], torques: [30 N·m] }, times: [0 s, 1 s], openings: [0.25, 0.75] } }]\n";
+    let found = simulated(&text);
+    close(found.end[0].speed_rad_s, 10.0, 1e-9);
+    let message = refused_as(&text.replace("openings: [0.25, 0.75]", "openings: [0.25]"));
+    assert!(message.contains("torques[0].throttle: 2 times and 1 openings"), "{message}");
+    let message = refused_as(&text.replace("[0.25, 0.75]", "[0.25, 1.75]"));
+    assert!(message.contains("throttle"), "{message}");
+}
+
+/// The steady brake slips at 50 rad/s: halfway between 1 at rest and 0.5 at 100 rad/s a capacity of 40 N·m is 30 N·m.
+#[test]
+fn friction_over_slip_is_what_a_brake_carries() {
+    let text = STEADY.replace(
+        "torques: [30 N·m] }",
+        "torques: [40 N·m] }, friction_over_slip: { speeds: [0 rad/s, 100 rad/s], factors: [1, 0.5] }",
+    );
+    let found = simulated(&text.replace("duration: 40 s", "duration: 1 s"));
+    close(found.samples.elements[0].capacities_n_m.as_ref().unwrap()[0], 30.0, 1e-12);
+    close(found.elements[0].heat_j, 1500.0, 1e-9);
+    let message = refused_as(&text.replace("factors: [1, 0.5]", "factors: [1]"));
+    assert!(message.contains("elements[0].friction_over_slip: 2 speeds and 1 factors"), "{message}");
+}

@@ -15,7 +15,8 @@ use crate::Error;
 use crate::analyze::Worked;
 use crate::analyze::records::planet_name;
 use crate::gearbox::Subject;
-use crate::tolerance::ROUNDED;
+use crate::tolerance::{ROUNDED, rounded};
+use crate::toothed::lacking;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
 use epicyclic_formats::{Path, Physical, Quantity};
 use epicyclic_gears::life::Rolling;
@@ -35,12 +36,6 @@ struct File<'a> {
 
 /// The entry of a set with two central gears, and its place.
 type Entry<'a> = Option<(usize, &'a SetEntry)>;
-
-/// A quantity of a set, and where the set stands.
-fn of_set<T>(entry: Entry<'_>, of: impl Fn(&SetEntry) -> Option<Quantity<T>>) -> Option<(T, Path)> {
-    let (place, entry) = entry?;
-    Some((of(entry)?.0, Path::root().key("sets").index(place)))
-}
 
 /// What the modified life asks for.
 struct Conditions {
@@ -107,7 +102,7 @@ impl File<'_> {
         let mut steps = vec![];
         for WorkedStep(entry, worked) in duty {
             let Some((force, speed)) = self.step(bearing, worked.as_ref(), entry.speed.0, sharing)? else {
-                row.missing = lacking(bearing);
+                row.missing = missing_for_forces(bearing);
                 return Ok(row);
             };
             steps.push(BearingStep { share: entry.share.0.si(), load: force, speed, modification: 1.0 });
@@ -127,8 +122,7 @@ impl File<'_> {
             greatest = greatest.max(force);
         }
         row.greatest_force_n = Some(greatest);
-        if let Some((rating, path)) = of_set(entry, |entry| entry.static_load_rating) {
-            self.above_0(rating.si(), &path, "static_load_rating")?;
+        if let Some(rating) = self.of_set(entry, "static_load_rating", |entry| entry.static_load_rating)? {
             row.static_safety = (greatest > 0.0).then(|| rating.si() / greatest);
         }
         let life = |steps: &[BearingStep], reliability| {
@@ -166,23 +160,13 @@ impl File<'_> {
         let of_oil = Path::root().key("oil");
         let viscosity = oil.and_then(|oil| oil.working_viscosity).map(|of| of.0);
         let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_formats::Number::get);
-        if let Some(viscosity) = viscosity {
-            self.above_0(viscosity.si(), &of_oil, "working_viscosity")?;
-        }
+        viscosity.map_or(Ok(()), |viscosity| self.above_0(viscosity, &of_oil, "working_viscosity"))?;
         if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
             let message = "a contamination factor is from 0 to 1";
             return Err(refused(self.subject.document, &of_oil, &["contamination"], message));
         }
-        let fatigue_limit = match of_set(entry, |entry| entry.fatigue_limit) {
-            None => None,
-            Some((limit, path)) => Some(self.above_0(limit.si(), &path, "fatigue_limit").map(|()| limit)?),
-        };
-        let diameter = match of_set(entry, |entry| entry.bearing_diameter) {
-            None => None,
-            Some((diameter, path)) => {
-                Some(self.above_0(diameter.si(), &path, "bearing_diameter").map(|()| diameter)?)
-            }
-        };
+        let fatigue_limit = self.of_set(entry, "fatigue_limit", |entry| entry.fatigue_limit)?;
+        let diameter = self.of_set(entry, "bearing_diameter", |entry| entry.bearing_diameter)?;
         if let (Some(viscosity), Some(contamination), Some(fatigue_limit), Some(diameter)) =
             (viscosity, contamination, fatigue_limit, diameter)
         {
@@ -199,11 +183,25 @@ impl File<'_> {
         if known.iter().all(|(_, is_known)| !is_known) {
             return Ok((None, vec![]));
         }
-        Ok((None, super::super::toothed::lacking(&known)))
+        Ok((None, lacking(&known)))
     }
 
-    fn above_0(&self, value: f64, path: &Path, key: &str) -> Result<(), Error> {
-        if value > 0.0 {
+    /// A quantity of a set, which must be above 0.
+    fn of_set<T: Physical>(
+        &self,
+        entry: Entry<'_>,
+        key: &str,
+        of: impl Fn(&SetEntry) -> Option<Quantity<T>>,
+    ) -> Result<Option<T>, Error> {
+        let Some((place, value)) = entry.and_then(|(place, entry)| Some((place, of(entry)?.0))) else {
+            return Ok(None);
+        };
+        self.above_0(value, &Path::root().key("sets").index(place), key)?;
+        Ok(Some(value))
+    }
+
+    fn above_0(&self, value: impl Physical, path: &Path, key: &str) -> Result<(), Error> {
+        if value.si() > 0.0 {
             return Ok(());
         }
         Err(refused(self.subject.document, path, &[key], &format!("{key} must be above 0")))
@@ -229,10 +227,8 @@ impl File<'_> {
         let set = &self.subject.gearbox.sets()[bearing.set];
         let carrier = worked.analysis.speed(set.carrier()).map(|of| speed * of);
         let forces = bearing.forces(torques.as_deref(), carrier)?;
-        let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet].map(|planet| {
-            let relative = if planet.relative.abs() < ROUNDED { 0.0 } else { planet.relative };
-            AngularVelocity::from_si((speed * relative).si().abs())
-        });
+        let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet]
+            .map(|planet| AngularVelocity::from_si((speed * rounded(planet.relative)).si().abs()));
         Ok(shared(&forces, sharing).zip(turning))
     }
 
@@ -262,7 +258,7 @@ impl File<'_> {
 }
 
 /// What is missing for the forces on a bearing.
-fn lacking(bearing: &PlanetBearing) -> Vec<String> {
+fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
     let key = |lack: &Lack| match lack {
         Lack::Planets => "planets",
         Lack::Radius => "module with teeth, or carrier_radius",

@@ -3,16 +3,11 @@
 use super::prepared::RatedSet;
 use super::records::Reason;
 use crate::analyze::Worked;
-use crate::tolerance::ROUNDED;
+use crate::tolerance::rounded;
 use epicyclic_formats::Physical;
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::planets::loads;
 use uom::si::f64::{AngularVelocity, Time, Torque};
-
-/// A share, 0 where it is only the rounding that balances and differences of speeds leave.
-pub(crate) fn rounded(share: f64) -> f64 {
-    if share.abs() < ROUNDED { 0.0 } else { share }
-}
 
 /// Torque on the sun of a set without losses; 0 where only its rounding is left.
 pub(super) fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {

@@ -136,12 +136,7 @@ impl<'a> Of<'a> {
     /// What is known, or the keys that are missing.
     fn known(&self) -> Made<Known<'a>> {
         let entry = self.entry;
-        let gears = toothed::gears(self.spec, entry, &self.subject.rack).map_err(|fault| match fault {
-            toothed::Fault::Teeth(error) => self.refused(&["profile_shifts"], &error.to_string()),
-            toothed::Fault::Fillet(error) => {
-                self.refused(&["strength", "shaper", "fillet"], &error.to_string())
-            }
-        })?;
+        let gears = toothed::gears(self.subject, &self.path, self.spec, entry)?;
         let strength = entry.strength.as_ref();
         let shaper = strength.and_then(|strength| strength.shaper.as_ref());
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);

@@ -4,7 +4,7 @@ use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
 use crate::Error;
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
-use crate::toothed::{self, Fault, missing_teeth};
+use crate::toothed::{self, missing_teeth};
 use crate::units::millimetres;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
 use epicyclic_formats::{Path, Physical, Quantity};
@@ -63,10 +63,7 @@ impl Of<'_> {
         let (entry, Some(vibration)) = (self.entry, self.entry.vibration.as_ref()) else {
             return Ok(Err(vec!["vibration".to_owned()]));
         };
-        let toothed = toothed::gears(self.spec, entry, &self.subject.rack).map_err(|fault| match fault {
-            Fault::Teeth(error) => self.refused(&["profile_shifts"], &error),
-            Fault::Fillet(error) => self.refused(&["strength", "shaper", "fillet"], &error),
-        })?;
+        let toothed = toothed::gears(self.subject, &self.path, self.spec, entry)?;
         if let Some(module) = entry.module.filter(|module| module.0.si() <= 0.0) {
             return Err(
                 self.refused(&["module"], &format!("module is {} m; it must be above 0", module.0.si()))

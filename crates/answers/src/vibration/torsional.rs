@@ -9,8 +9,8 @@ use super::records::{
 use super::{Of, Prepared, joined, number};
 use crate::Error;
 use crate::gearbox::Subject;
-use crate::strength::load::rounded;
 use crate::strength::place::refused;
+use crate::tolerance::rounded;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
 use epicyclic_formats::{Path, Physical};
 use epicyclic_train::{Gear, LinkId, PlanetSet};

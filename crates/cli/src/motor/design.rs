@@ -4,6 +4,7 @@ use super::{Design, Teeth};
 use crate::failure::Failure;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::{Designed, Place, Question};
+use epicyclic_formats::motor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};
@@ -19,7 +20,9 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
         None => MotorNumbers::new(stator, rotor, z3, zs),
     };
     let place = match (args.cosine, args.l, args.a, args.part) {
-        (true, ..) => Place::CosineLaw,
+        (true, ..) => {
+            args.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
+        }
         (_, Some(l), ..) => Place::TroughDistance(l.0),
         (_, _, Some(a), _) => Place::CrestDistance(a.0),
         (.., Some(part)) => Place::Part(part.get()),
@@ -34,6 +37,7 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
         pressure: args.pressure.map(|pressure| pressure.0),
         speed: args.speed.map(|speed| speed.0),
         angle: args.angle.0,
+        made: args.made.groups(),
     };
     answers::motor::design(&question).map_err(refuse)
 }
@@ -52,6 +56,15 @@ fn form(teeth: &Teeth) -> ToothForm {
 
 /// A refusal with the option that it speaks of.
 pub(super) fn refuse(error: answers::Error) -> Failure {
+    let key = match &error {
+        answers::Error::MotorKey { key, .. } => Some((*key).to_owned()),
+        answers::Error::Motor(error) => Some(motor::place(error).to_string()),
+        _ => None,
+    };
+    if let Some((option, of)) = key.as_deref().and_then(of_group) {
+        let message = if of.is_empty() { error.to_string() } else { format!("{of}: {error}") };
+        return Failure::Option { option, message };
+    }
     let option = match &error {
         answers::Error::Motor(error) => of_motor(error),
         answers::Error::PressureDrop => Some("--pressure"),
@@ -64,6 +77,20 @@ pub(super) fn refuse(error: answers::Error) -> Failure {
         Some(option) => Failure::Option { option, message: error.to_string() },
         None => error.into(),
     }
+}
+
+/// The option of a group of keys, and the rest of the key.
+fn of_group(key: &str) -> Option<(&'static str, &str)> {
+    let (group, rest) = key.split_once('.').unwrap_or((key, ""));
+    let option = match group {
+        "material" => "--material",
+        "oil" => "--oil",
+        "gaps" => "--gaps",
+        "friction" => "--friction",
+        "ports" => "--ports",
+        _ => return None,
+    };
+    Some((option, rest))
 }
 
 fn of_motor(error: &Error) -> Option<&'static str> {
@@ -85,7 +112,8 @@ fn of_motor(error: &Error) -> Option<&'static str> {
         Error::SatelliteTooLarge { .. } => Some("--zs"),
         Error::OutsideFamily { .. } => Some("--l"),
         Error::OutsideFamilyByCrest { .. } => Some("--a"),
-        Error::NoCosineRotor { .. } => Some("--cosine"),
+        Error::NoCosineRotor { .. } | Error::NoSecondHarmonicRotor { .. } => Some("--cosine"),
+        Error::OutsideHarmonic { .. } => Some("--second-harmonic"),
         Error::NoModules => Some("--module"),
         Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
         Error::NotPositive { quantity, .. }
@@ -101,6 +129,7 @@ fn quantity_option(quantity: Quantity) -> Option<&'static str> {
         Quantity::TroughDistance => "--l",
         Quantity::CrestDistance => "--a",
         Quantity::FamilyPart => "--part",
+        Quantity::SecondAmplitude => "--second-harmonic",
         Quantity::Width => "--width",
         Quantity::PressureDrop | Quantity::HighPressure => "--pressure",
         Quantity::Speed => "--speed",

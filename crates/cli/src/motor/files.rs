@@ -74,10 +74,18 @@ pub(super) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
         View::Motor => motor::View::Motor,
         View::Chambers => motor::View::Chambers,
         View::Dimensions => motor::View::Dimensions,
+        View::Forces => motor::View::Forces,
+        View::Ports => motor::View::Ports,
+        View::Pressure => motor::View::Pressure,
+        View::Stress => motor::View::Stress,
+        View::Efficiency => motor::View::Efficiency,
     };
     motor::scene(view, designed).map_err(|error| match error {
         epicyclic_views::Error::NoTeeth(_) => {
             Failure::Option { option: "--view teeth", message: error.to_string() }
+        }
+        epicyclic_views::Error::Lacking(_) => {
+            Failure::Option { option: "--view", message: error.to_string() }
         }
         error => error.into(),
     })

@@ -8,6 +8,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod gearboxes;
+mod motors;
 mod options;
 mod scenarios;
 

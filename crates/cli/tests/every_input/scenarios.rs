@@ -42,6 +42,7 @@ const KEYS: &[Key] = &[
         from: "set: P",
         to: "set: Q",
     },
+    key("bodies", "wheel: 3 kg·m²", "wheel: 4 kg·m²"),
     key("planets.count", "count: 3", "count: 4"),
     key("planets.each.inertia", "inertia: 1e-4 kg·m²", "inertia: 2e-3 kg·m²"),
     key("planets.each.mass", "mass: 0.3 kg", "mass: 0.9 kg"),
@@ -102,6 +103,40 @@ const KEYS: &[Key] = &[
     key("torques.harmonic.amplitude", "amplitude: 10 N·m", "amplitude: 11 N·m"),
     key("torques.harmonic.frequency", "frequency: 8 Hz", "frequency: 9 Hz"),
     key("torques.harmonic.phase", "phase: 30 deg", "phase: 40 deg"),
+    key("torques.constant_power.power", "power: -0.3 kW", "power: -0.2 kW"),
+    key("torques.constant_power.limit", "limit: -5 N·m", "limit: -6 N·m"),
+    key(
+        "torques.throttle.closed.speeds",
+        "closed: { speeds: [0 rpm, 3000 rpm]",
+        "closed: { speeds: [0 rpm, 2900 rpm]",
+    ),
+    key("torques.throttle.closed.torques", "[0 N·m, -10 N·m]", "[0 N·m, -12 N·m]"),
+    key(
+        "torques.throttle.full.speeds",
+        "full: { speeds: [0 rpm, 3000 rpm]",
+        "full: { speeds: [0 rpm, 2900 rpm]",
+    ),
+    key("torques.throttle.full.torques", "[30 N·m, 10 N·m]", "[30 N·m, 12 N·m]"),
+    Key {
+        path: "torques.throttle.closed.csv",
+        first: &[(
+            "closed: { speeds: [0 rpm, 3000 rpm], torques: [0 N·m, -10 N·m] }",
+            "closed: { csv: engine.csv }",
+        )],
+        from: "engine.csv",
+        to: "stronger.csv",
+    },
+    Key {
+        path: "torques.throttle.full.csv",
+        first: &[(
+            "full: { speeds: [0 rpm, 3000 rpm], torques: [30 N·m, 10 N·m] }",
+            "full: { csv: engine.csv }",
+        )],
+        from: "engine.csv",
+        to: "stronger.csv",
+    },
+    key("torques.throttle.times", "times: [0 s, 1 s]\n      openings", "times: [0 s, 0.8 s]\n      openings"),
+    key("torques.throttle.openings", "openings: [0, 0.8]", "openings: [0, 0.7]"),
     key("torques.resistance", "resistance: 12 N·m", "resistance: 13 N·m"),
     Key {
         path: "elements.id",
@@ -113,6 +148,11 @@ const KEYS: &[Key] = &[
         to: "id: X\n",
     },
     key("elements.holding", "holding: 400 N·m", "holding: 420 N·m"),
+    key("elements.friction_over_slip.speeds", "speeds: [0 rpm, 300 rpm]", "speeds: [0 rpm, 400 rpm]"),
+    key("elements.friction_over_slip.factors", "factors: [1, 0.9]", "factors: [1, 0.8]"),
+    key("elements.dog.engage", "engage: [1.2 s]", "engage: [1.6 s]"),
+    key("elements.dog.release", "release: [1.8 s]", "release: [1.7 s]"),
+    key("elements.dog.largest_slip", "largest_slip: 400 rpm", "largest_slip: 395 rpm"),
     key("elements.capacity.times", "times: [0 s, 1 s]", "times: [0 s, 0.9 s]"),
     key("elements.capacity.torques", "torques: [0 N·m, 30 N·m]", "torques: [0 N·m, 35 N·m]"),
     Key {
@@ -145,6 +185,19 @@ const KEYS: &[Key] = &[
     key("elements.friction_area", "friction_area: 200 cm²", "friction_area: 210 cm²"),
     key("elements.heat_capacity", "heat_capacity: 2 kJ/K", "heat_capacity: 3 kJ/K"),
     key("elements.conductance", "conductance: 30 W/K", "conductance: 3000 W/K"),
+    key("shafts.id", "id: axle", "id: half axle"),
+    key("shafts.links", "links: [out, wheel]", "links: [wheel, out]"),
+    key("shafts.stiffness", "stiffness: 2 kN·m/rad", "stiffness: 2.1 kN·m/rad"),
+    key("shafts.damping.torque", "damping: { torque: 6 N·m", "damping: { torque: 7 N·m"),
+    key("shafts.damping.at", "at: 10 rpm }", "at: 11 rpm }"),
+    key("shafts.backlash", "backlash: 1 deg", "backlash: 0.9 deg"),
+    key("shafts.twist", "twist: 0.2 deg", "twist: 0.1 deg"),
+    key("converters.id", "id: TC", "id: WTC"),
+    key("converters.links", "links: [in, rotor]", "links: [out, rotor]"),
+    key("converters.speed_ratios", "[0, 0.6, 0.85, 1]", "[0, 0.6, 0.8, 1]"),
+    key("converters.torque_ratios", "[2, 1.3, 1, 1]", "[2, 1.2, 1, 1]"),
+    key("converters.impeller_torques", "[20 N·m, 18 N·m,", "[20 N·m, 17 N·m,"),
+    key("converters.impeller_speed", "impeller_speed: 1500 rpm", "impeller_speed: 1600 rpm"),
     key("shifts.at", "at: 0.5 s", "at: 0.55 s"),
     key("shifts.to", "to: \"2\"", "to: \"free\""),
     key("shifts.release", "release: 100 ms", "release: 110 ms"),
@@ -166,8 +219,8 @@ fn with_files(folder: &Path, example: &str) {
     let listed = |name: &str, ring: u32| {
         format!(
             "- name: {name}\n  sets: [{{ id: P, planet: simple, sun: S, ring: R, carrier: H, z_s: 20, z_r: {ring} }}]\n  \
-             links: {{ in: [S], drum: [R], out: [H], pto: [], fan: [], winch: [] }}\n  input: in\n  output: out\n  \
-             shift_elements: {{ B: [drum, ground], C: [in, out], PTO: [out, pto], F: [pto, fan], W: [pto, winch] }}\n  \
+             links: {{ in: [S], drum: [R], out: [H], pto: [], fan: [], winch: [], tool: [] }}\n  input: in\n  output: out\n  \
+             shift_elements: {{ B: [drum, ground], C: [in, out], PTO: [out, pto], F: [pto, fan], W: [pto, winch], T: [pto, tool] }}\n  \
              gears: [{{ name: '1', engaged: [B], published_ratio: 4.5, printed_decimals: 1 }}, {{ name: '2', engaged: [C], published_ratio: 1.0, printed_decimals: 1 }}]\n"
         )
     };

@@ -2,14 +2,14 @@
 
 use uom::si::{
     angle::radian, angular_acceleration::radian_per_second_squared, angular_velocity::radian_per_second,
-    area::square_meter, energy::joule, f64 as si, force::newton, frequency::hertz,
-    heat_capacity::joule_per_kelvin, heat_flux_density::watt_per_square_meter,
+    area::square_meter, dynamic_viscosity::pascal_second, energy::joule, f64 as si, force::newton,
+    frequency::hertz, heat_capacity::joule_per_kelvin, heat_flux_density::watt_per_square_meter,
     kinematic_viscosity::square_meter_per_second, length::meter, mass::kilogram,
     mass_density::kilogram_per_cubic_meter, moment_of_inertia::kilogram_square_meter, power::watt,
     pressure::pascal, radiant_exposure::joule_per_square_meter, ratio::ratio,
-    surface_tension::newton_per_meter, temperature_interval::kelvin, thermal_conductance::watt_per_kelvin,
-    time::second, torque::newton_meter, velocity::meter_per_second, volume::cubic_meter,
-    volume_rate::cubic_meter_per_second,
+    surface_tension::newton_per_meter, temperature_coefficient::per_kelvin, temperature_interval::kelvin,
+    thermal_conductance::watt_per_kelvin, time::second, torque::newton_meter, velocity::meter_per_second,
+    volume::cubic_meter, volume_rate::cubic_meter_per_second,
 };
 
 use super::dimension::Dimension;
@@ -68,9 +68,11 @@ physical! {
     Power in watt is Power;
     Pressure in pascal is Pressure;
     KinematicViscosity in square_meter_per_second is Viscosity;
+    DynamicViscosity in pascal_second is DynamicViscosity;
     Energy in joule is Energy;
     Time in second is Time;
     TemperatureInterval in kelvin is TemperatureDifference;
+    TemperatureCoefficient in per_kelvin is ThermalExpansion;
     HeatCapacity in joule_per_kelvin is HeatCapacity;
     ThermalConductance in watt_per_kelvin is ThermalConductance;
     HeatFluxDensity in watt_per_square_meter is PowerPerArea;

@@ -49,12 +49,16 @@ pub enum Dimension {
     Pressure,
     /// Kinematic viscosity of an oil. SI unit: m²/s.
     Viscosity,
+    /// Dynamic viscosity of an oil. SI unit: Pa·s.
+    DynamicViscosity,
     /// SI unit: J.
     Energy,
     /// SI unit: s.
     Time,
     /// A difference of temperatures. SI unit: K.
     TemperatureDifference,
+    /// Change of a length, relative, over a difference of temperatures. SI unit: 1/K.
+    ThermalExpansion,
     /// SI unit: J/K.
     HeatCapacity,
     /// Heat flow over a difference of temperatures. SI unit: W/K.
@@ -67,7 +71,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 29] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -88,9 +92,11 @@ impl Dimension {
         Self::Power,
         Self::Pressure,
         Self::Viscosity,
+        Self::DynamicViscosity,
         Self::Energy,
         Self::Time,
         Self::TemperatureDifference,
+        Self::ThermalExpansion,
         Self::HeatCapacity,
         Self::ThermalConductance,
         Self::PowerPerArea,
@@ -121,9 +127,11 @@ impl Dimension {
             Self::Power => "power",
             Self::Pressure => "pressure",
             Self::Viscosity => "kinematic viscosity",
+            Self::DynamicViscosity => "dynamic viscosity",
             Self::Energy => "energy",
             Self::Time => "time",
             Self::TemperatureDifference => "temperature difference",
+            Self::ThermalExpansion => "thermal expansion",
             Self::HeatCapacity => "heat capacity",
             Self::ThermalConductance => "thermal conductance",
             Self::PowerPerArea => "power per area",
@@ -143,6 +151,8 @@ impl Dimension {
             | Self::Angle
             | Self::VolumeRate
             | Self::Viscosity
+            | Self::DynamicViscosity
+            | Self::ThermalExpansion
             | Self::Density
             | Self::TemperatureDifference => 1e6,
             Self::Area

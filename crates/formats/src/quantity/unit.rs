@@ -184,6 +184,11 @@ const VISCOSITY: &[Unit] = &[
     unit(Viscosity, "m²/s", 1.0, &["m2/s", "m2·s-1"]),
 ];
 
+const DYNAMIC_VISCOSITY: &[Unit] = &[
+    unit(DynamicViscosity, "mPa·s", 1e-3, &["mPa·s", "cP"]),
+    unit(DynamicViscosity, "Pa·s", 1.0, &["Pa·s", "N·s/m2"]),
+];
+
 const ENERGY: &[Unit] = &[
     unit(Energy, "J", 1.0, &["J"]),
     unit(Energy, "mJ", 1e-3, &["mJ"]),
@@ -200,6 +205,11 @@ const TIME: &[Unit] = &[
 ];
 
 const TEMPERATURE_DIFFERENCE: &[Unit] = &[unit(TemperatureDifference, "K", 1.0, &["K"])];
+
+const THERMAL_EXPANSION: &[Unit] = &[
+    unit(ThermalExpansion, "1/K", 1.0, &["1/K", "K-1", "/K"]),
+    unit(ThermalExpansion, "µm/(m·K)", 1e-6, &["um/(m·K)"]),
+];
 
 const HEAT_CAPACITY: &[Unit] =
     &[unit(HeatCapacity, "kJ/K", 1e3, &["kJ/K"]), unit(HeatCapacity, "J/K", 1.0, &["J/K"])];
@@ -251,9 +261,11 @@ impl Dimension {
             Power => POWER,
             Pressure => PRESSURE,
             Viscosity => VISCOSITY,
+            DynamicViscosity => DYNAMIC_VISCOSITY,
             Energy => ENERGY,
             Time => TIME,
             TemperatureDifference => TEMPERATURE_DIFFERENCE,
+            ThermalExpansion => THERMAL_EXPANSION,
             HeatCapacity => HEAT_CAPACITY,
             ThermalConductance => THERMAL_CONDUCTANCE,
             PowerPerArea => POWER_PER_AREA,

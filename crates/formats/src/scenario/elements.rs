@@ -1,12 +1,13 @@
 //! Shift elements and shifts, as a scenario states them.
 
+use super::joints::DogEntry;
 use super::tables::{Column, Points, TableFault, Texts};
 use crate::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{Area, HeatCapacity, Length, Pressure, ThermalConductance, Time, Torque};
+use uom::si::f64::{AngularVelocity, Area, HeatCapacity, Length, Pressure, ThermalConductance, Time, Torque};
 
-/// A shift element that carries by friction, and what it is made of. Its capacity has one of three sources.
+/// A shift element that carries by friction or by dogs, and what it is made of. Its capacity has one of four sources.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ElementEntry {
@@ -21,6 +22,12 @@ pub struct ElementEntry {
     /// Its pressure over time, from which the capacity follows.
     #[serde(default)]
     pub pressure: Option<PressureEntry>,
+    /// It is a dog clutch, which engages by an impact and then carries any torque.
+    #[serde(default)]
+    pub dog: Option<DogEntry>,
+    /// Friction over the speed of slip. Default: the same at any speed.
+    #[serde(default)]
+    pub friction_over_slip: Option<OverSlipEntry>,
     /// Static over kinetic friction, at least 1. Default 1.
     #[serde(default)]
     pub static_ratio: Option<Number>,
@@ -48,6 +55,16 @@ pub struct CapacityEntry {
     /// In place of both: a CSV file, by its path from the folder of this file.
     #[serde(default)]
     pub csv: Option<String>,
+}
+
+/// A factor of the capacity over the speed of slip, linear between its points, level beyond them.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OverSlipEntry {
+    /// Speeds of slip, ascending, at least 0.
+    pub speeds: Vec<Quantity<AngularVelocity>>,
+    /// The factor at each, at least 0; that at 0 holds while it sticks, too.
+    pub factors: Vec<Number>,
 }
 
 /// A pressure over time, and how a capacity follows: `μ·z·r_m·A·(p − p_kiss)`, 0 below the kiss point and while the piston fills.

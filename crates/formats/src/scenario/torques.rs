@@ -4,7 +4,7 @@ use super::tables::{Column, Points, TableFault};
 use crate::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{Angle, AngularVelocity, Frequency, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Frequency, Power, Time, Torque};
 
 /// A torque on a link, positive along the axis, by one of its laws.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -38,6 +38,12 @@ pub struct TorqueEntry {
     /// `mean + amplitude·sin(2π·f·t + φ)`.
     #[serde(default)]
     pub harmonic: Option<HarmonicEntry>,
+    /// The same power at every speed, up to a torque.
+    #[serde(default)]
+    pub constant_power: Option<ConstantPowerEntry>,
+    /// An engine by its throttle over time.
+    #[serde(default)]
+    pub throttle: Option<ThrottleEntry>,
     /// Of this size against the motion; it holds the link at rest while it can: rolling resistance, a tool in the ground.
     #[serde(default)]
     pub resistance: Option<Quantity<Torque>>,
@@ -121,10 +127,34 @@ pub struct HarmonicEntry {
     pub phase: Option<Quantity<Angle>>,
 }
 
+/// A torque `P/ω`, at most a limit; backwards the limit.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ConstantPowerEntry {
+    /// The power; below 0 of a brake that recovers it.
+    pub power: Quantity<Power>,
+    /// The torque below the speed `P/M`, of the power's sign.
+    pub limit: Quantity<Torque>,
+}
+
+/// `(1 − α)·M_closed(ω) + α·M_full(ω)` with the throttle `α` over time, linear between its points.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ThrottleEntry {
+    /// Torque over speed with the throttle closed.
+    pub closed: OverSpeedEntry,
+    /// The same with the throttle full open.
+    pub full: OverSpeedEntry,
+    /// Times, in order.
+    pub times: Vec<Quantity<Time>>,
+    /// The throttle at each, from 0 to 1.
+    pub openings: Vec<Number>,
+}
+
 impl TorqueEntry {
     /// Keys of the laws, and whether each is given.
     #[must_use]
-    pub fn laws(&self) -> [(&'static str, bool); 9] {
+    pub fn laws(&self) -> [(&'static str, bool); 11] {
         [
             ("constant", self.constant.is_some()),
             ("over_time", self.over_time.is_some()),
@@ -134,6 +164,8 @@ impl TorqueEntry {
             ("quadratic", self.quadratic.is_some()),
             ("kloss", self.kloss.is_some()),
             ("harmonic", self.harmonic.is_some()),
+            ("constant_power", self.constant_power.is_some()),
+            ("throttle", self.throttle.is_some()),
             ("resistance", self.resistance.is_some()),
         ]
     }

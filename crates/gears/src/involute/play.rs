@@ -235,8 +235,8 @@ impl PlanetSet {
 pub struct Part {
     /// Torque `τ` on one of its members over that at the output, either sign.
     pub torque_share: f64,
-    /// What [`PlanetSet::torsional_stiffness`] gives for that member.
-    pub stiffness: Torque,
+    /// What [`PlanetSet::torsional_stiffness`] gives for that member; `None` where it is not known.
+    pub stiffness: Option<Torque>,
     /// What [`PlanetSet::backlash_at`] gives for it.
     pub backlash: Extent,
 }
@@ -247,20 +247,22 @@ pub struct Part {
 /// 1/k = Σ τ_j²/k_j        φ = Σ |τ_j|·φ_j
 /// ```
 ///
-/// The shares follow from the torques of that gear; a set without torque adds nothing. Without a set that has torque the stiffness is infinite.
+/// The shares follow from the torques of that gear; a set without torque adds nothing. Without a set that has torque the stiffness is infinite, and where one of them has none that
+/// is known, there is none.
 ///
 /// # Errors
 /// [`Error::NotPositive`] for a stiffness of 0 or less.
-pub fn at_output(parts: &[Part]) -> Result<(Torque, Extent), Error> {
-    let mut compliance = 0.0;
+pub fn at_output(parts: &[Part]) -> Result<(Option<Torque>, Extent), Error> {
+    let mut compliance = Some(0.0);
     let mut backlash = Extent { least: 0.0, greatest: 0.0 };
     for part in parts {
-        let stiffness = positive_torque(part.stiffness)?;
-        compliance += part.torque_share * part.torque_share / stiffness;
+        let stiffness = part.stiffness.map(positive_torque).transpose()?;
+        compliance =
+            compliance.zip(stiffness).map(|(sum, k)| sum + part.torque_share * part.torque_share / k);
         backlash.least += part.torque_share.abs() * part.backlash.least;
         backlash.greatest += part.torque_share.abs() * part.backlash.greatest;
     }
-    Ok((torque(1.0 / compliance), backlash))
+    Ok((compliance.map(|compliance| torque(1.0 / compliance)), backlash))
 }
 
 #[cfg(test)]
@@ -295,7 +297,7 @@ mod tests {
         assert_eq!(stiffness(0.0).unwrap_err().name(), "not-positive");
         let part = Part {
             torque_share: 1.0,
-            stiffness: torque(0.0),
+            stiffness: Some(torque(0.0)),
             backlash: Extent { least: 0.0, greatest: 0.0 },
         };
         assert_eq!(at_output(&[part]).unwrap_err().name(), "not-positive");
@@ -335,14 +337,16 @@ mod tests {
     fn a_train_adds_its_sets_by_virtual_work() {
         let part = |torque_share, stiffness, least| Part {
             torque_share,
-            stiffness: torque(stiffness),
+            stiffness: Some(torque(stiffness)),
             backlash: Extent { least, greatest: 2.0 * least },
         };
         // The second set has the ratio 4: its sun carries a quarter of the output torque.
         let (stiffness, backlash) = at_output(&[part(-0.25, 8e4, 0.004), part(1.0, 3e5, 0.001)]).unwrap();
         let by_hand = 1.0 / (1.0 / 3e5 + 1.0 / (16.0 * 8e4));
-        assert!((n_m(stiffness) / by_hand - 1.0).abs() < 1e-12);
+        assert!((n_m(stiffness.unwrap()) / by_hand - 1.0).abs() < 1e-12);
         assert!((backlash.least - 0.002).abs() < 1e-15 && (backlash.greatest - 0.004).abs() < 1e-15);
+        let unknown = Part { stiffness: None, ..part(-0.25, 8e4, 0.004) };
+        assert!(at_output(&[unknown, part(1.0, 3e5, 0.001)]).unwrap().0.is_none());
     }
 
     proptest! {

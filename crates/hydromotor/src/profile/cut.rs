@@ -214,11 +214,21 @@ impl Cut {
         offset: f64,
     ) -> Result<Self, Error> {
         let track = Track { shape, side };
-        let lobe = track.lobe();
-        let middle = |i: u32| offset + PI * f64::from(i);
         let after = (0..teeth_per_lobe)
-            .map(|i| Self::flank(&track, teeth, middle(i), 1.0))
+            .map(|i| Self::flank(&track, teeth, offset + PI * f64::from(i), 1.0))
             .collect::<Result<Vec<_>, _>>()?;
+        Self::of_flanks(&track, teeth, offset, &after)
+    }
+
+    /// From the flanks after the middles of the spaces of a lobe.
+    pub(super) fn of_flanks(
+        track: &Track<'_>,
+        teeth: &Teeth,
+        offset: f64,
+        after: &[Flank],
+    ) -> Result<Self, Error> {
+        let (side, lobe, teeth_per_lobe) = (track.side, track.lobe(), after.len() as u32);
+        let middle = |i: u32| offset + PI * f64::from(i);
         // The flanks before the middles are the mirror images, in the crest, of those after the middles of other spaces.
         let opposite = if offset == 0.0 { teeth_per_lobe } else { teeth_per_lobe - 1 };
         let flanks: Vec<[Flank; 2]> = (0..teeth_per_lobe)
@@ -242,7 +252,7 @@ impl Cut {
                 return Err(Error::PointedTip {
                     wheel: if side == Side::Stator { WheelKind::Stator } else { WheelKind::Rotor },
                     addendum: teeth.wheel_addendum,
-                    most: Self::greatest_addendum(&track, teeth, middle),
+                    most: Self::greatest_addendum(track, teeth, middle),
                 });
             }
             let flank = |flank: &Flank| Curve::Flank { sign: flank.sign, pitch: flank.pitch };
@@ -274,7 +284,7 @@ impl Cut {
     }
 
     /// A flank of the space with its middle at `middle`.
-    fn flank(track: &Track<'_>, teeth: &Teeth, middle: f64, sign: f64) -> Result<Flank, Error> {
+    pub(super) fn flank(track: &Track<'_>, teeth: &Teeth, middle: f64, sign: f64) -> Result<Flank, Error> {
         let pitch = middle + sign * teeth.half_space;
         let Some((tip, foot, missing)) = Self::tip(track, teeth, pitch, sign, teeth.wheel_addendum) else {
             return Err(Error::NoTip {

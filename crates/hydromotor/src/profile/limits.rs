@@ -27,7 +27,9 @@
 
 use uom::si::f64::Length;
 
-use super::cut::Flank;
+use super::cut::{Flank, Piece};
+use super::form::Teeth;
+use super::satellite::SatelliteTooth;
 use super::track::{Frame, Side, Track};
 use super::{Part, Profile};
 use crate::centrode::Wheel;
@@ -188,76 +190,17 @@ impl Profile {
     }
 
     fn wheel_limits(&self, side: Side, limits: &mut Vec<Limit>) {
-        let teeth = &self.teeth;
-        let track = self.track(side);
-        let cut = self.cut(side);
-        let [
-            mut undercut,
-            mut cusp,
-            mut foreign,
-            mut own,
-            mut tip,
-            mut contact,
-            mut root_curve,
-            mut tip_curve,
-        ] = [None; 8];
-        let satellite_path = teeth.base * (teeth.tan - self.satellite.from);
+        let (track, cut) = (self.track(side), self.cut(side));
+        let mesh = Mesh { teeth: &self.teeth, satellite: &self.satellite };
+        let mut worsts = Worsts::default();
         for flank in cut.flanks.iter().flatten() {
-            let at = flank.pitch;
-            for frame in flank_frames(&track, flank, flank.pitch + flank.sign * teeth.cutter_roll) {
-                let path = flank.roll(frame.s) * teeth.cos;
-                let bound = teeth.sin / frame.curvature.abs();
-                if path < 0.0 && frame.curvature < 0.0 {
-                    Worst::keep(&mut undercut, Bound::AtMost, -path, bound, at);
-                } else if path > 0.0 && frame.curvature > 0.0 {
-                    Worst::keep(&mut cusp, Bound::AtMost, path, bound, at);
-                }
-                if frame.curvature < 0.0 {
-                    let radius = -1.0 / frame.curvature;
-                    Worst::keep(&mut root_curve, Bound::AtMost, teeth.cutter_addendum, radius, frame.s);
-                } else if frame.curvature > 0.0 {
-                    let radius = 1.0 / frame.curvature;
-                    Worst::keep(&mut tip_curve, Bound::AtMost, teeth.wheel_addendum, radius, frame.s);
-                }
-            }
-            let wheel_tip = flank.roll(flank.tip) * teeth.cos;
-            if flank.missing > 0.0 {
-                Worst::keep(&mut cusp, Bound::AtMost, wheel_tip + flank.missing, wheel_tip, at);
-            }
-            // The flanks on the other side of the spaces are mirror images.
-            let intrusion = if flank.sign > 0.0 { self.intrusion(&track, flank) } else { 0.0 };
-            let reach = if intrusion > 0.0 { wheel_tip.max(satellite_path + intrusion) } else { wheel_tip };
-            Worst::keep(&mut foreign, Bound::AtMost, reach, satellite_path, at);
-            let satellite_tip = -teeth.tip_roll() * teeth.cos;
-            let begins = -flank.roll(flank.end) * teeth.cos;
-            Worst::keep(&mut own, Bound::AtMost, satellite_tip, begins, at);
-            let path = wheel_tip.min(satellite_path) + satellite_tip.min(begins);
-            Worst::keep(&mut contact, Bound::AtLeast, path, PI * teeth.cos, at);
+            worsts.flank(mesh, &track, flank);
+            worsts.fillet(mesh, &track, flank);
         }
         for piece in cut.pieces.iter().filter(|piece| piece.part == Part::Tip) {
-            let frames: Vec<Frame> =
-                track.frames(piece.from, piece.to, 8).chain([track.at(piece.to)]).collect();
-            let point = |frame: &Frame| frame.point(0.0, teeth.wheel_addendum);
-            let thickness: f64 = frames
-                .windows(2)
-                .map(|ends| {
-                    let ([ax, ay], [bx, by]) = (point(&ends[0]), point(&ends[1]));
-                    (ax - bx).hypot(ay - by)
-                })
-                .sum();
-            Worst::keep(&mut tip, Bound::AtLeast, thickness, LEAST_TIP, 0.5 * (piece.from + piece.to));
+            worsts.tip(mesh, &track, piece);
         }
-        let kinds = [
-            (LimitKind::Undercut, Bound::AtMost, undercut),
-            (LimitKind::TipCusp, Bound::AtMost, cusp),
-            (LimitKind::SatelliteRoot, Bound::AtMost, foreign),
-            (LimitKind::WheelRoot, Bound::AtMost, own),
-            (LimitKind::TipThickness, Bound::AtLeast, tip),
-            (LimitKind::ContactPath, Bound::AtLeast, contact),
-            (LimitKind::RootCurve, Bound::AtMost, root_curve),
-            (LimitKind::TipCurve, Bound::AtMost, tip_curve),
-        ];
-        for (kind, sense, worst) in kinds {
+        for ((kind, sense), worst) in KINDS.into_iter().zip(worsts.0) {
             if let Some(Worst { value, bound, at }) = worst {
                 limits.push(self.limit(kind, side.wheel(), value, sense, bound, Some(at)));
             }
@@ -265,36 +208,152 @@ impl Profile {
     }
 }
 
-impl Profile {
-    /// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact goes on from the tip to
-    /// the corner's foot; 0 if it does not.
-    fn intrusion(&self, track: &Track<'_>, flank: &Flank) -> f64 {
-        let teeth = &self.teeth;
-        let corner = track.at(flank.foot).point(0.0, teeth.wheel_addendum);
-        let middle = flank.pitch - flank.sign * teeth.half_space;
-        let distance = |s: f64| {
-            let Frame { at: [x, y], along: [tx, ty], .. } = track.at(s);
-            let (x, y) = (corner[0] - x, corner[1] - y);
-            let (along, towards) = (x * tx + y * ty, x * ty - y * tx);
-            // About the middle of the satellite's tooth that comes into this space.
-            let (out, turned) = (teeth.r + towards, (s - middle) / teeth.r);
-            let (radius, angle) = (out.hypot(along), flank.sign * (along.atan2(out) + turned));
-            match self.satellite.fillet_distance([radius * angle.cos(), radius * angle.sin()]) {
-                (distance, true) => distance,
-                _ => f64::INFINITY,
-            }
-        };
-        // Ever denser towards the tip: the corner comes nearest soon after the involute.
-        let place = |i: u32| {
-            let part = f64::from(i.min(PLACES)) / f64::from(PLACES);
-            flank.tip + (flank.foot - flank.tip) * part * part
-        };
-        let (least, i) = (0..=PLACES)
-            .map(|i| (distance(place(i)), i))
-            .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
-        let (_, refined) = golden(place(i.saturating_sub(1)), place(i + 1), 32, distance);
-        (0.5 * teeth.backlash * teeth.cos - least.min(refined)).max(0.0)
+/// Limits of a wheel, in the order in which they are told.
+const KINDS: [(LimitKind, Bound); 8] = [
+    (LimitKind::Undercut, Bound::AtMost),
+    (LimitKind::TipCusp, Bound::AtMost),
+    (LimitKind::SatelliteRoot, Bound::AtMost),
+    (LimitKind::WheelRoot, Bound::AtMost),
+    (LimitKind::TipThickness, Bound::AtLeast),
+    (LimitKind::ContactPath, Bound::AtLeast),
+    (LimitKind::RootCurve, Bound::AtMost),
+    (LimitKind::TipCurve, Bound::AtMost),
+];
+
+/// The teeth that a wheel's limits depend on.
+#[derive(Clone, Copy)]
+pub(super) struct Mesh<'a> {
+    pub(super) teeth: &'a Teeth,
+    pub(super) satellite: &'a SatelliteTooth,
+}
+
+impl Mesh<'_> {
+    /// Path at which the satellite's involute begins.
+    pub(super) fn satellite_path(self) -> f64 {
+        self.teeth.base * (self.teeth.tan - self.satellite.from)
     }
+
+    /// Path at the satellite's tip.
+    pub(super) fn satellite_tip(self) -> f64 {
+        -self.teeth.tip_roll() * self.teeth.cos
+    }
+}
+
+/// The worst of each of [`KINDS`] among the flanks and tips looked at.
+#[derive(Default)]
+pub(super) struct Worsts([Option<Worst>; KINDS.len()]);
+
+impl Worsts {
+    fn keep(&mut self, kind: LimitKind, value: f64, bound: f64, at: f64) {
+        for ((own, sense), worst) in KINDS.into_iter().zip(&mut self.0) {
+            if own == kind {
+                Worst::keep(worst, sense, value, bound, at);
+            }
+        }
+    }
+
+    /// The first that fails.
+    pub(super) fn failing(&self) -> Option<LimitKind> {
+        let fails = |((kind, sense), worst): ((LimitKind, Bound), &Option<Worst>)| {
+            let Worst { value, bound, .. } = worst.as_ref()?;
+            let holds = match sense {
+                Bound::AtLeast => value >= bound,
+                Bound::AtMost => value <= bound,
+            };
+            (!holds).then_some(kind)
+        };
+        KINDS.into_iter().zip(&self.0).find_map(fails)
+    }
+
+    /// The shortest path of contact of the flanks looked at.
+    pub(super) fn contact_path(&self) -> Option<f64> {
+        let of = KINDS.iter().position(|(kind, _)| *kind == LimitKind::ContactPath)?;
+        self.0[of].as_ref().map(|worst| worst.value)
+    }
+
+    /// What a flank tells, but for the satellite's fillet.
+    pub(super) fn flank(&mut self, mesh: Mesh<'_>, track: &Track<'_>, flank: &Flank) {
+        let teeth = mesh.teeth;
+        let at = flank.pitch;
+        for frame in flank_frames(track, flank, flank.pitch + flank.sign * teeth.cutter_roll) {
+            let path = flank.roll(frame.s) * teeth.cos;
+            let bound = teeth.sin / frame.curvature.abs();
+            if path < 0.0 && frame.curvature < 0.0 {
+                self.keep(LimitKind::Undercut, -path, bound, at);
+            } else if path > 0.0 && frame.curvature > 0.0 {
+                self.keep(LimitKind::TipCusp, path, bound, at);
+            }
+            let radius = 1.0 / frame.curvature.abs();
+            if frame.curvature < 0.0 {
+                self.keep(LimitKind::RootCurve, teeth.cutter_addendum, radius, frame.s);
+            } else if frame.curvature > 0.0 {
+                self.keep(LimitKind::TipCurve, teeth.wheel_addendum, radius, frame.s);
+            }
+        }
+        let wheel_tip = flank.roll(flank.tip) * teeth.cos;
+        if flank.missing > 0.0 {
+            self.keep(LimitKind::TipCusp, wheel_tip + flank.missing, wheel_tip, at);
+        }
+        let (satellite_path, satellite_tip) = (mesh.satellite_path(), mesh.satellite_tip());
+        self.keep(LimitKind::SatelliteRoot, wheel_tip, satellite_path, at);
+        let begins = -flank.roll(flank.end) * teeth.cos;
+        self.keep(LimitKind::WheelRoot, satellite_tip, begins, at);
+        let path = wheel_tip.min(satellite_path) + satellite_tip.min(begins);
+        self.keep(LimitKind::ContactPath, path, PI * teeth.cos, at);
+    }
+
+    /// How the corner of the wheel's tip, beyond a flank, keeps from the satellite's fillet.
+    pub(super) fn fillet(&mut self, mesh: Mesh<'_>, track: &Track<'_>, flank: &Flank) {
+        // The flanks on the other side of the spaces are mirror images.
+        let intrusion = if flank.sign > 0.0 { intrusion(mesh, track, flank) } else { 0.0 };
+        if intrusion > 0.0 {
+            let (wheel_tip, path) = (flank.roll(flank.tip) * mesh.teeth.cos, mesh.satellite_path());
+            self.keep(LimitKind::SatelliteRoot, wheel_tip.max(path + intrusion), path, flank.pitch);
+        }
+    }
+
+    /// What the land at a tip tells.
+    pub(super) fn tip(&mut self, mesh: Mesh<'_>, track: &Track<'_>, piece: &Piece) {
+        let frames: Vec<Frame> = track.frames(piece.from, piece.to, 8).chain([track.at(piece.to)]).collect();
+        let point = |frame: &Frame| frame.point(0.0, mesh.teeth.wheel_addendum);
+        let thickness: f64 = frames
+            .windows(2)
+            .map(|ends| {
+                let ([ax, ay], [bx, by]) = (point(&ends[0]), point(&ends[1]));
+                (ax - bx).hypot(ay - by)
+            })
+            .sum();
+        self.keep(LimitKind::TipThickness, thickness, LEAST_TIP, 0.5 * (piece.from + piece.to));
+    }
+}
+
+/// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact goes on from the tip to
+/// the corner's foot; 0 if it does not.
+fn intrusion(Mesh { teeth, satellite }: Mesh<'_>, track: &Track<'_>, flank: &Flank) -> f64 {
+    let corner = track.at(flank.foot).point(0.0, teeth.wheel_addendum);
+    let middle = flank.pitch - flank.sign * teeth.half_space;
+    let distance = |s: f64| {
+        let Frame { at: [x, y], along: [tx, ty], .. } = track.at(s);
+        let (x, y) = (corner[0] - x, corner[1] - y);
+        let (along, towards) = (x * tx + y * ty, x * ty - y * tx);
+        // About the middle of the satellite's tooth that comes into this space.
+        let (out, turned) = (teeth.r + towards, (s - middle) / teeth.r);
+        let (radius, angle) = (out.hypot(along), flank.sign * (along.atan2(out) + turned));
+        match satellite.fillet_distance([radius * angle.cos(), radius * angle.sin()]) {
+            (distance, true) => distance,
+            _ => f64::INFINITY,
+        }
+    };
+    // Ever denser towards the tip: the corner comes nearest soon after the involute.
+    let place = |i: u32| {
+        let part = f64::from(i.min(PLACES)) / f64::from(PLACES);
+        flank.tip + (flank.foot - flank.tip) * part * part
+    };
+    let (least, i) = (0..=PLACES)
+        .map(|i| (distance(place(i)), i))
+        .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+    let (_, refined) = golden(place(i.saturating_sub(1)), place(i + 1), 32, distance);
+    (0.5 * teeth.backlash * teeth.cos - least.min(refined)).max(0.0)
 }
 
 /// Places of a flank from its tip to the cutter's end, both included, and on either side of the arcs' junction.

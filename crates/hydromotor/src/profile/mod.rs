@@ -9,6 +9,7 @@
 //! | `cut` | the teeth of stator and rotor in closed form |
 //! | `satellite` | the satellite's teeth, and how far a point is from them |
 //! | [`limits`] | undercut, pointed tips, reach of the flanks: which limit fails, where, what it allows |
+//! | `kept` | whether a motor keeps all limits in a form, for searches |
 //! | `paths` | the path of contact of every flank |
 //! | `tooth` | single teeth in their own frame: sections, points of load |
 //! | [`clearance`] | how near the teeth come over a revolution |
@@ -41,6 +42,7 @@
 pub mod clearance;
 mod cut;
 pub mod form;
+pub(crate) mod kept;
 pub mod limits;
 mod paths;
 mod satellite;

@@ -61,6 +61,7 @@
 //! ```
 
 mod branch;
+pub mod forms;
 mod found;
 mod front;
 mod point;
@@ -152,7 +153,31 @@ pub enum LobeDivisor {
 }
 
 impl Limits {
-    fn allow(&self, numbers: MotorNumbers) -> bool {
+    /// Ranges the right way round, and a least radius that is a number; sizes and ripple are looked at with the requirements.
+    fn checked(&self) -> Result<(), Error> {
+        if let Some(least_radius) = self.least_radius
+            && !(least_radius.is_finite() && least_radius >= 0.0)
+        {
+            return Err(Error::OutOfRange {
+                quantity: Quantity::LeastRadius,
+                value: least_radius,
+                low: 0.0,
+                high: f64::INFINITY,
+                unit: "modules",
+            });
+        }
+        for (what, range) in
+            [(Quantity::RotorLobes, &self.rotor_lobes), (Quantity::RotorTeeth, &self.rotor_teeth)]
+        {
+            let (from, to) = (*range.start(), *range.end());
+            if from > to {
+                return Err(Error::EmptyRange { what, from, to });
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn allow(&self, numbers: MotorNumbers) -> bool {
         let divisor = match self.divisor {
             LobeDivisor::Any => true,
             LobeDivisor::One => numbers.common_divisor() == 1,
@@ -291,18 +316,7 @@ impl MotorSearch {
         let ripple =
             self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
-        if !(least_radius.is_finite() && least_radius >= 0.0) {
-            return Err(out_of(Quantity::LeastRadius, least_radius, 0.0, f64::INFINITY, "modules"));
-        }
-        for (what, range) in [
-            (Quantity::RotorLobes, &self.limits.rotor_lobes),
-            (Quantity::RotorTeeth, &self.limits.rotor_teeth),
-        ] {
-            let (from, to) = (*range.start(), *range.end());
-            if from > to {
-                return Err(Error::EmptyRange { what, from, to });
-            }
-        }
+        self.limits.checked()?;
         if !(3..=MOST_POINTS).contains(&self.points) {
             let points = f64::from(self.points);
             return Err(out_of(Quantity::FamilyPoints, points, 3.0, f64::from(MOST_POINTS), ""));

@@ -51,7 +51,7 @@ pub(super) struct Working {
 }
 
 impl Working {
-    fn of(motor: &Motor) -> Self {
+    pub(super) fn of(motor: &Motor) -> Self {
         let (least, greatest) = motor.flow_extremes();
         let diameter = 2.0 * motor.shape.centre_within(0.0)[0] + 2.0 * motor.shape.satellite_radius();
         Self { displacement: motor.displacement_kernel(), diameter, flow: [least, greatest] }
@@ -173,7 +173,7 @@ impl Point {
 }
 
 /// How far a value keeps above a limit, relative to it.
-fn at_least(value: f64, limit: f64) -> f64 {
+pub(super) fn at_least(value: f64, limit: f64) -> f64 {
     if limit > 0.0 { value / limit - 1.0 } else { f64::INFINITY }
 }
 

@@ -62,7 +62,7 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     across(&mut sheet, dimensions, outer);
 
     sheet.column(motor)?;
-    match (motor.arcs(), motor.cosine_law()) {
+    match (motor.arcs(), motor.harmonic_law()) {
         (Some(arcs), _) => {
             sheet.say("Stator: two arcs a half-lobe, exact");
             say_arcs(&mut sheet, arcs, outer);
@@ -71,6 +71,9 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
             sheet.say("Rotor by the cosine law, stator conjugate to it");
             sheet.say(&format!("mean radius c = {}", millimetres(mm(law.mean_radius))));
             sheet.say(&format!("relative amplitude ε = {}", number(law.amplitude)));
+            if law.second_amplitude != 0.0 {
+                sheet.say(&format!("of the second harmonic ε₂ = {}", number(law.second_amplitude)));
+            }
             sheet.say(&format!("Stator drawn with {stator_arcs} arcs,"));
             sheet.say(&format!("at most {} mm off the exact curve", below(stator_deviation)));
         }

@@ -30,47 +30,15 @@ const fn color(phase: Phase) -> Color {
 /// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
 pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let all = motor.chambers(rotation)?;
-    let satellites = motor.satellites(rotation)?;
     let outer = 0.5 * mm(motor.envelope().stator_outer);
     let mut sheet = Sheet::new(motor, "chambers");
     let unit = sheet.unit;
-    let layers = [
-        (Phase::Filling, "chambers at high pressure"),
-        (Phase::Emptying, "chambers at low pressure"),
-        (Phase::AtExtreme, "chambers changing over"),
-    ];
-    let mut chamber_layers = vec![];
-    for (phase, name) in layers {
-        let color = color(phase);
-        let tint = color.towards(Color::WHITE, 0.35);
-        chamber_layers.push((phase, sheet.layer(name, Style::line(0.1).color(color).fill(tint))?));
-    }
-    let stator = sheet.layer("stator", Style::line(0.45))?;
-    let rotor = sheet.layer("rotor", Style::line(0.45).fill(STEEL))?;
-    let satellite_layer =
-        sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
+    let middles = coloured(&mut sheet, motor, rotation)?;
     let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
     let leaders = sheet.layer("numbers", Style::line(0.12).color(AUXILIARY))?;
-
-    let mut middles = vec![];
-    for chamber in &all {
-        let points = motor.chamber_outline(rotation, chamber.index, STEPS)?;
-        let points: Vec<Point> = points.iter().map(|point| Point::new(mm(point.x), mm(point.y))).collect();
-        // The stator's wall comes first.
-        middles.push(points[(STEPS / 2) as usize]);
-        let phase = Phase::of(chamber, &all);
-        for (of, layer) in &chamber_layers {
-            if *of == phase {
-                sheet.scene.add(*layer, Shape::polygon(points.iter().copied()));
-            }
-        }
-    }
-    sheet.outline(stator, outline(motor, Wheel::Stator)?);
-    sheet.outline(rotor, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
     let r = mm(motor.satellite_radius());
-    for satellite in &satellites {
+    for satellite in motor.satellites(rotation)? {
         let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
-        sheet.circle(satellite_layer, at, r);
         sheet.line(marks, at, Point::polar(at, 0.8 * r, rad(satellite.rotation)));
     }
     direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), rad(rotation));
@@ -100,6 +68,47 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     }
     sheet.say(&format!("together: {} mm²", number(total)));
     Ok(sheet.scene)
+}
+
+/// Chambers in the colours of their pressures, stator, rotor and satellites; a point on the stator's wall of each chamber.
+pub(super) fn coloured(sheet: &mut Sheet, motor: &Motor, rotation: Angle) -> Result<Vec<Point>, Error> {
+    let all = motor.chambers(rotation)?;
+    let layers = [
+        (Phase::Filling, "chambers at high pressure"),
+        (Phase::Emptying, "chambers at low pressure"),
+        (Phase::AtExtreme, "chambers changing over"),
+    ];
+    let mut chamber_layers = vec![];
+    for (phase, name) in layers {
+        let color = color(phase);
+        let tint = color.towards(Color::WHITE, 0.35);
+        chamber_layers.push((phase, sheet.layer(name, Style::line(0.1).color(color).fill(tint))?));
+    }
+    let stator = sheet.layer("stator", Style::line(0.45))?;
+    let rotor = sheet.layer("rotor", Style::line(0.45).fill(STEEL))?;
+    let satellite_layer =
+        sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
+
+    let mut middles = vec![];
+    for chamber in &all {
+        let points = motor.chamber_outline(rotation, chamber.index, STEPS)?;
+        let points: Vec<Point> = points.iter().map(|point| Point::new(mm(point.x), mm(point.y))).collect();
+        // The stator's wall comes first.
+        middles.push(points[(STEPS / 2) as usize]);
+        let phase = Phase::of(chamber, &all);
+        for (of, layer) in &chamber_layers {
+            if *of == phase {
+                sheet.scene.add(*layer, Shape::polygon(points.iter().copied()));
+            }
+        }
+    }
+    sheet.outline(stator, outline(motor, Wheel::Stator)?);
+    sheet.outline(rotor, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
+    let r = mm(motor.satellite_radius());
+    for satellite in motor.satellites(rotation)? {
+        sheet.circle(satellite_layer, Point::new(mm(satellite.centre.x), mm(satellite.centre.y)), r);
+    }
+    Ok(middles)
 }
 
 /// The rotor's crest, and an arrow the way that it turns.

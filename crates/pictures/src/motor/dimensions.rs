@@ -295,7 +295,7 @@ fn wheel_data(
     say("Stator, pitch curve: least Ø", length(envelope.stator_inner));
     say("Rotor, pitch curve: greatest Ø", length(envelope.rotor_outer));
     say("Rotor, pitch curve: least Ø", length(envelope.rotor_inner));
-    match (motor.arcs(), motor.cosine_law()) {
+    match (motor.arcs(), motor.harmonic_law()) {
         (Some(arcs), _) => {
             say("Arc 1 (troughs): radius R₁", length(arcs.trough_radius()));
             say("  centre from the axis l", length(arcs.trough_distance()));
@@ -307,6 +307,9 @@ fn wheel_data(
         (None, Some(law)) => {
             say("Rotor by the cosine law: mean radius c", length(law.mean_radius));
             say("  relative amplitude ε", number(law.amplitude));
+            if law.second_amplitude != 0.0 {
+                say("  of the second harmonic ε₂", number(law.second_amplitude));
+            }
         }
         (None, None) => {}
     }

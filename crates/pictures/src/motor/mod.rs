@@ -4,7 +4,9 @@
 //! |---|---|
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
+//! | [`plate`] | ports as they are made, with the motor behind them and their timing |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
+//! | [`forces`] | the forces on the satellites and on the rotor's bearing at an angle |
 //! | [`dimensions`] | the motor with its dimensions and a table of wheel data, for a drawing office |
 //! | [`teeth`] | outlines of all teeth in mesh at an angle |
 //! | [`outline`] | a centrode as a closed polyline of arcs |
@@ -30,6 +32,8 @@ mod centrodes;
 mod chambers;
 mod curve;
 mod dimensions;
+mod forces;
+mod plate;
 mod sheet;
 mod teeth;
 mod whole;
@@ -38,5 +42,7 @@ pub use centrodes::centrodes;
 pub use chambers::{STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
 pub use dimensions::dimensions;
+pub use forces::forces;
+pub use plate::plate;
 pub use teeth::{SIDES, teeth};
 pub use whole::whole;

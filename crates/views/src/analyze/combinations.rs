@@ -1,9 +1,9 @@
 //! Every combination of shift elements.
 
-use super::shared::{exact, state, warnings};
+use super::shared::{exact, state};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, View};
+use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::analyze::combinations::{Combination, Combinations};
 
 impl AsReport for Combinations {
@@ -28,7 +28,7 @@ impl AsReport for Combinations {
         Report {
             title: Some(self.gearbox.clone()),
             parts: vec![Part::Records(records)],
-            warnings: warnings(&self.warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }

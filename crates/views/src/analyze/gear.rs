@@ -4,11 +4,10 @@ use super::overview::printed;
 use super::planet_bearings;
 use super::shared::{
     column, engaged, exact, joins, kind, kind_in_words, one_way_clutches, quantity, self_locking, state,
-    warnings,
 };
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::analyze::gear::{
     Link, Member, Mesh, OneGear, Pattern, Planet, Powers, PowersOfEntering, RollingPower, Set, ShiftElement,
     Terminal, Torques, TorquesAtLoad, TorquesOfInput,
@@ -45,7 +44,7 @@ impl AsReport for OneGear {
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear.gear)),
             parts,
-            warnings: warnings(&self.warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Gears with several inputs, at one point or over a map.
 
-use super::shared::{column, count, engaged, headed, joins, kind, quantity, warnings};
+use super::shared::{column, count, engaged, joins, kind, quantity};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, Text, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, warned};
 use epicyclic_answers::analyze::inputs::{
     Inputs, Link, Map, MapEntry, Member, Mesh, Planet, Powers, ShiftElement, Terminal,
 };
@@ -32,7 +32,7 @@ impl AsReport for Inputs {
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear.gear)),
             parts,
-            warnings: warnings(&self.warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -93,8 +93,8 @@ fn planets(planets: &[Planet]) -> Records {
         columns: vec![
             Column::words("set", "set"),
             Column::words("planet", "planet"),
-            headed("relative_speed", "relative to the carrier, rpm", Dimension::AngularSpeed),
-            headed("speed", "planet speed, rpm", Dimension::AngularSpeed),
+            Column::headed("relative_speed", "relative to the carrier, rpm", Dimension::AngularSpeed),
+            Column::headed("speed", "planet speed, rpm", Dimension::AngularSpeed),
         ],
         rows: planets.iter().map(row).collect(),
         views: vec![View::new("Speeds of planets", &["set", "planet", "relative_speed", "speed"])],
@@ -127,8 +127,8 @@ fn shift_elements(inputs: &Inputs) -> Records {
             Column::words("kind", "kind"),
             Column::words("joins", "joins"),
             Column::words("engaged", "is"),
-            headed("slip", "slip, rpm", Dimension::AngularSpeed),
-            headed("torque", "torque, N·m", Dimension::Torque),
+            Column::headed("slip", "slip, rpm", Dimension::AngularSpeed),
+            Column::headed("torque", "torque, N·m", Dimension::Torque),
         ],
         rows: inputs.shift_elements.iter().map(row).collect(),
         views: vec![View { note: note.to_owned(), ..View::new("Shift elements", &shown) }],
@@ -205,8 +205,8 @@ fn meshes(meshes: &[Mesh]) -> Records {
             Column::words("from", "from"),
             Column::words("to", "to"),
             Column::number("efficiency", "η"),
-            headed("enters", "enters, kW", Dimension::Power),
-            headed("leaves", "leaves, kW", Dimension::Power),
+            Column::headed("enters", "enters, kW", Dimension::Power),
+            Column::headed("leaves", "leaves, kW", Dimension::Power),
         ],
         rows: meshes.iter().map(row).collect(),
         views: vec![View::new(
@@ -256,8 +256,8 @@ impl AsReport for Map {
         let records = Records {
             name: "map",
             columns: vec![
-                headed("first_speed", format!("{}, rpm", self.first_link), Dimension::AngularSpeed),
-                headed("second_speed", format!("{}, rpm", self.second_link), Dimension::AngularSpeed),
+                Column::headed("first_speed", format!("{}, rpm", self.first_link), Dimension::AngularSpeed),
+                Column::headed("second_speed", format!("{}, rpm", self.second_link), Dimension::AngularSpeed),
                 Column::words("link", "link"),
                 Column::quantity("speed", Dimension::AngularSpeed),
                 Column::quantity("torque", Dimension::Torque),
@@ -271,7 +271,7 @@ impl AsReport for Map {
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
             parts: vec![Part::Records(records)],
-            warnings: warnings(&self.warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }

@@ -1,12 +1,10 @@
 //! All gears of a gearbox side by side.
 
-use super::shared::{
-    column, exact, headed, joins, kind, one_way_clutches, self_locking, state, warnings, yes_no,
-};
+use super::shared::{column, exact, joins, kind, one_way_clutches, self_locking, state, yes_no};
 use super::{planet_bearings, sets, shifts};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_answers::analyze::elements::{self, InGear, SlipAndTorque};
 use epicyclic_answers::analyze::overview::{Gear, Overview};
 use epicyclic_answers::analyze::planets::{self, LargestForce};
@@ -40,7 +38,7 @@ impl AsReport for Overview {
         parts.extend(planets(self).map(Part::Records));
         let bearings = planet_bearings::records(&self.planet_bearings, &self.operating_point, false);
         parts.extend(bearings.map(Part::Records));
-        Report { title: Some(self.gearbox.clone()), parts, warnings: warnings(&self.warnings) }
+        Report { title: Some(self.gearbox.clone()), parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -367,8 +365,8 @@ fn planets(overview: &Overview) -> Option<Records> {
             Column::number("relative_speed_of_input", "speed"),
             Column::quantity("relative_speed", Dimension::AngularSpeed),
             Column::words("speed_gear", "in gear"),
-            headed("force", "force, N", Dimension::Force),
-            headed("tangential_force", "tangential force, N", Dimension::Force),
+            Column::headed("force", "force, N", Dimension::Force),
+            Column::headed("tangential_force", "tangential force, N", Dimension::Force),
             Column::number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m"),
             Column::words("force_gear", "in gear"),
         ],

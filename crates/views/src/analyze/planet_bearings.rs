@@ -1,6 +1,6 @@
 //! Forces on the planet bearings, in one gear or in all.
 
-use super::shared::{column, headed};
+use super::shared::column;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::analyze::OperatingPoint;
@@ -73,18 +73,18 @@ fn columns() -> Vec<Column> {
         Column::words("gear", "gear"),
         Column::words("planet", "planet"),
         Column::number("planets", "n"),
-        headed("carrier_radius", "at radius, mm", Dimension::Length),
-        headed("planet_mass", "mass, kg", Dimension::Mass),
+        Column::headed("carrier_radius", "at radius, mm", Dimension::Length),
+        Column::headed("planet_mass", "mass, kg", Dimension::Mass),
         Column::number("carrier_torque_of_input", "|T_H|"),
         Column::number("carrier_torque_each_of_input", "|T_H|/n"),
         Column::number("tangential_force_n_per_input_n_m", "tangential"),
         Column::number("radial_force_n_per_input_n_m", "radial"),
-        headed("tangential_force", "tangential", Dimension::Force),
-        headed("radial_force", "radial", Dimension::Force),
-        headed("centrifugal_force", "centrifugal", Dimension::Force),
-        headed("force", "together", Dimension::Force),
-        headed("bearing_load_rating", "C, N", Dimension::Force),
-        headed("bearing_speed", "speed, rpm", Dimension::AngularSpeed),
+        Column::headed("tangential_force", "tangential", Dimension::Force),
+        Column::headed("radial_force", "radial", Dimension::Force),
+        Column::headed("centrifugal_force", "centrifugal", Dimension::Force),
+        Column::headed("force", "together", Dimension::Force),
+        Column::headed("bearing_load_rating", "C, N", Dimension::Force),
+        Column::headed("bearing_speed", "speed, rpm", Dimension::AngularSpeed),
         Column::number("bearing_life_h", "life, h"),
     ]
 }

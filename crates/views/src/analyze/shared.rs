@@ -2,7 +2,6 @@
 
 use crate::figure::Figure;
 use crate::report::{Column, Records, View};
-use epicyclic_answers::Warning;
 use epicyclic_answers::analyze::records::{Duty, Kind, OneWayClutch, SelfLocking, ShiftElementKind, State};
 use epicyclic_answers::shared::Fraction;
 use epicyclic_formats::Dimension;
@@ -28,11 +27,6 @@ pub(super) fn count(count: usize) -> Figure {
 
 pub(super) fn yes_no(yes: Option<bool>) -> Figure {
     yes.map_or(Figure::None, Figure::YesNo)
-}
-
-/// A heading of a quantity of one's own.
-pub(super) fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Column {
-    Column { heading: heading.into(), ..Column::quantity(name, dimension) }
 }
 
 /// A state in a word or two.
@@ -144,8 +138,4 @@ pub(super) fn one_way_clutches(clutches: &[OneWayClutch], of_one_gear: bool) -> 
         }],
         is_answer: false,
     }
-}
-
-pub(super) fn warnings(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
-    Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())
 }

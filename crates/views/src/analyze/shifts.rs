@@ -1,9 +1,9 @@
 //! Shifts between gears.
 
-use super::shared::{column, count, warnings};
+use super::shared::{column, count};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_answers::analyze::shifts::{ElementInShift, Shift, Shifts, Transition};
 use epicyclic_formats::Dimension;
 
@@ -22,7 +22,7 @@ impl AsReport for Shifts {
             parts.push(Part::Records(changes(self)));
             parts.push(Part::Records(slips(self)));
         }
-        Report { title: Some(self.gearbox.clone()), parts, warnings: warnings(&self.warnings) }
+        Report { title: Some(self.gearbox.clone()), parts, warnings: warned(&self.warnings) }
     }
 }
 

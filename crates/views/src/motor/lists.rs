@@ -7,11 +7,7 @@ use epicyclic_answers::motor::{Between, LimitKind, Wheel};
 use epicyclic_answers::motor::{
     ChamberState, Clearance, Motor, Side, Subject, ToothLimit, ToothPart, Verdict,
 };
-use epicyclic_formats::Dimension::{self, Angle, Area, Force, Length, Pressure};
-
-fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
-}
+use epicyclic_formats::Dimension::{Angle, Area, Force, Length, Pressure};
 
 fn verdict(verdict: Verdict) -> Figure {
     match verdict {
@@ -46,8 +42,8 @@ pub(super) fn checks(motor: &Motor) -> Records {
         name: "checks",
         columns: vec![
             Column::words("check", "centrode"),
-            headed("value", "value, mm", Length),
-            headed("limit", "above, mm", Length),
+            Column::headed("value", "value, mm", Length),
+            Column::headed("limit", "above, mm", Length),
             Column::words("verdict", "verdict"),
         ],
         rows: rows.collect(),
@@ -97,11 +93,11 @@ pub(super) fn limits(limits: &[ToothLimit]) -> Records {
         columns: vec![
             Column::words("wheel", "teeth of"),
             Column::words("limit", "limit"),
-            headed("value", "mm", Length),
+            Column::headed("value", "mm", Length),
             Column::words("side", ""),
-            headed("bound", "mm", Length),
+            Column::headed("bound", "mm", Length),
             Column::words("verdict", "verdict"),
-            headed("at_arc", "at arc, mm", Length),
+            Column::headed("at_arc", "at arc, mm", Length),
         ],
         rows: rows.collect(),
         views: vec![View::new(
@@ -141,12 +137,12 @@ pub(super) fn clearances(clearances: &[Clearance]) -> Records {
         name: "clearances",
         columns: vec![
             Column::words("between", "between"),
-            headed("clearance", "least, mm", Length),
+            Column::headed("clearance", "least, mm", Length),
             Column::number("clearance_in_modules", "modules"),
             Column::words("part", "at the wheel's"),
-            headed("rotation", "rotor at, deg", Angle),
-            headed("x", "x, mm", Length),
-            headed("y", "y, mm", Length),
+            Column::headed("rotation", "rotor at, deg", Angle),
+            Column::headed("x", "x, mm", Length),
+            Column::headed("y", "y, mm", Length),
         ],
         rows: rows.collect(),
         views: vec![View {
@@ -178,8 +174,8 @@ pub(super) fn chambers(motor: &Motor) -> Records {
         name: "chambers",
         columns: vec![
             Column::number("chamber", "chamber"),
-            headed("area", "area, mm²", Area),
-            headed("growth_per_radian", "growth, mm²/rad", Area),
+            Column::headed("area", "area, mm²", Area),
+            Column::headed("growth_per_radian", "growth, mm²/rad", Area),
             Column::words("state", "state"),
         ],
         rows: rows.collect(),
@@ -200,14 +196,18 @@ pub(super) fn satellites(motor: &Motor) -> Records {
     let has_forces = motor.satellites.iter().any(|satellite| satellite.force_n.is_some());
     let mut columns = vec![
         Column::number("satellite", "satellite"),
-        headed("x", "x, mm", Length),
-        headed("y", "y, mm", Length),
-        headed("rotation", "turned, deg", Angle),
+        Column::headed("x", "x, mm", Length),
+        Column::headed("y", "y, mm", Length),
+        Column::headed("rotation", "turned, deg", Angle),
     ];
     if has_forces {
-        columns.push(headed("pressure_behind", "behind, MPa", Pressure));
-        columns.push(headed("pressure_in_front", "in front, MPa", Pressure));
-        columns.push(headed("force", "force, N", Force));
+        columns.push(Column::headed("pressure_behind", "behind, MPa", Pressure));
+        columns.push(Column::headed("pressure_in_front", "in front, MPa", Pressure));
+        columns.push(Column::headed("force", "force, N", Force));
+    }
+    let has_flanks = motor.satellites.iter().any(|satellite| satellite.flank_force_n.is_some());
+    if has_flanks {
+        columns.push(Column::headed("flank_force", "on a flank", Force));
     }
     let rows = motor.satellites.iter().map(|satellite| {
         let mut row = vec![
@@ -220,6 +220,9 @@ pub(super) fn satellites(motor: &Motor) -> Records {
             row.push(column(Pressure, satellite.pressure_behind_pa));
             row.push(column(Pressure, satellite.pressure_in_front_pa));
             row.push(column(Force, satellite.force_n));
+        }
+        if has_flanks {
+            row.push(column(Force, satellite.flank_force_n));
         }
         row
     });
@@ -235,7 +238,16 @@ pub(super) fn satellites(motor: &Motor) -> Records {
             note: note.to_owned(),
             ..View::new(
                 format!("Satellites, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
-                &["satellite", "x", "y", "rotation", "pressure_behind", "pressure_in_front", "force"],
+                &[
+                    "satellite",
+                    "x",
+                    "y",
+                    "rotation",
+                    "pressure_behind",
+                    "pressure_in_front",
+                    "force",
+                    "flank_force",
+                ],
             )
         }],
         columns,

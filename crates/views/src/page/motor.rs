@@ -3,6 +3,7 @@
 use super::paper::PLOT_MM;
 use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::figure::{Figure, text};
+use crate::motor::{View, plots};
 use crate::quantities::quantity;
 use crate::report::{Part, Row, Section as Facts};
 use crate::{AsReport as _, Error, Report};
@@ -20,7 +21,7 @@ use epicyclic_pictures::plot::{Curve, Plot};
 /// # Errors
 /// [`Error::Picture`] for a motor too large for a drawing.
 pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result<Sheet, Error> {
-    let MotorReport { title, motor: answer, over_angle } = report;
+    let MotorReport { title, motor: answer, over_angle, over_cycle } = report;
     let Designed { motor, profile, angle, .. } = designed;
     let angle = *angle;
     let about = crate::motor::title(&answer.numbers);
@@ -33,7 +34,7 @@ pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result
         "Chambers between neighbouring satellites, by their pressure.",
     );
     // The teeth show the motor best; where there are none, the centrodes.
-    let (drawing, drawings) = match profile {
+    let (drawing, mut drawings) = match profile {
         Ok(profile) => {
             let teeth = motor::teeth(profile, angle)?;
             let caption = "Teeth of all wheels, every satellite in mesh with both, at the angle asked for.";
@@ -41,17 +42,44 @@ pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result
         }
         Err(_) => (centrodes, vec![chambers]),
     };
-    let plots = vec![
+    for (view, caption) in [
+        (
+            View::Forces,
+            "Forces on the satellites at the angle asked for, to one scale: of the pressure, and of the flanks.",
+        ),
+        (View::Ports, "Ports as made, with the motor behind them."),
+    ] {
+        match crate::motor::scene(view, designed) {
+            Ok(scene) => drawings.push(Block::picture(scene, caption)),
+            Err(Error::Lacking(_) | Error::Picture(epicyclic_pictures::Error::Motor(_))) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    let mut plots = vec![
         Block::picture(
             picture(&flow(answer, over_angle))?,
-            "Flow of ideal ports over the angle of the rotor: a radian and a millimetre of width. The torque over width and pressure \
-             is the same.",
+            "Flow of ideal ports over the angle of the rotor, sealed at the pitch points and where the flanks touch: a radian and a \
+             millimetre of width. The torque over width and pressure is the same.",
         ),
         Block::picture(picture(&areas(over_angle))?, "Areas of the chambers over the angle of the rotor."),
     ];
+    let pressure = plots::pressure(over_cycle).map(|plot| {
+        (plot, "Pressure in a chamber over its cycle, with the ports as made and the oil's bulk modulus.")
+    });
+    let stress = plots::stress(over_cycle).map(|plot| {
+        (plot, "Contact stress of a satellite at its pitch points, first by a crest, then by a trough.")
+    });
+    for (plot, caption) in [pressure, stress].into_iter().flatten() {
+        plots.push(Block::picture(picture(&plot.sized(PLOT_MM).untitled())?, caption));
+    }
+    if let Some(map) = answer.losses.as_ref().and_then(|losses| losses.map.as_ref()) {
+        let scene = plots::efficiency(map).scene().map_err(epicyclic_pictures::Error::from)?;
+        plots.push(Block::picture(scene, "Total efficiency over speed and pressure with the greatest friction, by models from the gaps, oil and friction given."));
+    }
     let sources = [
         "System (1), formulas (2) to (8) and the conditions on the numbers: the document rotary-hydromotor, with what it leaves out: \
          closure, the exact rotor, working data, teeth.",
+        "Flanks under load, stresses, ports as made, leaks and friction: derived in the theory chapter; not validated against a made motor.",
     ];
     Ok(Sheet {
         title: title.clone().unwrap_or_else(|| about.clone()),
@@ -103,6 +131,9 @@ fn in_short(motor: &Motor) -> Block {
         one("displacement a revolution over width", "q/b", quantity(Area, work.displacement_per_width_m2)),
         one("ripple of flow and torque", "δ", Figure::Share(work.ripple)),
     ];
+    rows.extend(
+        motor.flanks.as_ref().map(|flanks| one("ripple at the flanks", "δ′", Figure::Share(flanks.ripple))),
+    );
     rows.extend(known.into_iter().flatten());
     let section = Facts { name: "", title: "The motor", columns: &[], rows, note: "" };
     Block::Answer(Report { parts: vec![Part::Facts(section)], ..Report::default() })
@@ -124,10 +155,16 @@ fn points(over_angle: &OverAngle, values: &[f64]) -> Vec<[f64; 2]> {
 fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     let mean = vec![over_angle.mean_flow_per_width_m2; over_angle.angles_rad.len()];
     let ripple = 100.0 * answer.work.ripple;
-    Plot::new(format!("Flow, ripple {ripple:.2} %"), "angle of the rotor, deg", "flow, mm² a radian")
-        .sized(PLOT_MM)
-        .with(Curve::new("flow", points(over_angle, &over_angle.flow_per_width_m2)))
-        .with(Curve::new("mean", points(over_angle, &mean)))
+    let plot =
+        Plot::new(format!("Flow, ripple {ripple:.2} %"), "angle of the rotor, deg", "flow, mm² a radian")
+            .sized(PLOT_MM)
+            .with(Curve::new("at the pitch points", points(over_angle, &over_angle.flow_per_width_m2)));
+    let at_flanks = over_angle.flank_flow_per_width_m2.as_ref();
+    let plot = match at_flanks {
+        Some(flow) => plot.with(Curve::new("at the flanks", points(over_angle, flow))),
+        None => plot,
+    };
+    plot.with(Curve::new("mean", points(over_angle, &mean)))
 }
 
 /// Area of each chamber.

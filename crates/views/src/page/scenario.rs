@@ -14,7 +14,7 @@ use epicyclic_pictures::plot::Plot;
 /// [`Error::Picture`] for speeds or torques that no plot holds.
 pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
     let picture = |plot: Plot, caption: &str| {
-        let scene = plot.sized(PLOT_MM).scene().map_err(|error| Error::Picture(error.into()))?;
+        let scene = plot.sized(PLOT_MM).untitled().scene().map_err(|error| Error::Picture(error.into()))?;
         Ok::<_, Error>(Block::picture(scene, caption))
     };
     let report = simulation.report();
@@ -24,9 +24,13 @@ pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
     let mut answer = vec![picture(speeds(simulation), "Speeds of all links, with the events.")?];
     answer.push(Block::Answer(Report { parts: first, ..Report::default() }));
     let mut plots = vec![];
-    if !simulation.elements.is_empty() {
-        let caption =
-            "Torques on the first links of the shift elements and resistances, and torque of the output.";
+    if !(simulation.elements.is_empty() && simulation.shafts.is_empty() && simulation.converters.is_empty()) {
+        let caption = if simulation.shafts.is_empty() && simulation.converters.is_empty() {
+            "Torques on the first links of the shift elements and resistances, and torque of the output."
+        } else {
+            "Torques on the first links of the shift elements and resistances, on the second links of shafts and converters, \
+             and torque of the output."
+        };
         plots.push(picture(torques(simulation), caption)?);
     }
     if let Some(plot) = capacities(simulation) {
@@ -46,8 +50,12 @@ pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
         sections.push(Section::new("Over time", plots).arranged(Arrangement::Rows));
     }
     let left_out = [
-        "Elasticity and backlash of shafts and teeth: torques jump where capacities do.",
-        "Friction over slip speed and temperature; drags without load.",
+        if simulation.shafts.is_empty() {
+            "Elasticity and backlash of shafts and teeth: torques jump where capacities do."
+        } else {
+            "Elasticity and backlash of all but the shafts named: elsewhere torques jump where capacities do."
+        },
+        "Friction over temperature; drags without load.",
     ];
     sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
     Ok(Sheet {

@@ -161,10 +161,6 @@ fn engagement_table(one: &Candidate) -> Records {
     }
 }
 
-fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
-    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
-}
-
 fn figure(si: Option<f64>, dimension: Dimension) -> Figure {
     si.map_or(Figure::None, |si| Figure::Column { si, dimension })
 }
@@ -222,16 +218,16 @@ fn of_gears(one: &Candidate) -> Records {
         name: "operation",
         columns: vec![
             Column::words("gear", "gear"),
-            headed("output_speed", "output", Dimension::AngularSpeed),
-            headed("input_torque", "input", Dimension::Torque),
-            headed("output_torque", "output", Dimension::Torque),
-            headed("k1_torque", "K1", Dimension::Torque),
-            headed("k2_torque", "K2", Dimension::Torque),
-            headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque),
-            headed("entering", "enters", Dimension::Power),
-            headed("leaving", "leaves", Dimension::Power),
-            headed("loss", "lost", Dimension::Power),
-            headed("circulating", "circulates", Dimension::Power),
+            Column::headed("output_speed", "output", Dimension::AngularSpeed),
+            Column::headed("input_torque", "input", Dimension::Torque),
+            Column::headed("output_torque", "output", Dimension::Torque),
+            Column::headed("k1_torque", "K1", Dimension::Torque),
+            Column::headed("k2_torque", "K2", Dimension::Torque),
+            Column::headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque),
+            Column::headed("entering", "enters", Dimension::Power),
+            Column::headed("leaving", "leaves", Dimension::Power),
+            Column::headed("loss", "lost", Dimension::Power),
+            Column::headed("circulating", "circulates", Dimension::Power),
         ],
         rows: one.operation.iter().map(row).collect(),
         views,
@@ -258,9 +254,9 @@ fn of_members(one: &Candidate) -> Records {
         columns: vec![
             Column::words("gear", "gear"),
             Column::words("set", "set"),
-            headed("sun_torque", "sun", Dimension::Torque),
-            headed("ring_torque", "ring", Dimension::Torque),
-            headed("carrier_torque", "carrier", Dimension::Torque),
+            Column::headed("sun_torque", "sun", Dimension::Torque),
+            Column::headed("ring_torque", "ring", Dimension::Torque),
+            Column::headed("carrier_torque", "carrier", Dimension::Torque),
         ],
         rows,
         views: vec![View::new(

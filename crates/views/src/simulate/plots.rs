@@ -67,7 +67,7 @@ pub fn speeds(simulation: &Simulation) -> Plot {
     marked(simulation, curves.fold(plot, Plot::with))
 }
 
-/// Torques of the elements and of the output.
+/// Torques of the elements, shafts, converters (that of the turbine) and of the output.
 #[must_use]
 pub fn torques(simulation: &Simulation) -> Plot {
     let plot = Plot::new(format!("{}: torques", simulation.scenario), "time, s", "torque, N·m");
@@ -78,7 +78,12 @@ pub fn torques(simulation: &Simulation) -> Plot {
         };
         Curve::new(&element.id, with_events(simulation, &element.torques_n_m, at))
     });
-    let plot = curves.fold(plot, Plot::with);
+    let times = &simulation.samples.times_s;
+    let shafts = simulation.samples.shafts.iter().map(|one| (&one.id, &one.torques_n_m));
+    let converters = simulation.samples.converters.iter().map(|one| (&one.id, &one.turbine_torques_n_m));
+    let joints =
+        shafts.chain(converters).map(|(id, torques)| Curve::new(id, over(times, torques.iter().copied())));
+    let plot = joints.fold(curves.fold(plot, Plot::with), Plot::with);
     let at = |event: &EventRecord| Some([event.output_torque_before_n_m, event.output_torque_n_m]);
     let output = with_events(simulation, &simulation.samples.output_torques_n_m, at);
     marked(simulation, plot.with(Curve::new(format!("output {}", simulation.output), output)))
@@ -107,7 +112,7 @@ pub fn capacities(simulation: &Simulation) -> Option<Plot> {
 #[must_use]
 pub fn temperatures(simulation: &Simulation) -> Option<Plot> {
     let title = format!("{}: temperature over the oil", simulation.scenario);
-    let plot = Plot::new(title, "time, s", "temperature over the oil, K");
+    let plot = Plot::new(title, "time, s", "over the oil, K");
     let times = &simulation.samples.times_s;
     let curves: Vec<Curve> = (simulation.samples.elements.iter().enumerate())
         .filter_map(|(place, element)| {

@@ -1,21 +1,20 @@
 //! Several runs of a scenario as tables.
 
-use super::{headed, per_cent};
+use super::per_cent;
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::column;
-use crate::report::{Column, Part, Records, Report, View};
+use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::simulate::ElementKind;
 use epicyclic_answers::simulate::sweep::{Sweep, SweptRun};
 use epicyclic_formats::Dimension::{self, AngularSpeed, Energy, Power, TemperatureDifference, Time};
 
 impl AsReport for Sweep {
     fn report(&self) -> Report {
-        let warnings = self.warnings.iter().map(|one| (one.name, one.message.clone())).collect();
         Report {
             title: Some(format!("{}: {}", self.scenario, self.key)),
             parts: vec![Part::Records(records(self))],
-            warnings: Some(warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -35,7 +34,7 @@ fn records(sweep: &Sweep) -> Records {
         let shift = &like.shifts[place];
         let mut add = |name, heading: &str, dimension: Option<Dimension>, of: fn(&_) -> Figure| {
             let own = match dimension {
-                Some(dimension) => headed(name, heading, dimension),
+                Some(dimension) => Column::headed(name, heading, dimension),
                 None => Column::number(name, heading),
             };
             // Of one shift the heading needs no name.

@@ -1,0 +1,343 @@
+//! Ports as they are made: holes and kidneys of given size in the cover, at rest with the stator.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | `outline` | the closed loop of a port |
+//! | `overlap` | the area that a port and a chamber share, exactly |
+//! | [`timing`] | when each chamber opens and closes, closed angles, short circuits |
+//! | [`trapped`] | what a closed chamber does to its pressure, the charge of what it never empties |
+//! | [`throttling`] | the pressure drop over the openings |
+//!
+//! # Frame and signs
+//! That of [`crate::motor`]. One high and one low port belong to every crest; their angles are polar angles from the crest,
+//! counter-clockwise. For a rotor that runs counter-clockwise the high ports lie behind the crests, at negative angles, and the low ones
+//! before. A chamber is known by its *phase*: the rotation of the rotor since it was greatest, with a stator crest in its middle. It is least
+//! half a cycle later; a cycle is `2π/N + 2π/n`, and all chambers go through the same. Between `−π/N − π/n` and 0 it grows.
+//!
+//! Chambers are bounded by the centrodes and the pitch circles of the satellites, as in [`crate::chambers`]: the gaps between the
+//! teeth are left out.
+
+mod outline;
+mod overlap;
+pub mod throttling;
+pub mod timing;
+pub mod trapped;
+
+use uom::si::f64::{Angle, Area, Length};
+
+use crate::Error;
+use crate::contact::{By, Conjugate};
+use crate::motor::Motor;
+use crate::quantity::{PortSide, Quantity};
+use crate::satellites::Point;
+use crate::units::{angle, area, finite_angle, length, millimetres};
+use outline::{Piece, Port};
+use overlap::Region;
+use std::f64::consts::TAU;
+
+/// The shape of a port and its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PortShape {
+    /// A round hole.
+    Hole {
+        /// Its diameter.
+        diameter: Length,
+        /// Distance of its centre from the axis.
+        pitch_radius: Length,
+        /// Polar angle of its centre from the crest.
+        angle: Angle,
+    },
+    /// A part of a ring about the axis.
+    Kidney {
+        /// Inner radius.
+        inner_radius: Length,
+        /// Outer radius.
+        outer_radius: Length,
+        /// Polar angle of its middle from the crest.
+        angle: Angle,
+        /// Angle from end to end.
+        span: Angle,
+        /// Radius of its four corners; 0 of sharp ones, half the height of round ends.
+        corner: Length,
+    },
+}
+
+impl PortShape {
+    /// The same mirrored in the crest.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Hole { diameter, pitch_radius, angle } => {
+                Self::Hole { diameter, pitch_radius, angle: -angle }
+            }
+            Self::Kidney { inner_radius, outer_radius, angle, span, corner } => {
+                Self::Kidney { inner_radius, outer_radius, angle: -angle, span, corner }
+            }
+        }
+    }
+}
+
+/// A motor with its ports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PortPlate {
+    motor: Motor,
+    shapes: [PortShape; 2],
+    ports: [Port; 2],
+}
+
+/// A port that is open to a chamber.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Opening {
+    /// Its pressure.
+    pub side: PortSide,
+    /// The crest that it belongs to, from 0, counter-clockwise.
+    pub crest: u32,
+    /// The chamber.
+    pub chamber: u32,
+    /// The area that both share.
+    pub area: Area,
+}
+
+/// The outline of a port as a closed loop, counter-clockwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PortOutline {
+    /// Its pressure.
+    pub side: PortSide,
+    /// The crest that it belongs to.
+    pub crest: u32,
+    /// Its corners; each with the way on from it, the last to the first.
+    pub vertices: Vec<OutlineVertex>,
+}
+
+/// A corner of an outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutlineVertex {
+    /// Where it is.
+    pub at: Point,
+    /// The way to the next: 0 a straight line, else an arc, `tan(sweep/4)`, positive counter-clockwise.
+    pub bulge: f64,
+}
+
+/// Both pressures.
+const SIDES: [PortSide; 2] = [PortSide::High, PortSide::Low];
+
+impl PortPlate {
+    /// Ports of a motor: one of each shape at every crest.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`] and [`Error::OutOfRange`] for the sizes of a shape; [`Error::PortOutside`];
+    /// [`Error::PortsOverlap`]; [`Error::SatelliteAcrossRay`].
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::ports::{PortPlate, PortShape};
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{angle::degree, f64::{Angle, Length}, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(0.75), mm(30.0))?;
+    /// let hole = PortShape::Hole { diameter: mm(4.5), pitch_radius: mm(19.66), angle: Angle::new::<degree>(-15.1) };
+    /// let plate = PortPlate::new(&motor, hole, hole.mirrored())?;
+    /// let timing = plate.timing()?;
+    /// assert!(timing.short_circuits.is_empty());
+    /// // Closed about the greatest and about the least.
+    /// assert_eq!(timing.closed.len(), 2);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn new(motor: &Motor, high: PortShape, low: PortShape) -> Result<Self, Error> {
+        let module = motor.module();
+        let lobes = motor.numbers().stator_lobes();
+        let ports = [Port::new(high, module, lobes)?, Port::new(low, module, lobes)?];
+        if !rays_part_satellites(motor) {
+            return Err(Error::SatelliteAcrossRay);
+        }
+        let (crest, trough) = (motor.shape.within(By::Phase, 0.0), motor.shape.trough());
+        for (side, port) in SIDES.into_iter().zip(&ports) {
+            let [from, to] = port.radii();
+            if from >= crest.rho3 || to <= trough.rho1 {
+                let [from_mm, to_mm, low_mm, high_mm] =
+                    [from, to, trough.rho1, crest.rho3].map(|value| millimetres(length(value, module)));
+                return Err(Error::PortOutside { side, from_mm, to_mm, low_mm, high_mm });
+            }
+        }
+        let plate = Self { motor: motor.clone(), shapes: [high, low], ports };
+        if plate.least_land() <= 0.0 {
+            return Err(Error::PortsOverlap);
+        }
+        Ok(plate)
+    }
+
+    /// The ideal ports of a motor as round holes of a part of the greatest diameter that a satellite covers.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where there is no such hole.
+    pub fn of_ideal_holes(motor: &Motor, part: f64) -> Result<Self, Error> {
+        let part = crate::units::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
+        let ideal = motor.ports();
+        let shape = |port: &crate::forces::Port| PortShape::Hole {
+            diameter: part * port.greatest_diameter,
+            pitch_radius: port.centre_radius,
+            angle: port.angle,
+        };
+        Self::new(motor, shape(&ideal.high[0]), shape(&ideal.low[0]))
+    }
+
+    /// The motor.
+    #[must_use]
+    pub fn motor(&self) -> &Motor {
+        &self.motor
+    }
+
+    /// The shape of the ports of a pressure.
+    #[must_use]
+    pub fn shape(&self, side: PortSide) -> PortShape {
+        self.shapes[of(side)]
+    }
+
+    /// The area of a port.
+    #[must_use]
+    pub fn port_area(&self, side: PortSide) -> Area {
+        area(self.ports[of(side)].area(), self.motor.module())
+    }
+
+    /// What is open after a rotation: every port towards every chamber, where they share an area.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn openings(&self, rotation: Angle) -> Result<Vec<Opening>, Error> {
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
+        let mut found = vec![];
+        for chamber in 0..self.motor.numbers().satellites() {
+            let region = Region::new(&self.motor, rotation, chamber);
+            for side in SIDES {
+                for crest in 0..self.motor.numbers().stator_lobes() {
+                    let shared = region.shared(&self.port(side, crest));
+                    if shared > crate::tolerance::OPEN * self.ports[of(side)].area() {
+                        found.push(Opening { side, crest, chamber, area: area(shared, self.motor.module()) });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The outlines of all ports, for a drawing: closed loops of arcs and straight sides.
+    #[must_use]
+    pub fn outlines(&self) -> Vec<PortOutline> {
+        let crests = 0..self.motor.numbers().stator_lobes();
+        let outline = |side: PortSide, crest: u32| {
+            let vertex = |piece: &Piece| {
+                let [x, y] = piece.at(0.0);
+                let bulge = match *piece {
+                    Piece::Line(..) => 0.0,
+                    Piece::Arc(_, _, _, sweep) => (0.25 * sweep).tan(),
+                };
+                OutlineVertex { at: Point { x: self.motor.length(x), y: self.motor.length(y) }, bulge }
+            };
+            // A side of no length, of round ends, has no vertex.
+            let pieces = self.port(side, crest).pieces();
+            let sides = pieces.iter().filter(|piece| {
+                let ([x0, y0], [x1, y1]) = (piece.at(0.0), piece.at(1.0));
+                (x1 - x0).hypot(y1 - y0) > crate::tolerance::MET
+            });
+            PortOutline { side, crest, vertices: sides.map(vertex).collect() }
+        };
+        crests.flat_map(|crest| SIDES.map(|side| outline(side, crest))).collect()
+    }
+
+    /// The least distance of a high-pressure from a low-pressure port: the land that parts the pressures, between points of both
+    /// outlines half a degree of arc apart.
+    #[must_use]
+    pub fn land(&self) -> Length {
+        self.motor.length(self.least_land())
+    }
+
+    /// In units of the module; 0 where ports overlap.
+    fn least_land(&self) -> f64 {
+        const POINTS: u32 = 360;
+        let points = |port: &Port| -> Vec<[f64; 2]> {
+            let pieces = port.pieces();
+            pieces
+                .iter()
+                .flat_map(|piece| (0..POINTS).map(|i| piece.at(f64::from(i) / f64::from(POINTS))))
+                .collect()
+        };
+        let [high, low] = self.ports;
+        let lobe = TAU / f64::from(self.motor.numbers().stator_lobes());
+        let of_high = points(&high);
+        let mut least = f64::INFINITY;
+        // The low ports beside the high one.
+        let [[high_angle, _], [low_angle, _]] = [high.reach(), low.reach()];
+        let near = ((high_angle - low_angle) / lobe).round();
+        for crest in [-1.0, 0.0, 1.0] {
+            let low = low.turned((near + crest) * lobe);
+            let of_low = points(&low);
+            if of_high.iter().any(|&point| low.contains(point))
+                || of_low.iter().any(|&point| high.contains(point))
+            {
+                return 0.0;
+            }
+            for [x, y] in &of_high {
+                for [u, v] in &of_low {
+                    least = least.min((x - u).hypot(y - v));
+                }
+            }
+        }
+        least
+    }
+
+    fn port(&self, side: PortSide, crest: u32) -> Port {
+        self.ports[of(side)].turned(TAU * f64::from(crest) / f64::from(self.motor.numbers().stator_lobes()))
+    }
+
+    /// What a chamber at a phase shares with the ports of a pressure, in units of the module.
+    fn opening(&self, side: PortSide, phase: f64) -> f64 {
+        let region = Region::new(&self.motor, phase - 0.5 * self.motor.chamber_phase(), 0);
+        let crests = 0..self.motor.numbers().stator_lobes();
+        crests.map(|crest| region.shared(&self.port(side, crest))).sum()
+    }
+
+    /// The area of the opening of a chamber to the ports of a pressure, at a phase of the chamber.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn opening_at(&self, side: PortSide, phase: Angle) -> Result<Area, Error> {
+        let phase = finite_angle(Quantity::Rotation, phase)?;
+        Ok(area(self.opening(side, phase), self.motor.module()))
+    }
+
+    /// The rotation of the rotor at which a chamber has a phase.
+    #[must_use]
+    pub fn rotation_of(&self, chamber: u32, phase: Angle) -> Angle {
+        phase - angle(self.motor.chamber_phase() * (f64::from(chamber) + 0.5))
+    }
+}
+
+/// Whether the rays through the contacts part the satellites: no contact is steeper than 45°, and no satellite reaches across its
+/// neighbour's ray. Looked at for 64 phases of a cycle.
+fn rays_part_satellites(motor: &Motor) -> bool {
+    const PLACES: u32 = 64;
+    let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());
+    (0..PLACES).all(|i| {
+        let phase = cycle * f64::from(i) / f64::from(PLACES);
+        let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
+        let beyond = |[x, y]: [f64; 2], theta: f64| y * theta.cos() - x * theta.sin();
+        let turn = front.contact.theta3 - back.contact.theta3;
+        let apart =
+            beyond(front.centre, back.contact.theta3) >= r && -beyond(back.centre, front.contact.theta3) >= r;
+        back.contact.mu.abs() <= 0.125 * TAU && (apart || turn > 0.25 * TAU)
+    })
+}
+
+/// The place of a pressure in a pair.
+fn of(side: PortSide) -> usize {
+    match side {
+        PortSide::High => 0,
+        PortSide::Low => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,219 @@
+//! The area that a port and a chamber share, exactly: Green's theorem over the pieces of both outlines.
+//!
+//! The contacts of a satellite lie on one ray from the axis, so that the rays of two neighbours bound the chamber between them:
+//!
+//! ```text
+//! θ₃(back) < θ < θ₃(front)        ρ₁(θ − φ) < ρ < ρ₃(θ)        outside of both satellites
+//! ```
+//!
+//! Where the outlines cross, both are cut. What of the port lies within the chamber, and what of the chamber's walls within the
+//! port, bound the common area: `½∮(x·dy − y·dx)` over them. Arcs and straight sides have it in closed form, the centrodes
+//! by the eight-point rule on their smooth pieces.
+
+use crate::contact::{By, Conjugate};
+use crate::motor::Motor;
+use crate::ports::outline::{Piece, Port};
+use crate::roots::{bracketed, quadrature};
+use crate::satellites::Place;
+use std::f64::consts::{PI, TAU};
+
+/// Places of a piece between which a crossing with a centrode is sought.
+const PLACES: u32 = 24;
+
+/// Panels of the eight-point rule on a wall.
+const PANELS: u32 = 4;
+
+/// A chamber at an instant, in units of the module.
+pub(crate) struct Region<'a> {
+    motor: &'a Motor,
+    rotation: f64,
+    back: Place,
+    front: Place,
+    r: f64,
+}
+
+/// A wall of a chamber along a centrode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wall {
+    Stator,
+    Rotor,
+}
+
+impl<'a> Region<'a> {
+    /// The chamber in front of a satellite after a rotation.
+    pub(crate) fn new(motor: &'a Motor, rotation: f64, index: u32) -> Self {
+        let [back, front] = [index, index + 1].map(|index| motor.place(rotation, index));
+        Self { motor, rotation, back, front, r: motor.shape.satellite_radius() }
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        [self.back.contact.theta3, self.front.contact.theta3]
+    }
+
+    fn radius(&self, wall: Wall, theta: f64) -> f64 {
+        match wall {
+            Wall::Stator => self.motor.shape.at(By::StatorAngle, theta).rho3,
+            Wall::Rotor => self.motor.shape.at(By::RotorAngle, theta - self.rotation).rho1,
+        }
+    }
+
+    /// Least and greatest radius of a wall.
+    fn radii(&self, wall: Wall) -> [f64; 2] {
+        let (crest, trough) = (self.motor.shape.within(By::Phase, 0.0), self.motor.shape.trough());
+        match wall {
+            Wall::Stator => [trough.rho3, crest.rho3],
+            Wall::Rotor => [trough.rho1, crest.rho1],
+        }
+    }
+
+    /// Whether a point lies within.
+    pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        let [from, to] = self.ends();
+        let theta = from + (y.atan2(x) - from).rem_euclid(TAU);
+        let rho = x.hypot(y);
+        let free = |place: &Place| (x - place.centre[0]).hypot(y - place.centre[1]) > self.r;
+        theta < to
+            && free(&self.back)
+            && free(&self.front)
+            && rho < self.radii(Wall::Stator)[1]
+            && rho > self.radii(Wall::Rotor)[0]
+            && rho < self.radius(Wall::Stator, theta)
+            && rho > self.radius(Wall::Rotor, theta)
+    }
+
+    /// Whether a port is so far from the chamber that they share nothing.
+    fn is_apart(&self, port: &Port) -> bool {
+        let [from, to] = self.ends();
+        let [angle, half] = port.reach();
+        let (middle, width) = (0.5 * (from + to), 0.5 * (to - from));
+        let off = (angle - middle + PI).rem_euclid(TAU) - PI;
+        let [inner, outer] = port.radii();
+        off.abs() > width + half
+            || inner >= self.radii(Wall::Stator)[1]
+            || outer <= self.radii(Wall::Rotor)[0]
+    }
+
+    /// The area shared with a port.
+    pub(crate) fn shared(&self, port: &Port) -> f64 {
+        if self.is_apart(port) {
+            return 0.0;
+        }
+        let [inner, outer] = port.radii();
+        let discs = [&self.back, &self.front];
+        // Angles at which a wall is cut: on the satellites about their centres, on the centrodes about the axis.
+        let mut on_discs = [vec![], vec![]];
+        let mut on_walls = [vec![], vec![]];
+        let mut sum = 0.0;
+        for piece in port.pieces() {
+            let mut cuts = vec![0.0, 1.0];
+            for (disc, angles) in discs.iter().zip(&mut on_discs) {
+                for part in piece.across_circle(disc.centre, self.r) {
+                    cuts.push(part);
+                    let [x, y] = piece.at(part);
+                    angles.push((y - disc.centre[1]).atan2(x - disc.centre[0]));
+                }
+            }
+            for (wall, angles) in [Wall::Stator, Wall::Rotor].into_iter().zip(&mut on_walls) {
+                let [least, greatest] = self.radii(wall);
+                if outer <= least || inner >= greatest {
+                    continue;
+                }
+                for part in self.across_wall(&piece, wall) {
+                    cuts.push(part);
+                    let [x, y] = piece.at(part);
+                    angles.push(y.atan2(x));
+                }
+            }
+            cuts.sort_by(f64::total_cmp);
+            let within =
+                |pair: &&[f64]| pair[1] > pair[0] && self.contains(piece.at(0.5 * (pair[0] + pair[1])));
+            sum += cuts.windows(2).filter(within).map(|pair| piece.swept(pair[0], pair[1])).sum::<f64>();
+        }
+        for ((disc, is_front), angles) in discs.into_iter().zip([false, true]).zip(&on_discs) {
+            sum += self.of_disc(port, disc, is_front, angles);
+        }
+        for (wall, angles) in [Wall::Stator, Wall::Rotor].into_iter().zip(&on_walls) {
+            let [least, greatest] = self.radii(wall);
+            if outer > least && inner < greatest {
+                sum += self.of_wall(port, wall, angles);
+            }
+        }
+        sum.max(0.0)
+    }
+
+    /// Parts of a piece at which it crosses a centrode.
+    fn across_wall(&self, piece: &Piece, wall: Wall) -> Vec<f64> {
+        let off = |part: f64| {
+            let [x, y] = piece.at(part);
+            x.hypot(y) - self.radius(wall, y.atan2(x))
+        };
+        let places: Vec<(f64, f64)> = (0..=PLACES)
+            .map(|i| {
+                let part = f64::from(i) / f64::from(PLACES);
+                (part, off(part))
+            })
+            .collect();
+        let changes = places.windows(2).filter(|pair| (pair[0].1 < 0.0) != (pair[1].1 < 0.0));
+        changes.map(|pair| bracketed(pair[0].0, pair[1].0, off)).collect()
+    }
+
+    /// What the wall along a satellite adds: clockwise about it, from the one contact to the other.
+    fn of_disc(&self, port: &Port, disc: &Place, is_front: bool, cuts: &[f64]) -> f64 {
+        let (theta, mu) = (disc.contact.theta3, disc.contact.mu);
+        let [from, to] = if is_front { [theta + mu - PI, theta - mu] } else { [theta - mu, theta + mu + PI] };
+        let mut ends = vec![from, to];
+        ends.extend(
+            cuts.iter().map(|angle| from + (angle - from).rem_euclid(TAU)).filter(|&angle| angle < to),
+        );
+        ends.sort_by(f64::total_cmp);
+        let of_pair = |pair: &[f64]| {
+            let arc = Piece::Arc(disc.centre, self.r, pair[0], pair[1] - pair[0]);
+            if port.contains(arc.at(0.5)) { -arc.swept(0.0, 1.0) } else { 0.0 }
+        };
+        ends.windows(2).map(of_pair).sum()
+    }
+
+    /// What the wall along a centrode adds: counter-clockwise along the stator, back along the rotor.
+    fn of_wall(&self, port: &Port, wall: Wall, cuts: &[f64]) -> f64 {
+        let [from, to] = self.ends();
+        let (kinks, sign) = match wall {
+            Wall::Stator => (self.kinks(By::StatorAngle, [from, to]), 1.0),
+            Wall::Rotor => {
+                let kinks = self.kinks(By::RotorAngle, [from, to].map(|end| end - self.rotation));
+                (kinks.into_iter().map(|kink| kink + self.rotation).collect(), -1.0)
+            }
+        };
+        let mut ends = vec![from, to];
+        let around = cuts.iter().map(|angle| from + (angle - from).rem_euclid(TAU));
+        ends.extend(around.chain(kinks).filter(|&angle| angle > from && angle < to));
+        ends.sort_by(f64::total_cmp);
+        let of_pair = |pair: &[f64]| {
+            let middle = 0.5 * (pair[0] + pair[1]);
+            let (sin, cos) = middle.sin_cos();
+            let rho = self.radius(wall, middle);
+            if port.contains([rho * cos, rho * sin]) {
+                let square = |theta: f64| self.radius(wall, theta).powi(2);
+                sign * 0.5 * quadrature(pair[0], pair[1], PANELS, square)
+            } else {
+                0.0
+            }
+        };
+        ends.windows(2).map(of_pair).sum()
+    }
+
+    /// Angles between two on a centrode at which its curvature jumps.
+    fn kinks(&self, by: By, [from, to]: [f64; 2]) -> Vec<f64> {
+        let Some(phase) = self.motor.shape.kink() else { return vec![] };
+        let at = self.motor.shape.within(By::Phase, phase).get(by);
+        let lobe = 2.0 * self.motor.shape.trough().get(by);
+        let mut found = vec![];
+        for side in [-at, at] {
+            let mut angle = side + lobe * ((from - side) / lobe).ceil();
+            while angle < to {
+                found.push(angle);
+                angle += lobe;
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,266 @@
+//! What a chamber closed to both pressures does to its own.
+//!
+//! About an extreme the area of a chamber is `A = A_ext + ½·A″·u²` in the rotation `u` from it. A chamber that is closed a rotation `ε` before
+//! holds the oil of that instant, so that its pressure changes until the extreme by
+//!
+//! ```text
+//! p = K·½·|A″|·ε²/(A_ext + A_dead)
+//! ```
+//!
+//! up at the least, down at the greatest; and the angle in which it comes by itself to a pressure `p` higher is `ε = √(2·p·(A + A_dead)/(K·|A″|))`.
+//! What a chamber still has at its least must be brought from the low to the high pressure as it opens, which takes, a revolution,
+//!
+//! ```text
+//! V = N·n·(A_min + A_dead)·b·Δp/K
+//! ```
+//!
+//! | symbol | argument | meaning | unit |
+//! |---|---|---|---|
+//! | `K` | `bulk_modulus` | bulk modulus of the fluid, with what air it holds | Pa |
+//! | `A_dead` | `dead_area` | volume of port and gaps that stays joined with a chamber, over the width | m² |
+//! | `A″` | | second derivative of the area by the rotation | m²/rad² |
+//!
+//! All are of first order in `p/K`. Leaks, which relieve a slow motor, and the flow through the gaps of the teeth are left out.
+
+use uom::si::f64::{Angle, Area, Length, Pressure, Volume};
+
+use crate::Error;
+use crate::contact::Conjugate;
+use crate::motor::Motor;
+use crate::ports::PortPlate;
+use crate::ports::timing::{AtExtreme, Closed, Stretch, Timing};
+use crate::quantity::Quantity;
+use crate::tolerance::WITHIN;
+use crate::units::{
+    angle, area, area_from_zero, finite_angle, finite_pascals, positive, positive_area, positive_length,
+    positive_pascals, pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
+};
+
+/// A chamber at its greatest or least.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// Its area.
+    pub area: Area,
+    /// `A″`, the second derivative of its area by the rotation, a squared radian.
+    pub bend: Area,
+}
+
+impl Extreme {
+    /// The change of pressure that a closed angle on one side of the extreme makes; not below 0.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for the closed angle, which is not below 0, and the dead area; [`Error::NotPositive`] for the others.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::ports::trapped::Extreme;
+    /// use uom::si::{angle::degree, area::square_millimeter, f64::{Angle, Area, Pressure}, pressure::gigapascal};
+    /// use uom::si::pressure::megapascal;
+    ///
+    /// let mm2 = Area::new::<square_millimeter>;
+    /// let least = Extreme { area: mm2(27.84), bend: mm2(156.7) };
+    /// let bulk_modulus = Pressure::new::<gigapascal>(1.4);
+    /// let rise = least.trapped_pressure(Angle::new::<degree>(1.38), bulk_modulus, mm2(0.0))?;
+    /// assert!((rise.get::<megapascal>() - 2.3).abs() < 0.05);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn trapped_pressure(
+        &self,
+        closed: Angle,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Pressure, Error> {
+        let (own, bend) = self.checked()?;
+        let closed = from_zero(closed)?;
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        Ok(pressure_of_pascals(modulus * 0.5 * bend * closed * closed / (own + dead)))
+    }
+
+    /// The closed angle before the extreme in which a chamber changes its pressure by so much.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the dead area.
+    pub fn precompression_angle(
+        &self,
+        rise: Pressure,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Angle, Error> {
+        let (own, bend) = self.checked()?;
+        let rise = positive_pascals(Quantity::PressureDrop, rise)?;
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        Ok(angle((2.0 * rise * (own + dead) / (modulus * bend)).sqrt()))
+    }
+
+    fn checked(&self) -> Result<(f64, f64), Error> {
+        let own = positive_area(Quantity::ChamberArea, self.area)?;
+        let bend = square_metres(self.bend).abs();
+        Ok((own, positive(Quantity::ChamberBend, bend, "m²/rad²")?))
+    }
+}
+
+fn from_zero(closed: Angle) -> Result<f64, Error> {
+    let value = crate::units::in_degrees(closed);
+    ranging(Quantity::ClosedAngle, value, [0.0, f64::INFINITY], "°")?;
+    Ok(radians(closed))
+}
+
+/// What a closed stretch does to the pressure in a chamber.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trapped {
+    /// The stretch.
+    pub stretch: Stretch,
+    /// The extreme within it.
+    pub extreme: Option<AtExtreme>,
+    /// The greatest change of the pressure since the chamber was closed; below 0 where it falls.
+    pub change: Pressure,
+}
+
+impl Motor {
+    /// The chamber at its least and at its greatest.
+    #[must_use]
+    pub fn extremes_of_chambers(&self) -> [Extreme; 2] {
+        let half = 0.5 * self.chamber_phase();
+        let bend = |middle: f64| self.shape.flow(middle + half).1 - self.shape.flow(middle - half).1;
+        let [least, greatest] = self.chamber_extremes();
+        let of = |own: Area, middle: f64| Extreme { area: own, bend: area(bend(middle), self.module()) };
+        [of(least, self.shape.trough().phase), of(greatest, 0.0)]
+    }
+
+    /// The oil that chambers take a revolution to come from the low to the high pressure, at the width `b`; over `q` the loss of
+    /// volume.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for width and bulk modulus, [`Error::NotFinite`] for the pressure, [`Error::OutOfRange`] for the dead area.
+    pub fn dead_volume_charge(
+        &self,
+        width: Length,
+        pressure_drop: Pressure,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Volume, Error> {
+        let width = crate::units::metres(positive_length(Quantity::Width, width)?);
+        let drop = finite_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let lobes = f64::from(self.numbers().stator_lobes() * self.numbers().rotor_lobes());
+        let least = square_metres(self.chamber_extremes()[0]);
+        Ok(volume_of_cubic_metres(lobes * (least + dead) * width * drop / modulus))
+    }
+}
+
+impl PortPlate {
+    /// The area of a chamber at a phase, in square metres.
+    fn chamber_area(&self, phase: f64) -> Result<f64, Error> {
+        let rotation = angle(phase - 0.5 * self.motor.chamber_phase());
+        Ok(square_metres(self.motor.chambers(rotation)?[0].area))
+    }
+
+    /// What every closed stretch does to the pressure, with the exact areas: `K·(A(closing) − A)/(A + A_dead)` where it is greatest.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the bulk modulus, [`Error::OutOfRange`] for the dead area.
+    pub fn trapped(
+        &self,
+        timing: &Timing,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Vec<Trapped>, Error> {
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let of = |closed: &Closed| {
+            let Closed { stretch, extreme, before, .. } = *closed;
+            let (from, to) = (radians(stretch.from), radians(stretch.to));
+            let at_closing = self.chamber_area(from)?;
+            // Between closing, extreme and opening the area is monotone.
+            let mut change = 0.0_f64;
+            for place in [to, from + radians(before)] {
+                let here = self.chamber_area(place)?;
+                let candidate = modulus * (at_closing - here) / (here + dead);
+                if candidate.abs() > change.abs() {
+                    change = candidate;
+                }
+            }
+            Ok(Trapped { stretch, extreme, change: pressure_of_pascals(change) })
+        };
+        timing.closed.iter().map(of).collect()
+    }
+
+    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and while it is closed what
+    /// compression makes of that before; none in a short circuit.
+    ///
+    /// # Errors
+    /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the phase.
+    pub fn chamber_pressure(
+        &self,
+        timing: &Timing,
+        phase: Angle,
+        pressure_drop: Pressure,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Option<Pressure>, Error> {
+        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let (phase, cycle) = (finite_angle(Quantity::Rotation, phase)?, radians(timing.cycle));
+        // Angles by which a phase stands behind the beginning of a stretch that it is within.
+        let behind = |stretch: &Stretch| {
+            let behind = (phase - radians(stretch.from)).rem_euclid(cycle);
+            (behind <= radians(stretch.to) - radians(stretch.from)).then_some(behind)
+        };
+        let is_in = |all: &[Stretch]| all.iter().any(|stretch| behind(stretch).is_some());
+        if is_in(&timing.short_circuits) {
+            return Ok(None);
+        }
+        for closed in &timing.closed {
+            let Some(behind) = behind(&closed.stretch) else { continue };
+            let from = radians(closed.stretch.from);
+            let ends_here = |stretch: &Stretch| {
+                let gap = (radians(stretch.to) - from).rem_euclid(cycle);
+                gap.min(cycle - gap) < WITHIN
+            };
+            let before = if timing.high.iter().any(ends_here) { drop } else { 0.0 };
+            let (then, now) = (self.chamber_area(from)?, self.chamber_area(from + behind)?);
+            return Ok(Some(pressure_of_pascals(before + modulus * (then - now) / (now + dead))));
+        }
+        let pressure = if is_in(&timing.high) { drop } else { 0.0 };
+        Ok(Some(pressure_of_pascals(pressure)))
+    }
+
+    /// What a revolution has against the ports: short circuits, and stretches that change the pressure by more than is allowed.
+    ///
+    /// # Errors
+    /// As [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure allowed.
+    pub fn findings(
+        &self,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+        allowed: Pressure,
+    ) -> Result<Vec<Finding>, Error> {
+        positive_pascals(Quantity::TrappedPressure, allowed)?;
+        let timing = self.timing()?;
+        let trapped = self.trapped(&timing, bulk_modulus, dead_area)?;
+        let short = timing.short_circuits.iter().map(|stretch| Finding::ShortCircuit { stretch: *stretch });
+        let beyond = trapped.into_iter().filter(|trapped| trapped.change.abs() > allowed);
+        Ok(short.chain(beyond.map(|trapped| Finding::Trapped { trapped, allowed })).collect())
+    }
+}
+
+/// A fault of ports; every chamber has it once in each of its cycles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Finding {
+    /// A chamber joins the high and the low pressure.
+    ShortCircuit {
+        /// At these phases of the chamber.
+        stretch: Stretch,
+    },
+    /// A closed chamber changes its pressure by more than is allowed.
+    Trapped {
+        /// Where and by how much.
+        trapped: Trapped,
+        /// What is allowed.
+        allowed: Pressure,
+    },
+}

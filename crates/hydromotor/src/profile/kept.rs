@@ -1,0 +1,183 @@
+//! Whether a motor keeps all limits in a form, for searches that try many: what decides soonest first, with an end at the first failure.
+//!
+//! What depends on the form and the satellite's teeth alone is asked once ([`SatelliteForm`]), what depends on the motor alone once
+//! ([`Room`]), and of a motor in a form flanks are cut one by one. The answers are those of [`Profile`](super::Profile) and its limits, the
+//! flanks on one side of the spaces alone, as those on the other are mirror images; the tests compare them.
+
+use super::Part;
+use super::cut::Cut;
+use super::form::{Teeth, ToothForm};
+use super::limits::{LEAST_TIP, LimitKind, Mesh, Worsts};
+use super::phases;
+use super::satellite::SatelliteTooth;
+use super::track::{Side, Track};
+use crate::checks::Subject;
+use crate::contact::{By, Conjugate};
+use crate::motor::Motor;
+use std::f64::consts::PI;
+
+/// Why a motor has no teeth of a form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Failure {
+    /// The form leaves no teeth, or a flank has no tip.
+    NoTeeth,
+    /// A check of the centrodes against the heights of the teeth.
+    Check(Subject),
+    /// A limit.
+    Limit(LimitKind),
+}
+
+/// A form on satellites of a number of teeth.
+#[derive(Debug, Clone)]
+pub(crate) struct SatelliteForm {
+    teeth: Teeth,
+    satellite: SatelliteTooth,
+    offsets: [f64; 2],
+}
+
+impl SatelliteForm {
+    /// With the limits of the satellite kept.
+    pub(crate) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Failure> {
+        let offsets = phases(form.crest, satellite_teeth);
+        let teeth = Teeth::new(form, satellite_teeth).map_err(|_| Failure::NoTeeth)?;
+        let satellite = SatelliteTooth::new(&teeth, satellite_teeth, offsets[0] / teeth.r);
+        let satellite = satellite.map_err(|_| Failure::NoTeeth)?;
+        if -teeth.rack_roll * teeth.cos > teeth.r * teeth.sin {
+            return Err(Failure::Limit(LimitKind::Undercut));
+        }
+        if 2.0 * teeth.tip * teeth.tip_angle() < LEAST_TIP {
+            return Err(Failure::Limit(LimitKind::TipThickness));
+        }
+        let formed = Self { teeth, satellite, offsets };
+        if formed.greatest_contact_ratio() < 1.0 {
+            return Err(Failure::Limit(LimitKind::ContactPath));
+        }
+        Ok(formed)
+    }
+
+    /// What the contact ratio cannot exceed on any motor: the whole involute of the satellite.
+    pub(crate) fn greatest_contact_ratio(&self) -> f64 {
+        let mesh = Mesh { teeth: &self.teeth, satellite: &self.satellite };
+        (mesh.satellite_path() + mesh.satellite_tip()) / (PI * self.teeth.cos)
+    }
+
+    /// Heights that the centrodes must leave room for: the satellite's addendum, the cutter's.
+    fn heights(&self) -> [f64; 2] {
+        [self.teeth.tip - self.teeth.r, self.teeth.cutter_addendum]
+    }
+}
+
+/// The room that a motor's centrodes leave for teeth, in modules.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Room {
+    /// Least radii of the stator's and the rotor's bulges towards the satellites' roots; infinite where there are none.
+    bulges: [f64; 2],
+    /// The rotor's least radius.
+    least_radius: f64,
+    /// Least distance of neighbouring satellites.
+    neighbours: f64,
+    /// Stator's least radius less rotor's greatest.
+    gap: f64,
+}
+
+impl Room {
+    /// With the curvature extremes known.
+    pub(crate) fn of(motor: &Motor, curvatures: [f64; 4]) -> Self {
+        Self {
+            bulges: [curvatures[0].recip(), curvatures[2].recip()],
+            least_radius: motor.shape.trough().rho1,
+            neighbours: motor.least_neighbour_kernel().0,
+            gap: motor.shape.trough().rho3 - motor.shape.at(By::Phase, 0.0).rho1,
+        }
+    }
+
+    /// The first check of the centrodes, or limit of the whole wheels, that a form fails.
+    fn failing(&self, form: &SatelliteForm) -> Option<Failure> {
+        let [_, dedendum] = form.heights();
+        let teeth = &form.teeth;
+        let checks = [
+            (self.bulges[0] > dedendum, Failure::Check(Subject::StatorBulge)),
+            (self.bulges[1] > dedendum, Failure::Check(Subject::RotorBulge)),
+            (self.least_radius > dedendum, Failure::Check(Subject::RotorLeastRadius)),
+            (self.neighbours > 2.0 * teeth.tip, Failure::Check(Subject::Neighbours)),
+            (self.gap >= 2.0 * teeth.wheel_addendum, Failure::Limit(LimitKind::Wheels)),
+        ];
+        checks.into_iter().find(|(holds, _)| !holds).map(|(_, failure)| failure)
+    }
+}
+
+/// The contact ratio of a motor in a form, its shortest path of contact over the base pitch, or what fails first; none as soon as it
+/// is known to be at most one that is not `wanted`.
+pub(crate) fn contact_ratio(
+    motor: &Motor,
+    room: &Room,
+    form: &SatelliteForm,
+    wanted: impl Fn(f64) -> bool,
+) -> Result<Option<f64>, Failure> {
+    if let Some(failure) = room.failing(form) {
+        return Err(failure);
+    }
+    let teeth = &form.teeth;
+    let mesh = Mesh { teeth, satellite: &form.satellite };
+    let count = motor.numbers().teeth_per_lobe();
+    // The rotor's crests and the stator's troughs bend most: the flanks there first.
+    let sides = [(Side::Rotor, form.offsets[1], 0), (Side::Stator, form.offsets[0], count / 2)];
+    // Most forms fail by undercut, and mostly there: the end of every flank, before any is cut.
+    for (side, offset, first) in sides {
+        let track = Track { shape: &motor.shape, side };
+        for i in outward(first, count) {
+            let kappa = track.at(offset + PI * f64::from(i) + teeth.half_space + teeth.cutter_roll).curvature;
+            if kappa < 0.0 && teeth.cutter_roll * teeth.cos * kappa > teeth.sin {
+                return Err(Failure::Limit(LimitKind::Undercut));
+            }
+        }
+    }
+    let mut cuts = Vec::with_capacity(2);
+    let mut shortest = f64::INFINITY;
+    for (side, offset, first) in sides {
+        let track = Track { shape: &motor.shape, side };
+        let mut worsts = Worsts::default();
+        let mut after = vec![None; count as usize];
+        for i in outward(first, count) {
+            let flank = Cut::flank(&track, teeth, offset + PI * f64::from(i), 1.0);
+            let flank = flank.map_err(|_| Failure::NoTeeth)?;
+            worsts.flank(mesh, &track, &flank);
+            if let Some(kind) = worsts.failing() {
+                return Err(Failure::Limit(kind));
+            }
+            after[i as usize] = Some(flank);
+            // The shortest path of all is no longer than the shortest of some.
+            let so_far = worsts.contact_path().map_or(shortest, |path| shortest.min(path));
+            if !wanted(so_far / (PI * teeth.cos)) {
+                return Ok(None);
+            }
+        }
+        let after: Vec<_> = after.into_iter().flatten().collect();
+        let cut = Cut::of_flanks(&track, teeth, offset, &after).map_err(|_| Failure::NoTeeth)?;
+        for piece in cut.pieces.iter().filter(|piece| piece.part == Part::Tip) {
+            worsts.tip(mesh, &track, piece);
+            if let Some(kind) = worsts.failing() {
+                return Err(Failure::Limit(kind));
+            }
+        }
+        shortest = shortest.min(worsts.contact_path().unwrap_or(0.0));
+        cuts.push((track, after, worsts));
+    }
+    for (track, after, worsts) in &mut cuts {
+        for flank in after.iter() {
+            worsts.fillet(mesh, track, flank);
+            if let Some(kind) = worsts.failing() {
+                return Err(Failure::Limit(kind));
+            }
+        }
+    }
+    Ok(Some(shortest / (PI * teeth.cos)))
+}
+
+/// All places of a lobe from one on, to both sides in turn.
+fn outward(first: u32, count: u32) -> impl Iterator<Item = u32> {
+    (0..count).map(move |k| {
+        let away = k.div_ceil(2);
+        (if k % 2 == 0 { first + away } else { first + count - away }) % count
+    })
+}

@@ -1,0 +1,310 @@
+//! What a search with free tooth forms finds.
+
+use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
+
+use super::super::point::Yardstick;
+use super::super::requirements::mean_flow;
+use super::FormSearch;
+use super::cover::Value;
+use super::loaded::FlankFigures;
+use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
+use super::trial::Point;
+use crate::Error;
+use crate::checks::Subject;
+use crate::motor::Motor;
+use crate::numbers::MotorNumbers;
+use crate::profile::kept::Failure;
+use crate::profile::limits::LimitKind;
+use crate::profile::{Profile, ToothForm};
+use crate::quantity::Quantity;
+use crate::threads::map;
+use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
+
+/// The answer of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormFound {
+    /// The front, by falling displacement by volume.
+    pub designs: Vec<FormDesign>,
+    /// How many points fell where.
+    pub funnel: FormFunnel,
+}
+
+/// A design of the front: a shape and a tooth form, and the sizes in which they serve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormDesign {
+    /// Lobes and teeth.
+    pub numbers: MotorNumbers,
+    /// The family of the motor.
+    pub family: FamilyKind,
+    /// The tooth form.
+    pub form: ToothForm,
+    /// Displacement over the volume of the cylinder about the stator's centrode.
+    pub displacement_by_volume: f64,
+    /// Ripple `δ` of flow and torque, satellites sealing at the pitch points.
+    pub ripple: f64,
+    /// Least curvature radius of the centrodes over the module.
+    pub least_radius: f64,
+    /// Shortest path of contact of any flank over the base pitch.
+    pub contact_ratio: f64,
+    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a satellite.
+    pub flanks: Option<FlankFigures>,
+    /// The sizes that keep the limits, at least one, in the order of the modules given.
+    pub sizes: Vec<FormSize>,
+    curves: Curves,
+}
+
+/// A design in one size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FormSize {
+    /// Module.
+    pub module: Length,
+    /// Width.
+    pub width: Length,
+    /// Diameter of the stator's centrode; roots and housing come on top.
+    pub outer_diameter: Length,
+    /// Volume of the cylinder about the stator's centrode.
+    pub volume: Volume,
+    /// Displacement a revolution.
+    pub displacement: Volume,
+    /// Mean torque at the pressure wanted, without losses.
+    pub torque: Option<Torque>,
+    /// The least torque over a revolution, without losses, satellites sealing at the pitch points.
+    pub least_torque: Option<Torque>,
+    /// Mean flow at the speed wanted.
+    pub flow: Option<VolumeRate>,
+    /// Power at that speed and the pressure wanted, without losses.
+    pub power: Option<Power>,
+}
+
+impl FormDesign {
+    /// `l` over the module, of a motor of two arcs.
+    #[must_use]
+    pub fn trough_distance_over_module(&self) -> Option<f64> {
+        match &self.curves {
+            Curves::Arcs(arcs) => Some(arcs.arcs.l),
+            Curves::Law(_) => None,
+        }
+    }
+
+    /// `ε₂`, of a motor by the cosine law, where it is 0, or with a second harmonic.
+    #[must_use]
+    pub fn second_amplitude(&self) -> Option<f64> {
+        match &self.curves {
+            Curves::Arcs(_) => None,
+            Curves::Law(law) => Some(law.second),
+        }
+    }
+
+    /// The motor at a module.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn motor(&self, module: Length) -> Result<Motor, Error> {
+        let module = positive_length(Quantity::Module, module)?;
+        Ok(motor(self.numbers, &self.curves, module))
+    }
+
+    /// The teeth at a module.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn profile(&self, module: Length) -> Result<Profile, Error> {
+        Profile::new(&self.motor(module)?, self.form)
+    }
+}
+
+/// Why a point is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FormRefusal {
+    /// The form gives no teeth.
+    NoTeeth,
+    /// A check of the centrodes against the heights of the form.
+    Check(Subject),
+    /// A limit of the teeth.
+    Limit(LimitKind),
+    /// The flanks cannot hold a loaded satellite.
+    CannotHold,
+    /// The pressure of Hertz is above the wanted one.
+    ContactStress,
+    /// The bending stress at a root is above the wanted one.
+    RootStress,
+    /// The materials allow less than the wanted pressure drop.
+    AllowedPressure,
+    /// The ripple at the flanks is above the wanted one.
+    FlankRipple,
+    /// The least torque over the mean is below the wanted one.
+    LeastTorque,
+}
+
+impl FormRefusal {
+    /// All of them.
+    pub const ALL: [Self; 21] = [
+        Self::NoTeeth,
+        Self::Check(Subject::StatorBulge),
+        Self::Check(Subject::RotorBulge),
+        Self::Check(Subject::RotorLeastRadius),
+        Self::Check(Subject::Neighbours),
+        Self::Limit(LimitKind::Undercut),
+        Self::Limit(LimitKind::TipCusp),
+        Self::Limit(LimitKind::SatelliteRoot),
+        Self::Limit(LimitKind::WheelRoot),
+        Self::Limit(LimitKind::TipThickness),
+        Self::Limit(LimitKind::ContactPath),
+        Self::Limit(LimitKind::RootCurve),
+        Self::Limit(LimitKind::TipCurve),
+        Self::Limit(LimitKind::Neighbours),
+        Self::Limit(LimitKind::Wheels),
+        Self::CannotHold,
+        Self::ContactStress,
+        Self::RootStress,
+        Self::AllowedPressure,
+        Self::FlankRipple,
+        Self::LeastTorque,
+    ];
+
+    fn of(failure: Failure) -> Self {
+        match failure {
+            Failure::NoTeeth => Self::NoTeeth,
+            Failure::Check(subject) => Self::Check(subject),
+            Failure::Limit(kind) => Self::Limit(kind),
+        }
+    }
+}
+
+/// What became of some points.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(super) struct Counts {
+    refused: [u64; FormRefusal::ALL.len()],
+    pub(super) as_good: u64,
+    pub(super) admissible: u64,
+}
+
+impl Counts {
+    pub(super) fn fail(&mut self, failure: Failure) {
+        self.refuse(FormRefusal::of(failure));
+    }
+
+    pub(super) fn refuse(&mut self, refusal: FormRefusal) {
+        if let Some(place) = FormRefusal::ALL.iter().position(|other| *other == refusal) {
+            self.refused[place] += 1;
+        }
+    }
+}
+
+/// How many motors and points fell where.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FormFunnel {
+    /// Sets of numbers within the bounds that fulfil the conditions on them.
+    pub sets: usize,
+    /// Of these, outside the limits of rotor lobes, rotor teeth or the common divisor.
+    pub outside_limits: usize,
+    /// Of the rest, those with which no motor of the families closes.
+    pub without_motors: usize,
+    /// Motors at the places of their families.
+    pub motors: usize,
+    /// Tooth forms within the steps.
+    pub forms: usize,
+    /// Points left out because a design is as good as they can be, or their contact ratio is below the least.
+    pub as_good: u64,
+    /// Points tried to the end that are admissible.
+    pub admissible: u64,
+    shapes_refused: [usize; ShapeReason::ALL.len()],
+    refused: [u64; FormRefusal::ALL.len()],
+}
+
+impl FormFunnel {
+    /// The size of the space: motors times forms. Points of refused motors, refused points, those left out and the admissible ones
+    /// add up to it.
+    #[must_use]
+    pub fn points(&self) -> u64 {
+        self.motors as u64 * self.forms as u64
+    }
+
+    /// Motors refused for a reason, whatever their form, each counted once.
+    #[must_use]
+    pub fn motors_refused(&self, reason: ShapeReason) -> usize {
+        let place = ShapeReason::ALL.iter().position(|other| *other == reason);
+        place.map_or(0, |place| self.shapes_refused[place])
+    }
+
+    /// Points refused for a reason, each counted once, by what is found to fail first.
+    #[must_use]
+    pub fn refused(&self, refusal: FormRefusal) -> u64 {
+        let place = FormRefusal::ALL.iter().position(|other| *other == refusal);
+        place.map_or(0, |place| self.refused[place])
+    }
+
+    pub(super) fn refuse_shape(&mut self, reason: ShapeReason) {
+        if let Some(place) = ShapeReason::ALL.iter().position(|other| *other == reason) {
+            self.shapes_refused[place] += 1;
+        }
+    }
+
+    pub(super) fn add(&mut self, counts: &Counts) {
+        self.as_good += counts.as_good;
+        self.admissible += counts.admissible;
+        for (sum, more) in self.refused.iter_mut().zip(counts.refused) {
+            *sum += more;
+        }
+    }
+}
+
+impl FormSearch {
+    pub(super) fn found(
+        &self,
+        yardstick: &Yardstick,
+        funnel: FormFunnel,
+        shapes: &[Shape],
+        forms: &[ToothForm],
+        found: Vec<(usize, Point)>,
+    ) -> FormFound {
+        // A design found later may be better than one found before.
+        let costs: Vec<Value> = found.iter().map(|(_, point)| point.value.map(|part| -part)).collect();
+        let mut places = epicyclic_pareto::non_dominated(&costs);
+        let by_volume = |place: u32| shapes[found[place as usize].0].working.by_volume();
+        places.sort_by(|&one, &other| by_volume(other).total_cmp(&by_volume(one)).then(one.cmp(&other)));
+        let design = |place: &u32| {
+            let (shape, point) = &found[*place as usize];
+            self.design(yardstick, &shapes[*shape], forms[point.form], point)
+        };
+        FormFound { designs: map(&places, design), funnel }
+    }
+
+    fn design(&self, yardstick: &Yardstick, shape: &Shape, form: ToothForm, point: &Point) -> FormDesign {
+        let working = &shape.working;
+        let sizes = yardstick.sizing.sizes(working.displacement, working.diameter);
+        FormDesign {
+            numbers: shape.numbers,
+            family: shape.family,
+            form,
+            displacement_by_volume: working.by_volume(),
+            ripple: working.ripple(),
+            least_radius: shape.radius,
+            contact_ratio: point.contact_ratio,
+            flanks: point.figures.or_else(|| self.figures(shape, form)?.ok()),
+            sizes: sizes.into_iter().map(|size| self.size(shape, size)).collect(),
+            curves: shape.curves,
+        }
+    }
+
+    fn size(&self, shape: &Shape, [module, width]: [f64; 2]) -> FormSize {
+        let working = &shape.working;
+        let (module, width) = (length_of_metres(module), length_of_metres(width));
+        let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
+        let [mean, least] =
+            [mean_flow(working.displacement), working.flow[0]].map(|flow| volume(flow, module, width));
+        let requirements = &self.requirements;
+        let mean_torque = requirements.pressure_drop.map(|drop| torque(mean, drop));
+        FormSize {
+            module,
+            width,
+            outer_diameter: length(working.diameter, module),
+            volume: volume(disc, module, width),
+            displacement: volume(working.displacement, module, width),
+            torque: mean_torque,
+            least_torque: requirements.pressure_drop.map(|drop| torque(least, drop)),
+            flow: requirements.speed.map(|speed| volume_rate(mean, speed)),
+            power: mean_torque.zip(requirements.speed).map(|(mean, speed)| power(mean, speed)),
+        }
+    }
+}

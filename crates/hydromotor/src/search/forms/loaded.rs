@@ -1,0 +1,244 @@
+//! Flanks under load in a search: what is asked of them, their figures, and a bound that needs no teeth.
+
+use uom::si::f64::Pressure;
+
+use super::shape::Shape;
+use super::{FormRefusal, FormSearch, Objective};
+use crate::Error;
+use crate::contact::{By, Conjugate};
+use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact};
+use crate::motor::Motor;
+use crate::profile::{Profile, ToothForm};
+use crate::quantity::Quantity;
+use crate::units::{over, pascals, positive_pressure, radians};
+use std::f64::consts::PI;
+
+/// What flanks under load are calculated with, and what is asked of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlankOrder {
+    /// What the materials bear, with which the allowed pressure is calculated, and the effective modulus.
+    pub materials: MaterialLimits,
+    /// Which of two contacts in mesh seals.
+    pub sealing: SealingContact,
+    /// The part of the path on which stresses are taken.
+    pub path: LoadedPath,
+    /// Greatest ripple at the flanks.
+    pub ripple: Option<f64>,
+    /// Least torque over the mean, satellites sealing at the flanks.
+    pub least_torque: Option<f64>,
+    /// Greatest pressure of Hertz at the pressure drop wanted.
+    pub contact_stress: Option<Pressure>,
+    /// Greatest bending stress at a root at the pressure drop wanted.
+    pub root_stress: Option<Pressure>,
+    /// Least pressure drop that the materials must allow.
+    pub allowed_pressure: Option<Pressure>,
+}
+
+impl FlankOrder {
+    /// With these materials, the nearest contacts as seals, stresses on the whole path, and no limits.
+    #[must_use]
+    pub fn of(materials: MaterialLimits) -> Self {
+        Self {
+            materials,
+            sealing: SealingContact::default(),
+            path: LoadedPath::default(),
+            ripple: None,
+            least_torque: None,
+            contact_stress: None,
+            root_stress: None,
+            allowed_pressure: None,
+        }
+    }
+
+    pub(super) fn checked(&self, pressure_drop: Option<Pressure>) -> Result<(), Error> {
+        positive_pressure(Quantity::ContactLimit, self.materials.contact)?;
+        positive_pressure(Quantity::RootLimit, self.materials.root)?;
+        positive_pressure(Quantity::ContactModulus, self.materials.modulus)?;
+        for (quantity, value, high) in
+            [(Quantity::Ripple, self.ripple, f64::INFINITY), (Quantity::LeastTorque, self.least_torque, 1.0)]
+        {
+            if let Some(value) = value
+                && !(value > 0.0 && value <= high)
+            {
+                return Err(Error::OutOfRange { quantity, value, low: 0.0, high, unit: "" });
+            }
+        }
+        for (quantity, stress) in
+            [(Quantity::ContactStress, self.contact_stress), (Quantity::RootStress, self.root_stress)]
+        {
+            if let Some(stress) = stress {
+                positive_pressure(quantity, stress)?;
+                if pressure_drop.is_none() {
+                    return Err(Error::NoPressureDrop { quantity });
+                }
+            }
+        }
+        self.allowed_pressure
+            .map_or(Ok(()), |allowed| positive_pressure(Quantity::AllowedPressure, allowed).map(|_| ()))
+    }
+}
+
+/// Figures of a design's flanks under load; of rigid teeth, for comparison, not for proof of strength.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlankFigures {
+    /// Ripple of flow and torque, satellites sealing at the flanks.
+    pub ripple: f64,
+    /// Least torque over the mean, likewise.
+    pub least_over_mean: f64,
+    /// Greatest pressure of Hertz at the pressure drop wanted; none without one.
+    pub contact_stress: Option<Pressure>,
+    /// Greatest bending stress at a root at the pressure drop wanted; none without one.
+    pub root_stress: Option<Pressure>,
+    /// The pressure drop that the materials allow.
+    pub allowed: AllowedPressure,
+}
+
+impl FlankFigures {
+    /// Of a motor with a form, or why it has none or is refused.
+    pub(super) fn of(
+        order: &FlankOrder,
+        pressure_drop: Option<Pressure>,
+        motor: &Motor,
+        form: ToothForm,
+    ) -> Result<Self, FormRefusal> {
+        let profile = Profile::new(motor, form).map_err(|_| FormRefusal::NoTeeth)?;
+        let allowed = profile.allowed_pressure(order.path, &order.materials);
+        let allowed = allowed.map_err(|_| FormRefusal::CannotHold)?;
+        let materials = &order.materials;
+        // p_H rises with the root of the pressure drop, bending with it.
+        let contact_stress =
+            pressure_drop.map(|drop| materials.contact * over(drop, allowed.by_contact).sqrt());
+        let root_stress = pressure_drop.map(|drop| materials.root * over(drop, allowed.by_root));
+        let above = |value: Option<Pressure>, most: Option<Pressure>| {
+            value.zip(most).is_some_and(|(value, most)| !(value <= most))
+        };
+        if above(contact_stress, order.contact_stress) {
+            return Err(FormRefusal::ContactStress);
+        }
+        if above(root_stress, order.root_stress) {
+            return Err(FormRefusal::RootStress);
+        }
+        if order.allowed_pressure.is_some_and(|least| !(allowed.pressure >= least)) {
+            return Err(FormRefusal::AllowedPressure);
+        }
+        let ripple = profile.flank_ripple(order.sealing);
+        let figures = Self {
+            ripple: ripple.at_flanks.delta,
+            least_over_mean: ripple.least_over_mean,
+            contact_stress,
+            root_stress,
+            allowed,
+        };
+        if order.ripple.is_some_and(|most| !(figures.ripple <= most)) {
+            return Err(FormRefusal::FlankRipple);
+        }
+        if order.least_torque.is_some_and(|least| !(figures.least_over_mean >= least)) {
+            return Err(FormRefusal::LeastTorque);
+        }
+        Ok(figures)
+    }
+
+    /// The figure that an objective goes by, as a logarithm, the greater the better; none of those of other kinds.
+    pub(super) fn value(&self, objective: Objective) -> Option<f64> {
+        let log = |value: f64| if value > 0.0 { value.ln() } else { f64::NEG_INFINITY };
+        Some(match objective {
+            Objective::FlankRipple => -log(self.ripple),
+            Objective::LeastTorque => log(self.least_over_mean),
+            // Over Δp, whatever it is: p_H² and σ_F are inverse to what they allow.
+            Objective::ContactStress => 0.5 * log(pascals(self.allowed.by_contact)),
+            Objective::RootStress => log(pascals(self.allowed.by_root)),
+            Objective::AllowedPressure => log(pascals(self.allowed.pressure)),
+            _ => return None,
+        })
+    }
+}
+
+/// What the pressures of Hertz at crest and trough leave at best, with contacts at the pitch points: the load there is `Δp·b·r/cos α`.
+pub(super) struct PitchBound {
+    /// The greatest `1 + r·κ`.
+    bent: f64,
+}
+
+impl PitchBound {
+    pub(super) fn of(motor: &Motor) -> Self {
+        let r = motor.shape.satellite_radius();
+        let (crest, trough) = (motor.shape.at(By::Phase, 0.0), *motor.shape.trough());
+        let bulges = [crest.kappa1, -crest.kappa3, trough.kappa1, -trough.kappa3];
+        Self { bent: 1.0 + r * bulges.into_iter().fold(f64::NEG_INFINITY, f64::max) }
+    }
+
+    /// The pressure drop that the contacts allow at most, Pa.
+    fn by_contact(&self, materials: &MaterialLimits, form: ToothForm) -> f64 {
+        let (limit, modulus) = (pascals(materials.contact), pascals(materials.modulus));
+        let severity = 2.0 / (2.0 * radians(form.pressure_angle)).sin() * self.bent / PI;
+        limit * limit / (modulus * severity)
+    }
+
+    /// Why a form is refused whatever its teeth.
+    pub(super) fn refusal(
+        &self,
+        order: &FlankOrder,
+        pressure_drop: Option<Pressure>,
+        form: ToothForm,
+    ) -> Option<FormRefusal> {
+        let allowed = self.by_contact(&order.materials, form);
+        let least = order.allowed_pressure.map_or(0.0, pascals);
+        if let (Some(most), Some(drop)) = (order.contact_stress, pressure_drop) {
+            let at_pitch = pascals(order.materials.contact) * (pascals(drop) / allowed).sqrt();
+            if at_pitch > pascals(most) * (1.0 + crate::tolerance::SLACK) {
+                return Some(FormRefusal::ContactStress);
+            }
+        }
+        (allowed * (1.0 + crate::tolerance::SLACK) < least).then_some(FormRefusal::AllowedPressure)
+    }
+
+    /// The most that an objective can be, as [`FlankFigures::value`]: without a bound infinite.
+    pub(super) fn value(&self, objective: Objective, order: &FlankOrder, form: ToothForm) -> f64 {
+        let allowed = self.by_contact(&order.materials, form).ln();
+        match objective {
+            Objective::ContactStress => 0.5 * allowed,
+            Objective::AllowedPressure => allowed,
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+impl FormSearch {
+    /// Whether an objective or a limit needs the figures of the flanks of every design.
+    pub(super) fn needs_flanks(&self) -> bool {
+        let by_limit = self.flanks.as_ref().is_some_and(|order| {
+            order.ripple.is_some()
+                || order.least_torque.is_some()
+                || order.contact_stress.is_some()
+                || order.root_stress.is_some()
+                || order.allowed_pressure.is_some()
+        });
+        by_limit || self.objectives.iter().any(|objective| objective.is_of_flanks())
+    }
+
+    /// Objectives of a motor in a form at best, its flanks not known.
+    pub(super) fn bound(
+        &self,
+        value: super::cover::Value,
+        bound: &PitchBound,
+        form: ToothForm,
+    ) -> super::cover::Value {
+        let mut value = value;
+        if let Some(order) = &self.flanks {
+            for &objective in self.objectives.iter().filter(|objective| objective.is_of_flanks()) {
+                value[objective as usize] = bound.value(objective, order, form);
+            }
+        }
+        value
+    }
+
+    /// The figures of a motor's flanks in a form, if they are asked for.
+    pub(super) fn figures(
+        &self,
+        shape: &Shape,
+        form: ToothForm,
+    ) -> Option<Result<FlankFigures, FormRefusal>> {
+        let order = self.flanks.as_ref()?;
+        Some(FlankFigures::of(order, self.requirements.pressure_drop, &shape.motor(), form))
+    }
+}
