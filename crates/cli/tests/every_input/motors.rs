@@ -19,6 +19,8 @@ const fn key(path: &'static str, from: &'static str, to: &'static str) -> Key {
     Key { path, first: &[], from, to }
 }
 
+/// The middle of the family and ideal ports, for other numbers.
+const MIDDLE: &[(&str, &str)] = &[("\nl: 80 mm", "\npart: 0.5"), (HIGH, "part: 0.9"), (LOW, "")];
 const BY_PART: &[(&str, &str)] = &[("\nl: 80 mm", "\npart: 0.4")];
 const BY_CREST: &[(&str, &str)] = &[("\nl: 80 mm", "\na: 40 mm")];
 /// Numbers with which a cosine law closes.
@@ -26,6 +28,14 @@ const COSINE: &[(&str, &str)] = &[
     ("stator: 6\nrotor: 4\nz3: 66", "stator: 8\nrotor: 6\nz3: 88"),
     ("law: arcs", "law: cosine"),
     ("\nl: 80 mm", "\nsecond_harmonic: 0.002"),
+    (HIGH, "part: 0.9"),
+    (LOW, ""),
+];
+/// Numbers with which both laws close, without a place in the family.
+const EITHER: &[(&str, &str)] = &[
+    ("stator: 6\nrotor: 4\nz3: 66", "stator: 8\nrotor: 6\nz3: 88"),
+    ("law: arcs", "law: cosine"),
+    ("\nl: 80 mm", ""),
     (HIGH, "part: 0.9"),
     (LOW, ""),
 ];
@@ -47,12 +57,12 @@ const IDEAL: &[(&str, &str)] = &[(HIGH, "part: 0.9"), (LOW, "")];
 
 const KEYS: &[Key] = &[
     key("title", "title: every key once", "title: each key"),
-    key("stator", "stator: 6", "stator: 6 # six"),
-    key("rotor", "rotor: 4", "rotor: 3"),
-    key("z3", "z3: 66", "z3: 60"),
+    Key { path: "stator", first: MIDDLE, from: "stator: 6", to: "stator: 3" },
+    Key { path: "rotor", first: MIDDLE, from: "rotor: 4", to: "rotor: 3" },
+    Key { path: "z3", first: MIDDLE, from: "z3: 66", to: "z3: 72" },
     key("zs", "zs: 10", "zs: 9"),
     key("module", "module: 2 mm", "module: 2.1 mm"),
-    Key { path: "law", first: COSINE, from: "law: cosine", to: "law: arcs" },
+    Key { path: "law", first: EITHER, from: "law: cosine", to: "law: arcs" },
     Key {
         path: "second_harmonic",
         first: COSINE,
@@ -93,7 +103,7 @@ const KEYS: &[Key] = &[
     key("gaps.expansion", "expansion: 12e-6 /K", "expansion: 11e-6 /K"),
     key("gaps.temperature_rise", "temperature_rise: 20 K", "temperature_rise: 10 K"),
     key("friction", "friction: 0.05..0.1", "friction: 0.05..0.12"),
-    Key { path: "ports.part", first: IDEAL, from: "part: 0.9", to: "part: 0.8" },
+    Key { path: "ports.part", first: IDEAL, from: "  part: 0.9", to: "  part: 0.8" },
     key("ports.high.angle", "angle: -15 deg", "angle: -15.2 deg"),
     key("ports.high.diameter", "diameter: 12 mm", "diameter: 11.5 mm"),
     key("ports.high.pitch_radius", "pitch_radius: 52 mm", "pitch_radius: 52.2 mm"),
