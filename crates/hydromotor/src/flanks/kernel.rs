@@ -212,7 +212,7 @@ fn summit([low, top, high]: Bracket, f: impl Fn(f64) -> f64) -> (f64, f64) {
         let (other, beside) =
             if low.0 == top.0 { (high, top.0 + BESIDE * whole) } else { (low, top.0 - BESIDE * whole) };
         let here = f(beside);
-        if !(here > top.1) {
+        if here.is_nan() || here <= top.1 {
             return top;
         }
         (x, w, v) = ((beside, here), top, other);
@@ -243,16 +243,16 @@ fn summit([low, top, high]: Bracket, f: impl Fn(f64) -> f64) -> (f64, f64) {
         let here = (next, f(next));
         if here.1 >= x.1 {
             if next >= x.0 {
-                a = x.0
+                a = x.0;
             } else {
-                b = x.0
+                b = x.0;
             }
             (v, w, x) = (w, x, here);
         } else {
             if next < x.0 {
-                a = next
+                a = next;
             } else {
-                b = next
+                b = next;
             }
             if here.1 >= w.1 || w.0 == x.0 {
                 (v, w) = (w, here);

