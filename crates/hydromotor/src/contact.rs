@@ -91,6 +91,11 @@ impl Contact {
         }
     }
 
+    /// The same contact whole lobes further back, `end` being that at the trough.
+    pub(crate) fn lobes_back(&self, lobes: f64, end: &Self) -> Self {
+        if lobes == 0.0 { *self } else { self.shifted(-lobes, end) }
+    }
+
     /// The same contact whole lobes further on, `end` being that at the trough.
     fn shifted(self, lobes: f64, end: &Self) -> Self {
         let by = 2.0 * lobes;

@@ -98,6 +98,13 @@ impl Law {
         (rho, slope.atan2(rho), kappa)
     }
 
+    /// `ρ₁²·d(tan μ)/dθ₁`, of the sign with which the slope `μ` grows.
+    pub(crate) fn slope_rate(&self, theta: f64) -> f64 {
+        let (rho, slope, speed, kappa) = self.curve(theta);
+        // ρ·ρ″ − ρ′², with ρ·ρ″ = ρ² + 2·ρ′² − κ·(ds/dθ)³
+        rho * rho + slope * slope - kappa * speed * speed * speed
+    }
+
     /// `ds₁/dθ₁`, `dΦ/dθ₁`, `dG/dθ₁`.
     fn rates(&self, theta: f64) -> [f64; 3] {
         let (rho1, _, speed, kappa1) = self.curve(theta);

@@ -229,6 +229,24 @@ pub struct CosineLaw {
     pub cusp_amplitude: f64,
 }
 
+impl Shape {
+    /// The quantity in which the shape is explicit: a contact by it takes no search.
+    pub(crate) fn explicit(&self) -> By {
+        match self {
+            Self::Arcs(..) => By::StatorArc,
+            Self::Cosine(_) => By::RotorAngle,
+        }
+    }
+
+    /// The contact where the curvature jumps, if it does.
+    pub(crate) fn kink_contact(&self) -> Option<&Contact> {
+        match self {
+            Self::Arcs(_, lobe) => Some(lobe.junction()),
+            Self::Cosine(_) => None,
+        }
+    }
+}
+
 impl Conjugate for Shape {
     fn satellite_radius(&self) -> f64 {
         match self {

@@ -81,6 +81,11 @@ impl TwoArcs {
         lobe
     }
 
+    /// The contact at the junction of the arcs.
+    pub(crate) fn junction(&self) -> &Contact {
+        &self.junction
+    }
+
     /// The contact at the angle `x` of arc 2, `t = tan(x/2)`.
     fn on_crest(&self, x: f64, t: f64) -> Contact {
         let Arcs { a, r2, .. } = self.arcs;

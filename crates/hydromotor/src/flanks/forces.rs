@@ -23,7 +23,7 @@
 use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Force, Length, Pressure, Torque};
 
-use super::kernel::{direction, flank_number, greatest_on, pressure_angle, turned};
+use super::kernel::{direction, flank_number, greatest_of, pressure_angle, turned};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
@@ -304,7 +304,7 @@ impl Motor {
     /// The greatest load of the rotor's bearing over a revolution.
     ///
     /// Looked at on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of chambers, where it jumps, and passages of
-    /// junctions. Of a greatest load right before or behind a jump the rotation is a hair within.
+    /// junctions; where the load vanishes throughout, at 0. Of a greatest load right before or behind a jump the rotation is a hair within.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).
@@ -317,15 +317,20 @@ impl Motor {
         let load = Load::new(pressure_angle, width, pressure_drop)?;
         // Wherever the flanks hold at the steepest slope they hold throughout.
         self.greatest_flank_forces(pressure_angle, width, pressure_drop)?;
+        if self.numbers().common_divisor() > 1 {
+            // None but rounding at any angle.
+            return self.bearing(0.0, &load);
+        }
         let period = self.period();
         let kinks = self.shape.kink().into_iter().flat_map(|kink| [kink, -kink]);
         let more = kinks.map(|kink| kink.rem_euclid(period)).chain([0.5 * period]);
         let mut ends: Vec<f64> = more.chain([0.0, period]).collect();
         ends.sort_by(f64::total_cmp);
         let value =
-            |_, place: f64| self.on_rotor(place, load.alpha).map_or(f64::NAN, |([x, y], _)| x.hypot(y));
-        let (place, _) = greatest_on(&ends, BESIDE_JUMP, value);
-        self.bearing(load.sign() * place, &load)
+            |_, place: f64| [self.on_rotor(place, load.alpha).map_or(f64::NAN, |([x, y], _)| x.hypot(y))];
+        let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let [top] = greatest_of(&pieces, BESIDE_JUMP, value);
+        self.bearing(load.sign() * top.place, &load)
     }
 }
 

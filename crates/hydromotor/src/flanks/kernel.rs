@@ -1,12 +1,16 @@
 //! What the flanks' modules share: directions of the forces, loaded phases, greatest values on smooth pieces.
+//!
+//! # Places
+//! Ranges are looked at in the quantity in which the shape is explicit ([`Shape::explicit`]), so that a contact there costs no search, and one
+//! contact serves everything that is asked of it. The ends are sought once.
 
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
-use crate::motor::Motor;
+use crate::motor::{Motor, Shape};
 use crate::profile::Side;
 use crate::quantity::Quantity;
-use crate::roots::{bracketed, golden};
-use crate::tolerance::{BESIDE_JUMP, WITHIN};
+use crate::roots::bracketed;
+use crate::tolerance::WITHIN;
 use crate::units::{degrees, finite_angle, in_degrees};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
@@ -14,8 +18,8 @@ use uom::si::f64::Angle;
 /// Pieces in which a smooth stretch is looked at for its extremes.
 const PIECES: u32 = 8;
 
-/// Steps of a golden section: a hundred-thousandth of the bracket is left, and of a flat value its square.
-const STEPS: u32 = 24;
+/// The most steps towards a greatest value: as many golden sections leave a hundred-thousandth of the bracket, and of a flat value its square.
+const STEPS: u32 = 40;
 
 /// A pressure angle of a tooth form, in radians.
 pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
@@ -36,14 +40,6 @@ pub(super) fn direction(side: Side, sigma: f64, alpha: f64, mu: f64) -> [f64; 2]
         Side::Rotor => 1.0,
     };
     [out * sin, -sigma * cos]
-}
-
-/// Moment of such a force of 1 about the satellite's centre, over `r·cos α`.
-pub(super) fn moment(side: Side, sigma: f64) -> f64 {
-    match side {
-        Side::Stator => -sigma,
-        Side::Rotor => sigma,
-    }
 }
 
 /// `N/(Δp·b·m)` on either flank with contacts at the pitch points.
@@ -90,9 +86,20 @@ impl Motor {
     }
 
     /// Places within a range of phases where the motion has a kink, and both its ends, in order.
-    pub(super) fn smooth_ends(&self, [from, to]: [f64; 2], more: impl IntoIterator<Item = f64>) -> Vec<f64> {
-        let period = 2.0 * self.shape.trough().phase;
-        let kinks = self.shape.kink().into_iter().flat_map(|kink| [kink, -kink]);
+    pub(super) fn smooth_ends(&self, range: [f64; 2], more: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        self.smooth_ends_by(By::Phase, range, more)
+    }
+
+    /// The same with all places by another quantity.
+    pub(super) fn smooth_ends_by(
+        &self,
+        by: By,
+        [from, to]: [f64; 2],
+        more: impl IntoIterator<Item = f64>,
+    ) -> Vec<f64> {
+        let period = 2.0 * self.shape.trough().get(by);
+        let kink = self.shape.kink_contact().map(|contact| contact.get(by));
+        let kinks = kink.into_iter().flat_map(|kink| [kink, -kink]);
         let kinks = kinks.flat_map(|kink| windings(kink, period, [from, to]));
         let mut ends: Vec<f64> = kinks.chain(more).filter(|&place| place > from && place < to).collect();
         ends.extend([from, to]);
@@ -109,83 +116,152 @@ impl Motor {
     }
 
     /// The phases of steepest slope `μ` on a half-lobe, to the last bits: where the stator's curvature passes that of the circle
-    /// about the axis that touches the same ray, `κ₃ = cos μ/ρ₃`.
+    /// about the axis that touches the same ray, `κ₃ = cos μ/ρ₃`, or `dμ/dθ₁ = 0`.
+    ///
+    /// On two arcs there are none but the ends and the junction: on arc 1 `κ₃ < 0`, and on arc 2 it would be where `cos x = −a/R₂`, 90° from
+    /// the crest as seen from the axis.
     pub(super) fn steepest(&self) -> Vec<f64> {
         const PLACES: u32 = 64;
-        let rise = |phase: f64| {
-            let Contact { mu, rho3, kappa3, .. } = self.shape.within(By::Phase, phase);
-            mu.cos() / rho3 - kappa3
-        };
-        let end = self.shape.trough().phase;
-        let ends = self.smooth_ends([0.0, end], []);
-        let mut places = ends.clone();
-        for pair in ends.windows(2) {
-            let hair = BESIDE_JUMP * (pair[1] - pair[0]);
-            let (from, to) = (pair[0] + hair, pair[1] - hair);
-            let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
-            let mut before = rise(from);
-            for i in 1..=PLACES {
-                let here = rise(place(i));
-                if before * here < 0.0 {
-                    places.push(bracketed(place(i - 1), place(i), rise));
-                }
-                before = here;
+        let trough = self.shape.trough();
+        let Shape::Cosine(cosine) = &self.shape else { return self.smooth_ends([0.0, trough.phase], []) };
+        let (law, end) = (cosine.law(), trough.theta1);
+        let place = |i: u32| end * f64::from(i) / f64::from(PLACES);
+        let mut places = vec![0.0, trough.phase];
+        let mut before = law.slope_rate(0.0);
+        for i in 1..=PLACES {
+            let here = law.slope_rate(place(i));
+            if before * here < 0.0 {
+                let theta1 = bracketed(place(i - 1), place(i), |theta| law.slope_rate(theta));
+                places.push(self.shape.within(By::RotorAngle, theta1).phase);
             }
+            before = here;
         }
         places
     }
 }
 
-/// The greatest value of a function that is smooth between neighbouring `ends`, and its place: [`greatest_of`].
-pub(super) fn greatest_on(ends: &[f64], hair: f64, f: impl Fn(usize, f64) -> f64) -> (f64, f64) {
-    let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    let (_, place, value) = greatest_of(&pieces, hair, f);
-    (place, value)
+/// The greatest value of a function that is smooth on some pieces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Top {
+    pub(super) piece: usize,
+    pub(super) place: f64,
+    pub(super) value: f64,
 }
 
-/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value.
+/// The greatest values of some functions at once that are smooth on some pieces.
 ///
 /// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does not, but jumps, is taken a
-/// `hair` of the piece within. Each piece is sampled; those are refined, by golden section about their best sample, that reach the best of all if
-/// they rise from there by as much as they have come from its neighbours.
-pub(super) fn greatest_of(
+/// `hair` of the piece within. Each piece is sampled, all functions in the same places; of each function those pieces are refined about their best
+/// sample that reach the best of all if they rise from there by as much as they have come from its neighbours.
+pub(super) fn greatest_of<const N: usize>(
     pieces: &[[f64; 2]],
     hair: f64,
-    f: impl Fn(usize, f64) -> f64,
-) -> (usize, f64, f64) {
-    let mut best = (0, f64::NAN, f64::NEG_INFINITY);
-    let mut tops = Vec::with_capacity(pieces.len());
+    f: impl Fn(usize, f64) -> [f64; N],
+) -> [Top; N] {
+    let mut best = [Top { piece: 0, place: f64::NAN, value: f64::NEG_INFINITY }; N];
+    let mut tops: Vec<[(f64, Bracket); N]> = Vec::with_capacity(pieces.len());
     for (piece, &[from, to]) in pieces.iter().enumerate() {
         let hair = hair * (to - from);
         let (from, to) = (from + hair, to - hair);
-        let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
-        let mut values = [0.0; PIECES as usize + 1];
-        let mut top = 0;
-        for (i, value) in values.iter_mut().enumerate() {
-            *value = f(piece, place(i as u32));
-        }
-        for (i, &value) in values.iter().enumerate() {
-            if value > values[top] || values[top].is_nan() {
-                top = i;
+        let place = |i: usize| from + (to - from) * i as f64 / f64::from(PIECES);
+        let values: [[f64; N]; PIECES as usize + 1] = std::array::from_fn(|i| f(piece, place(i)));
+        tops.push(std::array::from_fn(|k| {
+            let mut top = 0;
+            for (i, value) in values.iter().enumerate() {
+                if value[k] > values[top][k] || values[top][k].is_nan() {
+                    top = i;
+                }
             }
-        }
-        let around = &values[top.saturating_sub(1)..=(top + 1).min(PIECES as usize)];
-        let rise = around.iter().map(|value| values[top] - value).fold(0.0, f64::max);
-        if values[top] > best.2 {
-            best = (piece, place(top as u32), values[top]);
-        }
-        let i = top as u32;
-        tops.push((values[top] + rise, [place(i.saturating_sub(1)), place((i + 1).min(PIECES))]));
+            let (low, high) = (top.saturating_sub(1), (top + 1).min(PIECES as usize));
+            let greatest = values[top][k];
+            let rise = (greatest - values[low][k]).max(greatest - values[high][k]).max(0.0);
+            if greatest > best[k].value {
+                best[k] = Top { piece, place: place(top), value: greatest };
+            }
+            (greatest + rise, [low, top, high].map(|i| (place(i), values[i][k])))
+        }));
     }
-    for (piece, (reach, [low, high])) in tops.into_iter().enumerate() {
-        if reach > best.2 {
-            let (at, least) = golden(low, high, STEPS, |x| -f(piece, x));
-            if -least > best.2 {
-                best = (piece, at, -least);
+    for (k, best) in best.iter_mut().enumerate() {
+        for (piece, top) in tops.iter().enumerate() {
+            let (reach, bracket) = top[k];
+            if reach > best.value {
+                let (place, value) = summit(bracket, |place| f(piece, place)[k]);
+                if value > best.value {
+                    *best = Top { piece, place, value };
+                }
             }
         }
     }
     best
+}
+
+/// Places about a greatest sample with their values; at an end of a piece the sample is one of the neighbours itself.
+type Bracket = [(f64, f64); 3];
+
+/// Beside the end of a bracket a function is looked at in this part of it.
+const BESIDE: f64 = 1e-5;
+
+/// The greatest value in a bracket, by parabolas through the three best places and golden sections where they do not shrink (Brent).
+fn summit([low, top, high]: Bracket, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    const PART: f64 = 0.381_966_011_250_105;
+    let whole = high.0 - low.0;
+    let (mut a, mut b) = (low.0, high.0);
+    let (mut x, mut w, mut v) = (top, low, high);
+    if low.0 == top.0 || high.0 == top.0 {
+        // At the end itself, unless it rises from there.
+        let (other, beside) =
+            if low.0 == top.0 { (high, top.0 + BESIDE * whole) } else { (low, top.0 - BESIDE * whole) };
+        let here = f(beside);
+        if here.is_nan() || here <= top.1 {
+            return top;
+        }
+        (x, w, v) = ((beside, here), top, other);
+    }
+    if w.1 < v.1 {
+        (w, v) = (v, w);
+    }
+    let reach = BESIDE * whole;
+    let (mut step, mut before) = (whole, whole);
+    for _ in 0..STEPS {
+        let middle = 0.5 * (a + b);
+        if (x.0 - middle).abs() <= 2.0 * reach - 0.5 * (b - a) {
+            break;
+        }
+        let (r, q) = ((x.0 - w.0) * (x.1 - v.1), (x.0 - v.0) * (x.1 - w.1));
+        let (p, q) = ((x.0 - v.0) * q - (x.0 - w.0) * r, 2.0 * (q - r));
+        let by = -p / q;
+        let (last, to) = (before, x.0 + by);
+        before = step;
+        // No number where the three places make no parabola.
+        if by.abs() < 0.5 * last.abs() && to > a && to < b {
+            step = by;
+        } else {
+            before = if x.0 < middle { b - x.0 } else { a - x.0 };
+            step = PART * before;
+        }
+        let next = x.0 + if step.abs() >= reach { step } else { reach.copysign(step) };
+        let here = (next, f(next));
+        if here.1 >= x.1 {
+            if next >= x.0 {
+                a = x.0;
+            } else {
+                b = x.0;
+            }
+            (v, w, x) = (w, x, here);
+        } else {
+            if next < x.0 {
+                a = next;
+            } else {
+                b = next;
+            }
+            if here.1 >= w.1 || w.0 == x.0 {
+                (v, w) = (w, here);
+            } else if here.1 >= v.1 || v.0 == x.0 || v.0 == w.0 {
+                v = here;
+            }
+        }
+    }
+    x
 }
 
 /// All `place + k·period` within a range, whole numbers `k`.

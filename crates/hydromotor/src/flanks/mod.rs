@@ -33,6 +33,8 @@ pub mod forces;
 mod kernel;
 pub mod root;
 pub mod sealing;
+#[cfg(test)]
+mod slow;
 pub mod stress;
 pub mod third;
 

@@ -21,12 +21,12 @@ use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
 use super::kernel::{flank_number, greatest_of, pressure_angle};
-use super::stress::{LoadedPath, Stretch, arc};
+use super::stress::{LoadedPath, Places, Stretch, arc};
 use crate::Error;
 use crate::centrode::Wheel;
-use crate::contact::Conjugate;
+use crate::contact::{Conjugate, Contact};
 use crate::motor::Motor;
-use crate::profile::{Loading, Profile, Side, Tooth};
+use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
 use crate::units::{angle, pascals, positive_pressure, pressure_of_pascals};
 
@@ -96,20 +96,6 @@ struct Worst {
     tooth: usize,
 }
 
-/// Bending stress of a force of 1 on a width of 1, and the thickness of the section.
-fn bending(tooth: &Tooth, (at, force): Loading) -> (f64, f64) {
-    let mut worst = (0.0, 0.0);
-    for section in tooth.sections.iter().filter(|section| section.x < at[0]) {
-        // Above where the line of action crosses the middle line the moment has the other sign.
-        let moment = ((at[0] - section.x) * force[1] - (at[1] - section.y) * force[0]) * force[1].signum();
-        let stress = 6.0 * moment / (section.thickness * section.thickness);
-        if stress > worst.0 {
-            worst = (stress, section.thickness);
-        }
-    }
-    worst
-}
-
 impl Profile {
     /// The greatest nominal bending stresses of stator, rotor and satellite over a revolution, in this order; a wheel is left out that no
     /// loaded satellite meets on such a path.
@@ -151,7 +137,7 @@ impl Profile {
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
         // Refuses what no flank holds before anything is compared.
         motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), pressure_of_pascals(1.0))?;
-        let own = self.satellite_tooth(points);
+        let (own, by) = (self.satellite_tooth(points), motor.shape.explicit());
         let mut worst: [Option<Worst>; 3] = [None; 3];
         for (i, side) in Side::BOTH.into_iter().enumerate() {
             let teeth = self.wheel_teeth(side, points);
@@ -167,35 +153,39 @@ impl Profile {
                 if flanks.is_empty() {
                     continue;
                 }
-                let pieces: Vec<[f64; 2]> = flanks.iter().map(|stretch| part(stretch)).collect();
+                let mut ends = Places::new(motor, arc(side));
+                let pieces: Vec<[f64; 2]> =
+                    flanks.iter().map(|stretch| part(stretch).map(|s| ends.of(s))).collect();
                 let places: Vec<(usize, f64)> =
                     flanks.iter().map(|stretch| self.tooth_of(side, stretch.sign, stretch.pitch)).collect();
-                let offset =
-                    |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * self.teeth().cos;
-                let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma);
-                let on_wheel = |piece: usize, s: f64| {
+                // On the wheel's tooth and on the satellite's, by one contact.
+                let loads = |piece: usize, contact: &Contact| {
                     let (flank, (index, lobe)) = (flanks[piece], places[piece]);
                     let tooth = &teeth[index];
-                    bending(tooth, self.wheel_loading(side, tooth, flank.sign, flank.pitch - lobe, s - lobe))
+                    let on_wheel = self.wheel_loading_at(side, tooth, flank.sign, flank.pitch, lobe, contact);
+                    let offset = flank.offset(contact.get(arc(side)), self.teeth().cos);
+                    [(tooth, on_wheel), (&own, self.satellite_loading(offset))]
                 };
-                let on_satellite =
-                    |piece: usize, s: f64| bending(&own, self.satellite_loading(offset(piece, s)));
-                let mut keep = |slot: usize, unit: &dyn Fn(usize, f64) -> (f64, f64)| {
-                    let stress = |piece: usize, s: f64| number(s).unwrap_or(f64::NAN) * unit(piece, s).0;
-                    let (piece, s, value) = greatest_of(&pieces, 0.0, stress);
-                    if worst[slot].is_none_or(|worst| value > worst.stress) {
+                let tops = greatest_of(&pieces, 0.0, |piece, place| {
+                    let contact = motor.shape.at(by, place);
+                    let number = flank_number(r, alpha, &contact, sigma).unwrap_or(f64::NAN);
+                    loads(piece, &contact).map(|(tooth, loading)| number * tooth.bending(loading))
+                });
+                let range = motor.loaded(crest);
+                for (slot, (k, top)) in [i, 2].into_iter().zip(tops.into_iter().enumerate()) {
+                    if worst[slot].is_none_or(|worst| top.value > worst.stress) {
+                        let contact = motor.shape.at(by, top.place);
+                        let (tooth, loading) = loads(top.piece, &contact)[k];
                         worst[slot] = Some(Worst {
-                            stress: value,
-                            thickness: unit(piece, s).1,
+                            stress: top.value,
+                            thickness: tooth.weakest(loading).map_or(0.0, |section| section.thickness),
                             sigma,
-                            phase: motor.shape.at(arc(side), s).phase,
-                            offset: offset(piece, s),
-                            tooth: if slot == 2 { 0 } else { places[piece].0 },
+                            phase: contact.phase.clamp(range[0], range[1]),
+                            offset: flanks[top.piece].offset(contact.get(arc(side)), self.teeth().cos),
+                            tooth: if slot == 2 { 0 } else { places[top.piece].0 },
                         });
                     }
-                };
-                keep(i, &on_wheel);
-                keep(2, &on_satellite);
+                }
             }
         }
         let wheels = [Wheel::Stator, Wheel::Rotor, Wheel::Satellite];

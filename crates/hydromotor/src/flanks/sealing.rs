@@ -23,7 +23,8 @@
 //! # Flow
 //! `Q′ = b·Σ σ·f′` over the loaded satellites. It is smooth between changeovers of chambers, where it jumps, passages of junctions, and
 //! changes of the sealing contacts, all known phases; on each smooth piece the extremes are ends, taken from within, or zeros of
-//! `dQ′/dφ` in closed form. So nothing hinges on a sample but the number of zeros on a piece, which is looked at in four parts.
+//! `dQ′/dφ` in closed form. So nothing hinges on a sample but the number of zeros on a piece, which is looked at in four parts. A zero is
+//! sought only where the tangents at both ends of its part reach beyond the extremes known so far.
 //!
 //! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`: it drops out of the
 //! displacement but for the change of the radii within a pitch.
@@ -144,11 +145,12 @@ impl Row {
         Seal { sign: self.sign, pitch: self.turns[found].1 + lobes * self.lobe }
     }
 
-    /// Phases within a range at which the sealing contact changes.
-    fn changes(&self, motor: &Motor, range: [f64; 2]) -> Vec<f64> {
-        let [from, to] = range.map(|phase| motor.shape.at(By::Phase, phase).get(self.arc()));
+    /// Places between two contacts at which the sealing contact changes, by a quantity.
+    fn changes(&self, motor: &Motor, by: By, ends: &[Contact; 2]) -> Vec<f64> {
+        let [from, to] = [0, 1].map(|i| ends[i].get(self.arc()));
         let places = self.turns.iter().flat_map(|turn| windings(turn.0, self.lobe, [from, to]));
-        places.map(|s| motor.shape.at(self.arc(), s).phase).collect()
+        let at = |s: f64| if by == self.arc() { s } else { motor.shape.at(self.arc(), s).get(by) };
+        places.map(at).collect()
     }
 }
 
@@ -174,10 +176,12 @@ impl Rows {
         [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)]
     }
 
-    /// Ends of the smooth pieces of a range of phases.
-    pub(super) fn pieces(&self, motor: &Motor, range: [f64; 2]) -> Vec<f64> {
-        let changes = self.rows.iter().flat_map(|row| row.changes(motor, range));
-        motor.smooth_ends(range, changes.collect::<Vec<_>>())
+    /// Ends of the smooth pieces of a range of phases, by a quantity.
+    pub(super) fn pieces(&self, motor: &Motor, by: By, range: [f64; 2]) -> Vec<f64> {
+        let ends = range.map(|phase| motor.shape.at(By::Phase, phase));
+        let changes = self.rows.iter().flat_map(|row| row.changes(motor, by, &ends));
+        let range = [0, 1].map(|i| ends[i].get(by));
+        motor.smooth_ends_by(by, range, changes.collect::<Vec<_>>())
     }
 }
 
@@ -189,16 +193,20 @@ fn sealed(contact: &Contact, [e3, e1]: [f64; 2]) -> f64 {
 
 /// `df′/dΦ`, as the contacts run along their flanks by `rates` a unit of arc length.
 fn sealed_slope(contact: &Contact, r: f64, [e3, e1]: [f64; 2], rates: [f64; 2]) -> f64 {
-    let Contact { rho3, rho1, mu, .. } = *contact;
-    let ds3 = 1.0 / contact.slope(By::Phase, r);
-    let ds1 = contact.slope(By::RotorArc, r) * ds3;
-    let (sin, c) = (mu.sin(), rho3 - rho1);
+    let Contact { rho3, rho1, kappa3, mu, .. } = *contact;
+    let (sin, cos) = mu.sin_cos();
+    // ds₃/dΦ and ds₁/ds₃, as in `Contact::slope`.
+    let ds3 = rho1 / (2.0 * cos * (1.0 - r * kappa3));
+    let stretch = 1.0 + 2.0 * r * (cos / rho3 - kappa3);
+    let ds1 = stretch * ds3;
+    let c = rho3 - rho1;
     let (by_rho3, by_rho1) = (sin * ds3, sin * ds1);
     let product = rho3 * e1 * e1 - rho1 * e3 * e3;
     let by_product = by_rho3 * e1 * e1 + 2.0 * rho3 * e1 * rates[1] * ds1
         - by_rho1 * e3 * e3
         - 2.0 * rho1 * e3 * rates[0] * ds3;
-    contact.flow_slope(r) + (by_product - product * (by_rho3 - by_rho1) / c) / (2.0 * c)
+    let flow_slope = 0.5 * sin * (rho3 * stretch + rho1) * ds3;
+    flow_slope + (by_product - product * (by_rho3 - by_rho1) / c) / (2.0 * c)
 }
 
 /// The flow on a smooth piece: every loaded satellite with its contacts.
@@ -209,21 +217,37 @@ struct Piece<'a> {
     loaded: Vec<(u32, f64, [Seal; 2])>,
 }
 
+/// Contacts of the satellites at a rotation, as far as they have been asked for.
+type Known = Vec<Option<Contact>>;
+
 impl Piece<'_> {
     /// `Q′/b` and its slope.
     fn at(&self, rotation: f64) -> (f64, f64) {
+        self.with(|j| self.motor.shape.at(By::Phase, self.motor.phase(rotation, j)))
+    }
+
+    /// The same with contacts that the neighbouring piece, or the choice of its own seals, knows already.
+    fn known(&self, rotation: f64, known: &mut Known) -> (f64, f64) {
+        self.with(|j| *contact_of(self.motor, known, rotation, j))
+    }
+
+    fn with(&self, mut contact: impl FnMut(u32) -> Contact) -> (f64, f64) {
         let r = self.motor.shape.satellite_radius();
-        let of = |&(j, sigma, seals): &(u32, f64, [Seal; 2])| {
-            let contact = self.motor.shape.at(By::Phase, self.motor.phase(rotation, j));
+        let (mut flow, mut slope) = (0.0, 0.0);
+        for &(j, sigma, seals) in &self.loaded {
+            let contact = contact(j);
             let offsets = [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)];
             let rates = seals.map(|seal| seal.sign * self.cos);
-            let slope = sealed_slope(&contact, r, offsets, rates);
-            (sigma * sealed(&contact, offsets), sigma * slope)
-        };
-        let (flow, slope) =
-            self.loaded.iter().map(of).fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+            flow += sigma * sealed(&contact, offsets);
+            slope += sigma * sealed_slope(&contact, r, offsets, rates);
+        }
         (self.times * flow, self.times * slope)
     }
+}
+
+/// The contact of a satellite at a rotation.
+fn contact_of<'a>(motor: &Motor, known: &'a mut Known, rotation: f64, j: u32) -> &'a Contact {
+    known[j as usize].get_or_insert_with(|| motor.shape.at(By::Phase, motor.phase(rotation, j)))
 }
 
 /// The flow of a profile piece by piece.
@@ -241,7 +265,7 @@ impl<'a> Flow<'a> {
         let period = motor.period();
         let mut ends = vec![0.0, 0.5 * period, period];
         for (rows, crest) in rows.iter().zip([true, false]) {
-            let places = rows.pieces(motor, motor.loaded(crest));
+            let places = rows.pieces(motor, By::Phase, motor.loaded(crest));
             ends.extend(places.iter().map(|phase| phase.rem_euclid(period)));
         }
         ends.sort_by(f64::total_cmp);
@@ -249,19 +273,23 @@ impl<'a> Flow<'a> {
         Self { profile, rows, ends }
     }
 
+    /// Satellites among which the pressures do not repeat.
+    fn satellites(&self) -> u32 {
+        let numbers = self.profile.motor().numbers();
+        numbers.satellites() / numbers.common_divisor()
+    }
+
     /// The piece about a rotation, at which no chamber changes over and no contact changes.
-    fn piece(&self, rotation: f64) -> Piece<'a> {
+    fn piece(&self, rotation: f64, known: &mut Known) -> Piece<'a> {
         let motor = self.profile.motor();
-        let numbers = motor.numbers();
-        let divisor = numbers.common_divisor();
-        let loaded = (0..numbers.satellites() / divisor).filter_map(|j| {
-            let phase = motor.phase(rotation, j);
-            let sigma = motor.pushed(phase, 1.0)?;
+        let loaded = (0..self.satellites()).filter_map(|j| {
+            let sigma = motor.pushed(motor.phase(rotation, j), 1.0)?;
             let rows = &self.rows[usize::from(sigma < 0.0)];
-            Some((j, sigma, rows.at(&motor.shape.at(By::Phase, phase))))
+            Some((j, sigma, rows.at(contact_of(motor, known, rotation, j))))
         });
         let loaded = loaded.collect();
-        Piece { motor, cos: self.profile.teeth().cos, times: f64::from(divisor), loaded }
+        let times = f64::from(motor.numbers().common_divisor());
+        Piece { motor, cos: self.profile.teeth().cos, times, loaded }
     }
 
     /// `Q′/b` at any rotation; where it jumps, the value behind the jump.
@@ -270,11 +298,77 @@ impl<'a> Flow<'a> {
         let rest = rotation.rem_euclid(period);
         let last = self.ends.len() - 2;
         let piece = (self.ends.partition_point(|&end| end <= rest).max(1) - 1).min(last);
-        self.piece(0.5 * (self.ends[piece] + self.ends[piece + 1])).at(rest).0
+        let mut known = vec![None; self.satellites() as usize];
+        self.piece(0.5 * (self.ends[piece] + self.ends[piece + 1]), &mut known).at(rest).0
     }
 
-    fn pieces(&self) -> impl Iterator<Item = ([f64; 2], Piece<'a>)> {
-        self.ends.windows(2).map(|pair| ([pair[0], pair[1]], self.piece(0.5 * (pair[0] + pair[1]))))
+    /// Least and greatest value with their places, and the integral, over a period.
+    fn extremes(&self) -> Extremes {
+        let mut found =
+            Extremes { least: (f64::INFINITY, 0.0), greatest: (f64::NEG_INFINITY, 0.0), volume: 0.0 };
+        let (mut pieces, mut flat) = (Vec::with_capacity(self.ends.len()), Vec::new());
+        let nothing: Known = vec![None; self.satellites() as usize];
+        let (mut at_end, mut middle) = (nothing.clone(), nothing.clone());
+        for pair in self.ends.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
+            middle.fill(None);
+            let piece = self.piece(place(PARTS / 2), &mut middle);
+            let mut before = piece.known(from, &mut at_end);
+            found.meet(from, before.0);
+            let mut integral = BOOLE[0] * before.0;
+            for i in 1..=PARTS {
+                let here = if i == PARTS / 2 {
+                    piece.known(place(i), &mut middle)
+                } else if i == PARTS {
+                    at_end.fill(None);
+                    piece.known(to, &mut at_end)
+                } else {
+                    piece.at(place(i))
+                };
+                found.meet(place(i), here.0);
+                integral += BOOLE[i as usize] * here.0;
+                if before.1 * here.1 < 0.0 {
+                    flat.push((pieces.len(), [place(i - 1), place(i)], [before, here]));
+                }
+                before = here;
+            }
+            pieces.push(piece);
+            found.volume += (to - from) * integral;
+        }
+        for (piece, [from, to], [before, here]) in flat {
+            let piece: &Piece<'_> = &pieces[piece];
+            // As far as the tangents at both ends reach across: an extreme between them lies within.
+            let reach = [before.0 + before.1 * (to - from), here.0 - here.1 * (to - from)];
+            let can = if before.1 > 0.0 {
+                reach[0].max(reach[1]) > found.greatest.0
+            } else {
+                reach[0].min(reach[1]) < found.least.0
+            };
+            if can {
+                let place = bracketed(from, to, |place| piece.at(place).1);
+                found.meet(place, piece.at(place).0);
+            }
+        }
+        found
+    }
+}
+
+/// Least and greatest flow with their rotations, and the volume of a period.
+pub(super) struct Extremes {
+    pub(super) least: (f64, f64),
+    pub(super) greatest: (f64, f64),
+    pub(super) volume: f64,
+}
+
+impl Extremes {
+    pub(super) fn meet(&mut self, place: f64, value: f64) {
+        if value < self.least.0 {
+            self.least = (value, place);
+        }
+        if value > self.greatest.0 {
+            self.greatest = (value, place);
+        }
     }
 }
 
@@ -362,34 +456,7 @@ impl Profile {
     /// ```
     #[must_use]
     pub fn flank_ripple(&self, rule: SealingContact) -> FlankRipple {
-        let flow = Flow::new(self, rule);
-        let (mut least, mut greatest) = ((f64::INFINITY, 0.0), (f64::NEG_INFINITY, 0.0));
-        let mut volume = 0.0;
-        for ([from, to], piece) in flow.pieces() {
-            let mut meet = |place: f64, value: f64| {
-                if value < least.0 {
-                    least = (value, place);
-                }
-                if value > greatest.0 {
-                    greatest = (value, place);
-                }
-            };
-            let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
-            let mut before = piece.at(from);
-            meet(from, before.0);
-            let mut integral = BOOLE[0] * before.0;
-            for i in 1..=PARTS {
-                let here = piece.at(place(i));
-                meet(place(i), here.0);
-                integral += BOOLE[i as usize] * here.0;
-                if before.1 * here.1 < 0.0 {
-                    let flat = bracketed(place(i - 1), place(i), |place| piece.at(place).1);
-                    meet(flat, piece.at(flat).0);
-                }
-                before = here;
-            }
-            volume += (to - from) * integral;
-        }
+        let Extremes { least, greatest, volume } = Flow::new(self, rule).extremes();
         let motor = self.motor();
         let mean = volume / motor.period();
         let of = |value| area(value, motor.module());
@@ -409,4 +476,4 @@ impl Profile {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -22,13 +22,13 @@
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
-use super::kernel::{flank_number, greatest_of, greatest_on, pressure_angle, windings};
+use super::kernel::{flank_number, greatest_of, pressure_angle, windings};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::{FlankPath, Profile, Side};
 use crate::quantity::Quantity;
-use crate::tolerance::BESIDE_JUMP;
+use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use crate::units::{angle, finite_angle, finite_modules, pascals, positive_pressure, pressure_of_pascals};
 use std::f64::consts::PI;
 
@@ -44,13 +44,6 @@ pub enum Mesh {
 impl Mesh {
     /// Both.
     pub const BOTH: [Self; 2] = [Self::Stator, Self::Rotor];
-
-    pub(super) fn of(side: Side) -> Self {
-        match side {
-            Side::Stator => Self::Stator,
-            Side::Rotor => Self::Rotor,
-        }
-    }
 
     pub(super) fn side(self) -> Side {
         match self {
@@ -117,6 +110,66 @@ pub(super) fn severity(
     Ok((number * (1.0 / own + bulge / wheel) / PI).max(0.0))
 }
 
+/// [`severity`] of one mesh and push at many places of which all are held; no number elsewhere.
+struct Severity {
+    side: Side,
+    r: f64,
+    sigma: f64,
+    /// Of the pressure angle.
+    sin: f64,
+    cos: f64,
+}
+
+impl Severity {
+    fn new(side: Side, r: f64, alpha: f64, sigma: f64) -> Self {
+        let (sin, cos) = alpha.sin_cos();
+        Self { side, r, sigma, sin, cos }
+    }
+
+    fn of(&self, contact: &Contact, e: f64) -> f64 {
+        let (mu_sin, mu_cos) = contact.mu.sin_cos();
+        let carrying = self.cos * mu_cos - self.sigma * self.sin * mu_sin;
+        if carrying <= WITHIN {
+            return f64::NAN;
+        }
+        let bulge = match self.side {
+            Side::Stator => -contact.kappa3,
+            Side::Rotor => contact.kappa1,
+        };
+        let (own, wheel) = (self.r * self.sin - e, self.sin + bulge * e);
+        if own <= 0.0 || wheel <= 0.0 {
+            return f64::INFINITY;
+        }
+        (self.r * mu_cos / carrying * (1.0 / own + bulge / wheel) / PI).max(0.0)
+    }
+}
+
+/// Places by the explicit quantity of a shape, sought by arc length: each once, since stretches share their ends.
+pub(super) struct Places<'a> {
+    motor: &'a Motor,
+    arc: By,
+    known: Vec<(f64, f64)>,
+}
+
+impl<'a> Places<'a> {
+    pub(super) fn new(motor: &'a Motor, arc: By) -> Self {
+        Self { motor, arc, known: Vec::new() }
+    }
+
+    pub(super) fn of(&mut self, s: f64) -> f64 {
+        let by = self.motor.shape.explicit();
+        if by == self.arc {
+            return s;
+        }
+        if let Some(&(_, place)) = self.known.iter().find(|known| known.0 == s) {
+            return place;
+        }
+        let place = self.motor.shape.at(self.arc, s).get(by);
+        self.known.push((s, place));
+        place
+    }
+}
+
 /// A place of the greatest severity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Peak {
@@ -131,6 +184,13 @@ pub(super) struct Stretch {
     pub(super) pitch: f64,
     pub(super) whole: [f64; 2],
     pub(super) alone: [f64; 2],
+}
+
+impl Stretch {
+    /// `e` at an arc length.
+    pub(super) fn offset(&self, s: f64, cos: f64) -> f64 {
+        self.sign * (s - self.pitch) * cos
+    }
 }
 
 impl Profile {
@@ -167,28 +227,34 @@ impl Profile {
         stretches
     }
 
-    fn peaks(&self, side: Side, sigma: f64, crest: bool) -> Result<[Option<Peak>; 3], Error> {
+    /// The worst at the pitch point, in single contact and on the whole path, of the satellites by a crest or by a trough.
+    pub(super) fn peaks(&self, side: Side, sigma: f64, crest: bool) -> Result<[Option<Peak>; 3], Error> {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
-        let arc = arc(side);
+        let (arc, by) = (arc(side), motor.shape.explicit());
         let range = motor.loaded(crest);
-        let at = |contact: &Contact, e: f64| severity(side, r, alpha, contact, sigma, e).unwrap_or(f64::NAN);
-        let mut best = [None; 3];
-        let ends = motor.smooth_ends(range, [0.0, motor.shape.trough().phase]);
+        let phases = motor.smooth_ends(range, [0.0, motor.shape.trough().phase]);
+        let mut ends = Vec::with_capacity(phases.len());
         // Refuses what no flank holds before anything is compared.
-        for phase in
-            ends.iter().copied().chain(motor.steepest().into_iter().flat_map(|place| [place, -place]))
-        {
+        for phase in phases {
+            let contact = motor.shape.at(By::Phase, phase);
+            flank_number(r, alpha, &contact, sigma)?;
+            ends.push(contact);
+        }
+        for phase in motor.steepest().into_iter().flat_map(|place| [place, -place]) {
             if (range[0]..=range[1]).contains(&phase) {
                 flank_number(r, alpha, &motor.shape.at(By::Phase, phase), sigma)?;
             }
         }
-        let (phase, value) =
-            greatest_on(&ends, BESIDE_JUMP, |_, phase| at(&motor.shape.at(By::Phase, phase), 0.0));
-        best[0] = Some(Peak { severity: value, phase, offset: 0.0 });
-        let kinks: Vec<f64> =
-            ends[1..ends.len() - 1].iter().map(|&phase| motor.shape.at(By::Phase, phase).get(arc)).collect();
+        let at = Severity::new(side, r, alpha, sigma);
+        let phase_of = |place: f64| motor.shape.at(by, place).phase.clamp(range[0], range[1]);
+        let mut best = [None; 3];
+        let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [0, 1].map(|i| pair[i].get(by))).collect();
+        let [top] = greatest_of(&pieces, BESIDE_JUMP, |_, place| [at.of(&motor.shape.at(by, place), 0.0)]);
+        best[0] = Some(Peak { severity: top.value, phase: phase_of(top.place), offset: 0.0 });
+        let kinks: Vec<f64> = ends[1..ends.len() - 1].iter().map(|contact| contact.get(by)).collect();
         let stretches = self.stretches(side, sigma, crest);
+        let mut places = Places::new(motor, arc);
         for slot in [1, 2] {
             let (mut pieces, mut flanks) = (Vec::new(), Vec::new());
             for stretch in &stretches {
@@ -196,21 +262,26 @@ impl Profile {
                 if from >= to {
                     continue;
                 }
-                let mut ends = vec![from];
-                ends.extend(kinks.iter().copied().filter(|&kink| kink > from && kink < to));
-                ends.push(to);
-                pieces.extend(ends.windows(2).map(|pair| [pair[0], pair[1]]));
+                let [from, to] = [from, to].map(|s| places.of(s));
+                let mut start = from;
+                for &kink in kinks.iter().filter(|&&kink| kink > from && kink < to) {
+                    pieces.push([start, kink]);
+                    start = kink;
+                }
+                pieces.push([start, to]);
                 flanks.resize(pieces.len(), stretch);
             }
             if pieces.is_empty() {
                 continue;
             }
             let offset =
-                |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * self.teeth().cos;
-            let (piece, s, severity) =
-                greatest_of(&pieces, BESIDE_JUMP, |piece, s| at(&motor.shape.at(arc, s), offset(piece, s)));
-            let phase = motor.shape.at(arc, s).phase;
-            best[slot] = Some(Peak { severity, phase, offset: offset(piece, s) });
+                |piece: usize, contact: &Contact| flanks[piece].offset(contact.get(arc), self.teeth().cos);
+            let [top] = greatest_of(&pieces, BESIDE_JUMP, |piece, place| {
+                let contact = motor.shape.at(by, place);
+                [at.of(&contact, offset(piece, &contact))]
+            });
+            let offset = offset(top.piece, &motor.shape.at(by, top.place));
+            best[slot] = Some(Peak { severity: top.value, phase: phase_of(top.place), offset });
         }
         Ok(best)
     }

@@ -10,7 +10,12 @@
 //!
 //! with `−N_b` for the rotor's back flank, `+N_b` for the stator's. The two back flanks are mirror images in the satellite's bisector of the
 //! pitch points, and so are the front ones; about the point where the front lines of action cross, their moments are opposite. So exactly one of
-//! them can hold the satellite: the one with `N_b ≥ 0`. It changes within a pitch.
+//! them can hold the satellite: the one with `N_b ≥ 0`. It changes within a pitch. With `B = N_b` of the rotor's or `−N_b` of the stator's, and the moment
+//! `T` of `F` over `r·cos α`,
+//!
+//! ```text
+//! B = (sin(α + σ·μ)·σ·T − F_x)/(2·sin α·cos μ)    N₁ − N₃ = B − σ·T    N₁ + N₃ = (σ·F_y + cos(α − σ·μ)·|B|)/cos(α + σ·μ)
+//! ```
 //!
 //! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between the front and the back contact is
 //! taken to be on the side of the seal.
@@ -18,13 +23,13 @@
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use super::forces::{Load, Push};
-use super::kernel::{direction, flank_number, greatest_of, moment};
+use super::kernel::{flank_number, greatest_of};
 use super::sealing::{Rows, Seal, SealingContact};
 use super::stress::Mesh;
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
-use crate::profile::{Profile, Side};
+use crate::profile::Profile;
 use crate::quantity::Quantity;
 use crate::roots::bracketed;
 use crate::units::{angle, finite_angle, finite_modules};
@@ -68,49 +73,40 @@ pub struct ThirdContactBounds {
     pub rotor_back: Option<ForceBound>,
 }
 
-/// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`.
-fn held(r: f64, alpha: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<([f64; 3], Side)> {
-    let mu = contact.mu;
-    let (sin, cos) = mu.sin_cos();
-    let front = Side::BOTH.map(|side| direction(side, sigma, alpha, mu));
-    let k3 = [r * cos + e3 * front[0][0], e3 * front[0][1]];
-    let k1 = [-r * cos + e1 * front[1][0], e1 * front[1][1]];
-    let chord = [k3[0] - k1[0], k3[1] - k1[1]];
-    let force = [-sigma * chord[1], sigma * chord[0]];
-    let arm = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1]) - r * sin];
-    let turning = (arm[0] * force[1] - arm[1] * force[0]) / (r * alpha.cos());
-    let solved = |side: Side| {
-        let back = direction(side, -sigma, alpha, mu);
-        let columns = [
-            [front[0][0], front[0][1], moment(Side::Stator, sigma)],
-            [front[1][0], front[1][1], moment(Side::Rotor, sigma)],
-            [back[0], back[1], moment(side, -sigma)],
-        ];
-        cramer(columns, [-force[0], -force[1], -turning])
-    };
-    let by_rotor = solved(Side::Rotor)?;
-    if by_rotor[2] >= 0.0 {
-        Some((by_rotor, Side::Rotor))
-    } else {
-        Some((solved(Side::Stator)?, Side::Stator))
-    }
+/// Sine and cosine of a pressure angle.
+#[derive(Debug, Clone, Copy)]
+struct Inclined {
+    sin: f64,
+    cos: f64,
 }
 
-/// The solution of three equations by their columns.
-fn cramer(columns: [[f64; 3]; 3], right: [f64; 3]) -> Option<[f64; 3]> {
-    let determinant = |[a, b, c]: [[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
-            + c[0] * (a[1] * b[2] - a[2] * b[1])
-    };
-    let whole = determinant(columns);
-    if whole.abs() < crate::tolerance::SINGULAR {
-        return None;
+impl Inclined {
+    fn new(alpha: f64) -> Self {
+        let (sin, cos) = alpha.sin_cos();
+        Self { sin, cos }
     }
-    Some([0, 1, 2].map(|i| {
-        let mut replaced = columns;
-        replaced[i] = right;
-        determinant(replaced) / whole
-    }))
+
+    /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`; none where the
+    /// equations have no solution.
+    fn held(self, r: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<[f64; 3]> {
+        let (mu_sin, mu_cos) = contact.mu.sin_cos();
+        // α + σ·μ, and of α − σ·μ the cosine.
+        let sin = self.sin * mu_cos + sigma * self.cos * mu_sin;
+        let cos = self.cos * mu_cos - sigma * self.sin * mu_sin;
+        let cos_back = self.cos * mu_cos + sigma * self.sin * mu_sin;
+        let across = 2.0 * self.sin * mu_cos;
+        if (2.0 * cos * across).abs() < crate::tolerance::SINGULAR {
+            return None;
+        }
+        let chord = [2.0 * r * mu_cos - sin * (e3 + e1), sigma * cos * (e1 - e3)];
+        let force = [-sigma * chord[1], sigma * chord[0]];
+        let arm = [0.5 * sin * (e1 - e3), -0.5 * sigma * cos * (e3 + e1) - r * mu_sin];
+        let turning = sigma * (arm[0] * force[1] - arm[1] * force[0]) / (r * self.cos);
+        let back = (sin * turning - force[0]) / across;
+        let difference = back - turning;
+        let sum = (sigma * force[1] + cos_back * back.abs()) / cos;
+        Some([0.5 * (sum - difference), 0.5 * (sum + difference), back])
+    }
 }
 
 impl Motor {
@@ -148,14 +144,14 @@ impl Motor {
         let r = self.shape.satellite_radius();
         // Where two flanks do not hold it a third does no better.
         flank_number(r, load.alpha, contact, sigma)?;
-        let ([stator, rotor, back], side) =
-            held(r, load.alpha, contact, sigma, offsets).unwrap_or(([f64::INFINITY; 3], Side::Rotor));
+        let held = Inclined::new(load.alpha).held(r, contact, sigma, offsets);
+        let [stator, rotor, back] = held.unwrap_or([f64::INFINITY; 3]);
         Ok(ThirdContact {
             push: Push::of(sigma),
             stator: load.force(self, stator),
             rotor: load.force(self, rotor),
-            back_wheel: Mesh::of(side),
-            back: load.force(self, back),
+            back_wheel: if back < 0.0 { Mesh::Stator } else { Mesh::Rotor },
+            back: load.force(self, back.abs()),
         })
     }
 }
@@ -202,26 +198,24 @@ impl Profile {
         let load = Load::new(self.form().pressure_angle, width, pressure_drop)?;
         let motor = self.motor();
         motor.greatest_flank_forces(self.form().pressure_angle, width, pressure_drop)?;
-        let r = motor.shape.satellite_radius();
+        let (r, by) = (motor.shape.satellite_radius(), motor.shape.explicit());
+        let inclined = Inclined::new(load.alpha);
         // Stator, rotor, the stator's and the rotor's back flank.
         let mut best = [(f64::NEG_INFINITY, 1.0, 0.0); 4];
         for crest in [true, false] {
             let sigma = Motor::push(crest, load.sign());
             let rows = Rows::new(self, sigma, rule);
-            let forces = |seals: &[Seal; 2], phase: f64| {
-                let contact = motor.shape.at(By::Phase, phase);
-                let ([stator, rotor, back], side) =
-                    held(r, load.alpha, &contact, sigma, rows.offsets(seals, &contact))
-                        .unwrap_or(([f64::NAN; 3], Side::Rotor));
-                match side {
-                    Side::Stator => [stator, rotor, back, -back],
-                    Side::Rotor => [stator, rotor, -back, back],
-                }
+            let forces = |seals: &[Seal; 2], place: f64| {
+                let contact = motor.shape.at(by, place);
+                let held = inclined.held(r, &contact, sigma, rows.offsets(seals, &contact));
+                let [stator, rotor, back] = held.unwrap_or([f64::NAN; 3]);
+                [stator, rotor, -back, back]
             };
+            let range = motor.loaded(crest);
             let (mut pieces, mut seals) = (Vec::new(), Vec::new());
-            for pair in rows.pieces(motor, motor.loaded(crest)).windows(2) {
-                let sealing = rows.at(&motor.shape.at(By::Phase, 0.5 * (pair[0] + pair[1])));
-                let back = |phase: f64| forces(&sealing, phase)[3];
+            for pair in rows.pieces(motor, by, range).windows(2) {
+                let sealing = rows.at(&motor.shape.at(by, 0.5 * (pair[0] + pair[1])));
+                let back = |place: f64| forces(&sealing, place)[3];
                 if back(pair[0]) * back(pair[1]) < 0.0 {
                     let change = bracketed(pair[0], pair[1], back);
                     pieces.extend([[pair[0], change], [change, pair[1]]]);
@@ -231,11 +225,11 @@ impl Profile {
                     seals.push(sealing);
                 }
             }
-            for (i, best) in best.iter_mut().enumerate() {
-                let (_, place, force) =
-                    greatest_of(&pieces, 0.0, |piece, phase| forces(&seals[piece], phase)[i]);
-                if force > best.0 {
-                    *best = (force, sigma, place);
+            let tops = greatest_of(&pieces, 0.0, |piece, place| forces(&seals[piece], place));
+            for (best, top) in best.iter_mut().zip(tops) {
+                if top.value > best.0 {
+                    let phase = motor.shape.at(by, top.place).phase;
+                    *best = (top.value, sigma, phase.clamp(range[0], range[1]));
                 }
             }
         }

@@ -66,6 +66,7 @@ pub(crate) use form::Teeth;
 pub(crate) use paths::FlankPath;
 use satellite::SatelliteTooth;
 use std::f64::consts::PI;
+#[cfg(test)]
 pub(crate) use tooth::{Loading, Tooth};
 pub(crate) use track::Side;
 use track::Track;

@@ -62,14 +62,6 @@ impl Track<'_> {
         }
     }
 
-    /// The parameter in which the shape is explicit.
-    fn explicit(&self) -> By {
-        match self.shape {
-            Shape::Arcs(..) => By::StatorArc,
-            Shape::Cosine(_) => By::RotorAngle,
-        }
-    }
-
     /// Length of a lobe.
     pub(super) fn lobe(&self) -> f64 {
         2.0 * self.shape.trough().get(self.arc())
@@ -116,7 +108,7 @@ impl Track<'_> {
     ///
     /// Evenly in the shape's own parameter: the rotor's arc length is a function of the stator's, not the other way round.
     pub(super) fn frames(&self, from: f64, to: f64, count: u32) -> impl Iterator<Item = Frame> {
-        let by = self.explicit();
+        let by = self.shape.explicit();
         let [from, to] =
             [from, to].map(|s| if by == self.arc() { s } else { self.shape.at(self.arc(), s).get(by) });
         let step = (to - from) / f64::from(count);

@@ -45,8 +45,9 @@ fn the_ripples_of_the_derivation_are_met_and_that_of_five_by_three_is_a_little_m
         assert!((ripple.at_pitch_points.delta - at_pitch).abs() < 5e-5, "{ripple:?}");
         // The mean is the integral of the flow piece by piece.
         let flow = Flow::new(&profile, SealingContact::Nearest);
-        let volume: f64 =
-            flow.pieces().map(|([from, to], piece)| quadrature(from, to, 2, |place| piece.at(place).0)).sum();
+        let volume: f64 = plain_pieces(&flow)
+            .map(|([from, to], piece)| quadrature(from, to, 2, |place| piece.at(place).0))
+            .sum();
         assert!((volume / profile.motor().period() / get(ripple.at_flanks.mean) - 1.0).abs() < 1e-10);
         let change = (ripple.at_flanks.mean / ripple.at_pitch_points.mean).value - 1.0;
         assert!(change.abs() < 5e-4 && change != 0.0, "{change}");
@@ -77,7 +78,7 @@ fn the_form_and_the_rule_change_the_ripple() {
 }
 
 /// A contact of an involute lies within the satellite's teeth; the forms are moved where a motor takes the default.
-fn any_profile() -> impl Strategy<Value = Profile> {
+pub(in crate::flanks) fn any_profile() -> impl Strategy<Value = Profile> {
     let form =
         (15.0..30.0, -0.1..0.3, any::<bool>(), 0.0..0.1).prop_map(|(alpha, shift, tooth, backlash)| {
             ToothForm {
@@ -91,6 +92,38 @@ fn any_profile() -> impl Strategy<Value = Profile> {
             }
         });
     (any_motor(), form).prop_filter_map("teeth", |(motor, form)| Profile::new(&motor, form).ok())
+}
+
+/// The piece about a rotation, with contacts of its own.
+fn plain_piece<'a>(flow: &Flow<'a>, rotation: f64) -> Piece<'a> {
+    flow.piece(rotation, &mut vec![None; flow.satellites() as usize])
+}
+
+fn plain_pieces<'a>(flow: &Flow<'a>) -> impl Iterator<Item = ([f64; 2], Piece<'a>)> {
+    flow.ends.windows(2).map(|pair| ([pair[0], pair[1]], plain_piece(flow, 0.5 * (pair[0] + pair[1]))))
+}
+
+/// The plain way: every contact anew, every zero of the slope.
+fn plain_extremes(flow: &Flow<'_>) -> Extremes {
+    let mut found = Extremes { least: (f64::INFINITY, 0.0), greatest: (f64::NEG_INFINITY, 0.0), volume: 0.0 };
+    for ([from, to], piece) in plain_pieces(flow) {
+        let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
+        let mut before = piece.at(from);
+        found.meet(from, before.0);
+        let mut integral = BOOLE[0] * before.0;
+        for i in 1..=PARTS {
+            let here = piece.at(place(i));
+            found.meet(place(i), here.0);
+            integral += BOOLE[i as usize] * here.0;
+            if before.1 * here.1 < 0.0 {
+                let flat = bracketed(place(i - 1), place(i), |place| piece.at(place).1);
+                found.meet(flat, piece.at(flat).0);
+            }
+            before = here;
+        }
+        found.volume += (to - from) * integral;
+    }
+    found
 }
 
 proptest! {
@@ -143,9 +176,19 @@ proptest! {
     }
 
     #[test]
+    fn the_extremes_are_those_of_the_plain_way(profile in any_profile(), in_mesh in any::<bool>()) {
+        let rule = if in_mesh { SealingContact::NearestInMesh } else { SealingContact::Nearest };
+        let flow = Flow::new(&profile, rule);
+        let (fast, slow) = (flow.extremes(), plain_extremes(&flow));
+        for (fast, slow) in [(fast.least.0, slow.least.0), (fast.greatest.0, slow.greatest.0), (fast.volume, slow.volume)] {
+            prop_assert!((fast - slow).abs() <= 1e-12 * slow.abs(), "{fast} {slow}");
+        }
+    }
+
+    #[test]
     fn the_slope_is_that_of_differences(profile in any_profile(), rotation in -3.0..3.0) {
         let flow = Flow::new(&profile, SealingContact::Nearest);
-        let piece = flow.piece(rotation);
+        let piece = plain_piece(&flow, rotation);
         let h = 1e-6;
         let [back, here, front] = [rotation - h, rotation, rotation + h].map(|rotation| piece.at(rotation));
         let kink = (front.1 - back.1).abs() > 1e-2 * here.1.abs().max(0.1);

@@ -3,6 +3,8 @@
 use super::*;
 use crate::MotorNumbers;
 use crate::flanks::forces::tests::{alpha, mm, motor, mpa};
+use crate::flanks::sealing::tests::any_profile;
+use crate::flanks::slow;
 use crate::profile::ToothForm;
 use proptest::prelude::*;
 use uom::si::length::millimeter;
@@ -135,8 +137,66 @@ fn no_pressure_on_a_path_exceeds_the_greatest() {
     }
 }
 
+/// The severities of [`Profile::peaks`] the plain way: along the wheel's own arc, by golden sections, the ends of the pieces a `hair` within.
+fn plain_peaks(profile: &Profile, side: Side, sigma: f64, crest: bool, hair: f64) -> [Option<f64>; 3] {
+    let motor = profile.motor();
+    let alpha = pressure_angle(profile.form().pressure_angle).unwrap();
+    let (r, arc, range) = (motor.shape.satellite_radius(), arc(side), motor.loaded(crest));
+    let at = |contact: &Contact, e: f64| severity(side, r, alpha, contact, sigma, e).unwrap_or(f64::NAN);
+    let ends = motor.smooth_ends(range, [0.0, motor.shape.trough().phase]);
+    let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let (_, _, value) =
+        slow::greatest_of(&pieces, hair, |_, phase| at(&motor.shape.at(By::Phase, phase), 0.0));
+    let mut best = [Some(value), None, None];
+    let kinks: Vec<f64> =
+        ends[1..ends.len() - 1].iter().map(|&phase| motor.shape.at(By::Phase, phase).get(arc)).collect();
+    let stretches = profile.stretches(side, sigma, crest);
+    for slot in [1, 2] {
+        let (mut pieces, mut flanks) = (Vec::new(), Vec::new());
+        for stretch in &stretches {
+            let [from, to] = if slot == 1 { stretch.alone } else { stretch.whole };
+            if from >= to {
+                continue;
+            }
+            let mut ends = vec![from];
+            ends.extend(kinks.iter().copied().filter(|&kink| kink > from && kink < to));
+            ends.push(to);
+            pieces.extend(ends.windows(2).map(|pair| [pair[0], pair[1]]));
+            flanks.resize(pieces.len(), stretch);
+        }
+        let offset =
+            |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * profile.teeth().cos;
+        if !pieces.is_empty() {
+            best[slot] = Some(
+                slow::greatest_of(&pieces, hair, |piece, s| at(&motor.shape.at(arc, s), offset(piece, s))).2,
+            );
+        }
+    }
+    best
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// A hair within is another hair along the arc: between a narrower and a wider one, and equal where the greatest is not at an end.
+    #[test]
+    fn the_peaks_are_those_of_the_plain_way(profile in any_profile(), crest in any::<bool>()) {
+        let sigma = Motor::push(crest, 1.0);
+        for side in Side::BOTH {
+            let Ok(fast) = profile.peaks(side, sigma, crest) else { continue };
+            let [wide, narrow] = [1e-6, 1e-9].map(|hair| plain_peaks(&profile, side, sigma, crest, hair));
+            for ((fast, wide), narrow) in fast.into_iter().zip(wide).zip(narrow) {
+                prop_assert!(fast.is_some() == wide.is_some() && wide.is_some() == narrow.is_some());
+                let (Some(fast), Some(wide), Some(narrow)) = (fast, wide, narrow) else { continue };
+                if fast.severity.is_finite() && narrow.is_finite() {
+                    let within = wide * (1.0 - 1e-9)..=narrow * (1.0 + 1e-9);
+                    prop_assert!(within.contains(&fast.severity), "{side:?} {fast:?} {within:?}");
+                } else {
+                    prop_assert!(!(fast.severity.is_finite() && wide.is_infinite()));
+                }
+            }
+        }
+    }
 
     #[test]
     fn pressures_do_not_depend_on_the_module(module in 0.3..20.0, drop in 1.0..50.0) {

@@ -3,6 +3,10 @@
 use super::*;
 use crate::centrode::tests::any_motor;
 use crate::flanks::forces::tests::{alpha, mm, motor, mpa};
+use crate::flanks::kernel::direction;
+use crate::flanks::sealing::tests::any_profile;
+use crate::flanks::slow;
+use crate::profile::Side;
 use crate::profile::ToothForm;
 use crate::units::{angle_of_degrees, radians};
 use proptest::prelude::*;
@@ -122,5 +126,128 @@ fn no_force_of_a_revolution_exceeds_its_bound() {
         let reversed = profile.third_contact_bounds(rule, mm(1.0), mpa(-1.0)).unwrap();
         assert!((reversed.stator.force - bounds.stator.force).get::<newton>().abs() < 1e-9);
         assert_ne!(reversed.stator.push, bounds.stator.push);
+    }
+}
+
+/// Moment of such a force of 1 about the satellite's centre, over `r·cos α`.
+fn moment(side: Side, sigma: f64) -> f64 {
+    match side {
+        Side::Stator => -sigma,
+        Side::Rotor => sigma,
+    }
+}
+
+/// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`.
+fn held(r: f64, alpha: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<([f64; 3], Side)> {
+    let mu = contact.mu;
+    let (sin, cos) = mu.sin_cos();
+    let front = Side::BOTH.map(|side| direction(side, sigma, alpha, mu));
+    let k3 = [r * cos + e3 * front[0][0], e3 * front[0][1]];
+    let k1 = [-r * cos + e1 * front[1][0], e1 * front[1][1]];
+    let chord = [k3[0] - k1[0], k3[1] - k1[1]];
+    let force = [-sigma * chord[1], sigma * chord[0]];
+    let arm = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1]) - r * sin];
+    let turning = (arm[0] * force[1] - arm[1] * force[0]) / (r * alpha.cos());
+    let solved = |side: Side| {
+        let back = direction(side, -sigma, alpha, mu);
+        let columns = [
+            [front[0][0], front[0][1], moment(Side::Stator, sigma)],
+            [front[1][0], front[1][1], moment(Side::Rotor, sigma)],
+            [back[0], back[1], moment(side, -sigma)],
+        ];
+        cramer(columns, [-force[0], -force[1], -turning])
+    };
+    let by_rotor = solved(Side::Rotor)?;
+    if by_rotor[2] >= 0.0 {
+        Some((by_rotor, Side::Rotor))
+    } else {
+        Some((solved(Side::Stator)?, Side::Stator))
+    }
+}
+
+/// The solution of three equations by their columns.
+fn cramer(columns: [[f64; 3]; 3], right: [f64; 3]) -> Option<[f64; 3]> {
+    let determinant = |[a, b, c]: [[f64; 3]; 3]| {
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
+            + c[0] * (a[1] * b[2] - a[2] * b[1])
+    };
+    let whole = determinant(columns);
+    if whole.abs() < crate::tolerance::SINGULAR {
+        return None;
+    }
+    Some([0, 1, 2].map(|i| {
+        let mut replaced = columns;
+        replaced[i] = right;
+        determinant(replaced) / whole
+    }))
+}
+
+/// The four greatest forces of the satellites by a crest, or by a trough, the plain way: each for itself, over phases, by Cramer's rule.
+fn plain_bounds(profile: &Profile, rule: SealingContact, alpha: f64, crest: bool) -> [f64; 4] {
+    let (motor, sigma) = (profile.motor(), Motor::push(crest, 1.0));
+    let r = motor.shape.satellite_radius();
+    let rows = Rows::new(profile, sigma, rule);
+    let forces = |seals: &[Seal; 2], phase: f64| {
+        let contact = motor.shape.at(By::Phase, phase);
+        let ([stator, rotor, back], side) = held(r, alpha, &contact, sigma, rows.offsets(seals, &contact))
+            .unwrap_or(([f64::NAN; 3], Side::Rotor));
+        match side {
+            Side::Stator => [stator, rotor, back, -back],
+            Side::Rotor => [stator, rotor, -back, back],
+        }
+    };
+    let (mut pieces, mut seals) = (Vec::new(), Vec::new());
+    for pair in rows.pieces(motor, By::Phase, motor.loaded(crest)).windows(2) {
+        let sealing = rows.at(&motor.shape.at(By::Phase, 0.5 * (pair[0] + pair[1])));
+        let back = |phase: f64| forces(&sealing, phase)[3];
+        let change = (back(pair[0]) * back(pair[1]) < 0.0).then(|| bracketed(pair[0], pair[1], back));
+        for ends in [pair[0]].into_iter().chain(change).chain([pair[1]]).collect::<Vec<_>>().windows(2) {
+            pieces.push([ends[0], ends[1]]);
+            seals.push(sealing);
+        }
+    }
+    [0, 1, 2, 3].map(|i| slow::greatest_of(&pieces, 0.0, |piece, phase| forces(&seals[piece], phase)[i]).2)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn the_closed_form_is_cramers(
+        motor in any_motor(), phase in -9.0..9.0, e3 in -1.2..1.2, e1 in -1.2..1.2, alpha in 0.2..0.7_f64, forward in any::<bool>(),
+    ) {
+        let (r, sigma) = (motor.shape.satellite_radius(), if forward { 1.0 } else { -1.0 });
+        let contact = motor.shape.at(By::Phase, phase);
+        prop_assume!((alpha + sigma * contact.mu).cos() > 0.01);
+        let (slow, side) = held(r, alpha, &contact, sigma, [e3, e1]).unwrap();
+        let fast = Inclined::new(alpha).held(r, &contact, sigma, [e3, e1]).unwrap();
+        let back = if side == Side::Stator { -slow[2] } else { slow[2] };
+        let scale = slow[0].abs() + slow[1].abs() + r;
+        for (fast, slow) in fast.into_iter().zip([slow[0], slow[1], back]) {
+            prop_assert!((fast - slow).abs() < 1e-11 * scale, "{fast} {slow}");
+        }
+    }
+
+    #[test]
+    fn the_bounds_are_those_of_the_plain_way(profile in any_profile(), in_mesh in any::<bool>()) {
+        let rule = if in_mesh { SealingContact::NearestInMesh } else { SealingContact::Nearest };
+        let fast = profile.third_contact_bounds(rule, profile.motor().length(1.0), mpa(1.0));
+        prop_assume!(fast.is_ok());
+        let fast = fast.unwrap();
+        let alpha = radians(profile.form().pressure_angle);
+        let [by_crest, by_trough] = [true, false].map(|crest| plain_bounds(&profile, rule, alpha, crest));
+        let module = profile.motor().length(1.0);
+        let load = Load::new(profile.form().pressure_angle, module, mpa(1.0)).unwrap();
+        let found = [Some(fast.stator), Some(fast.rotor), fast.stator_back, fast.rotor_back];
+        for (i, found) in found.into_iter().enumerate() {
+            let slow = load.force(profile.motor(), by_crest[i].max(by_trough[i])).get::<newton>();
+            match found {
+                Some(found) => {
+                    let fast = found.force.get::<newton>();
+                    prop_assert!((fast - slow).abs() <= 1e-9 * fast, "{i} {fast} {slow}");
+                }
+                None => prop_assert!(slow <= 0.0),
+            }
+        }
     }
 }

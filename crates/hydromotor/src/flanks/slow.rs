@@ -1,0 +1,112 @@
+//! The plain way to the greatest values, one function at a time by golden sections, against which the tests hold the fast one.
+
+use crate::contact::{By, Conjugate, Contact};
+use crate::motor::Motor;
+use crate::roots::{bracketed, golden};
+use crate::tolerance::BESIDE_JUMP;
+
+const PIECES: u32 = 8;
+
+/// A hundred-thousandth of the bracket is left, and of a flat value its square.
+const STEPS: u32 = 24;
+
+/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value.
+pub(super) fn greatest_of(
+    pieces: &[[f64; 2]],
+    hair: f64,
+    f: impl Fn(usize, f64) -> f64,
+) -> (usize, f64, f64) {
+    let mut best = (0, f64::NAN, f64::NEG_INFINITY);
+    let mut tops = Vec::with_capacity(pieces.len());
+    for (piece, &[from, to]) in pieces.iter().enumerate() {
+        let hair = hair * (to - from);
+        let (from, to) = (from + hair, to - hair);
+        let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
+        let mut values = [0.0; PIECES as usize + 1];
+        let mut top = 0;
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = f(piece, place(i as u32));
+        }
+        for (i, &value) in values.iter().enumerate() {
+            if value > values[top] || values[top].is_nan() {
+                top = i;
+            }
+        }
+        let around = &values[top.saturating_sub(1)..=(top + 1).min(PIECES as usize)];
+        let rise = around.iter().map(|value| values[top] - value).fold(0.0, f64::max);
+        if values[top] > best.2 {
+            best = (piece, place(top as u32), values[top]);
+        }
+        let i = top as u32;
+        tops.push((values[top] + rise, [place(i.saturating_sub(1)), place((i + 1).min(PIECES))]));
+    }
+    for (piece, (reach, [low, high])) in tops.into_iter().enumerate() {
+        if reach > best.2 {
+            let (at, least) = golden(low, high, STEPS, |x| -f(piece, x));
+            if -least > best.2 {
+                best = (piece, at, -least);
+            }
+        }
+    }
+    best
+}
+
+/// The phases of steepest slope on a half-lobe by roots of `cos μ/ρ₃ − κ₃` among many places.
+pub(super) fn steepest_of(motor: &Motor) -> Vec<f64> {
+    const PLACES: u32 = 64;
+    let rise = |phase: f64| {
+        let Contact { mu, rho3, kappa3, .. } = motor.shape.within(By::Phase, phase);
+        mu.cos() / rho3 - kappa3
+    };
+    let end = motor.shape.trough().phase;
+    let ends = motor.smooth_ends([0.0, end], []);
+    let mut places = ends.clone();
+    for pair in ends.windows(2) {
+        let hair = BESIDE_JUMP * (pair[1] - pair[0]);
+        let (from, to) = (pair[0] + hair, pair[1] - hair);
+        let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
+        let mut before = rise(from);
+        for i in 1..=PLACES {
+            let here = rise(place(i));
+            if before * here < 0.0 {
+                places.push(bracketed(place(i - 1), place(i), rise));
+            }
+            before = here;
+        }
+    }
+    places
+}
+
+mod tests {
+    use super::*;
+    use crate::centrode::tests::any_motor;
+    use crate::flanks::kernel;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn the_steepest_slope_is_that_of_the_plain_way(motor in any_motor()) {
+            let steepest = |places: Vec<f64>| {
+                places.into_iter().map(|phase| -motor.shape.within(By::Phase, phase).mu).fold(0.0, f64::max)
+            };
+            let (fast, slow) = (steepest(motor.steepest()), steepest(steepest_of(&motor)));
+            prop_assert!((fast - slow).abs() <= 1e-12 * slow, "{fast} {slow}");
+        }
+
+        /// Of polynomials with a few extremes, those at ends included.
+        #[test]
+        fn the_greatest_values_are_those_of_golden_sections(
+            coefficients in prop::array::uniform2(prop::array::uniform4(-1.0..1.0_f64)), cut in 0.1..0.9,
+        ) {
+            let value = |[a, b, c, d]: [f64; 4], x: f64| 2.0 + a * x + b * x * x + c * (3.0 * x).sin() + d * (2.0 * x).cos();
+            let pieces = [[-1.0, cut], [cut, 1.0]];
+            let tops = kernel::greatest_of(&pieces, 0.0, |_, x| coefficients.map(|of| value(of, x)));
+            for (top, of) in tops.into_iter().zip(coefficients) {
+                let (_, place, slow) = greatest_of(&pieces, 0.0, |_, x| value(of, x));
+                prop_assert!((top.value - slow).abs() <= 1e-9 * slow, "{top:?} {place} {slow}");
+            }
+        }
+    }
+}
