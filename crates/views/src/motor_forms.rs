@@ -153,11 +153,22 @@ fn views(search: &MotorForms) -> Vec<View> {
             ],
         )
     };
+    let of_flanks = flank_columns(search);
+    let stresses = if of_flanks.contains(&"contact_on_path") {
+        " Stresses of rigid teeth with all load on one pair of flanks on its whole path: bounds, for comparison."
+    } else {
+        ""
+    };
+    let allowed = if of_flanks.contains(&"allowed_on_path") {
+        " Δp: what the limits of the material allow so, and by which."
+    } else {
+        ""
+    };
     let flanks = View {
-        note: "Of rigid teeth, with all load on one pair of flanks on its whole path, for comparison. Ripple, and least torque over the \
-               mean, with satellites that seal at the flanks. Δp: what the limits of the material allow."
-            .to_owned(),
-        ..View::new("Flanks under load", &flank_columns(search))
+        note: format!(
+            "Ripple, and least torque over the mean, with satellites that seal at the flanks.{stresses}{allowed}"
+        ),
+        ..View::new("Flanks under load", &of_flanks)
     };
     let sizes = View {
         note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's centrode; teeth \
