@@ -96,7 +96,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 14] = [
+    let commands: [&[&str]; 15] = [
         &["teeth"],
         &["drive"],
         &["analyze"],

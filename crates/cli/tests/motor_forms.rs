@@ -88,7 +88,8 @@ fn every_point_of_the_space_is_told() {
 #[test]
 fn a_design_is_what_motor_calculates() {
     let asked = ["--shift", "0.1..0.3/3", "--families", "arcs", "--crests", "space", "--exact"];
-    let answer = json(&[&asked[..], &STEEL, &["--objectives", "volume, allowed-pressure"]].concat());
+    let objectives = ["--objectives", "volume, ripple, contact-ratio, flank-ripple, allowed-pressure"];
+    let answer = json(&[&asked[..], &STEEL, &objectives].concat());
     let designs = answer["designs"].as_array().unwrap();
     for design in designs.iter().take(3) {
         let words = |value: f64, unit: &str| format!("{value:?} {unit}").trim().to_owned();
@@ -160,35 +161,14 @@ fn stresses_do_not_depend_on_the_limits() {
 
 #[test]
 fn every_family_is_drawn() {
+    // Numbers with which the cosine law has a motor, too.
+    let numbers =
+        "motor forms --displacement 250cm3/rev --stator 5 --rotor 4 --z3 110 --zs 10 --places 4 --view teeth";
     for family in ["arcs", "cosine", "second-harmonic"] {
         let folder = here();
-        let view = [
-            "--families",
-            family,
-            "--shift",
-            "0.2",
-            "--view",
-            "teeth",
-            "--svg",
-            "teeth.svg",
-            "--csv",
-            "a.csv",
-        ];
-        // The cosine motor closes with other numbers.
-        let numbers = [
-            "motor",
-            "forms",
-            "--displacement",
-            "250 cm3/rev",
-            "--stator",
-            "7",
-            "--rotor",
-            "5",
-            "--z3",
-            "84",
-        ];
-        let more = ["--zs", "11", "--places", "4", "--pressure-angle", "25deg", "--addendum", "0.8"];
-        let done = output(folder.path(), &[&numbers[..], &more, &view].concat());
+        let files = ["--families", family, "--svg", "teeth.svg", "--csv", "a.csv"];
+        let line: Vec<&str> = numbers.split(' ').chain(files).collect();
+        let done = output(folder.path(), &line);
         assert!(done.status.success(), "{family}: {}", text(&done.stderr));
         let svg = std::fs::read_to_string(folder.path().join("teeth.svg")).unwrap();
         assert!(svg.contains("<svg") && folder.path().join("a.csv").exists(), "{family}");

@@ -291,6 +291,11 @@ fn search(args: &Args) -> Result<FormSearch, Failure> {
 /// A refusal with the option that it speaks of.
 fn refuse(error: answers::Error) -> Failure {
     let option = match &error {
+        // The ripple at the pitch points is refused as not positive.
+        answers::Error::Motor(hydromotor::Error::OutOfRange { quantity: Of::Ripple, value, .. }) => {
+            let message = format!("ripple is {value}; it must be finite and above 0");
+            return Failure::Option { option: "--flank-ripple", message };
+        }
         answers::Error::Motor(error) => of_forms(error),
         _ => None,
     };
@@ -305,8 +310,6 @@ fn of_forms(error: &hydromotor::Error) -> Option<&'static str> {
     use hydromotor::Error as E;
     Some(match error {
         E::TooManyForms { .. } => "--pressure-angle, --addendum, --shift, --clearance, --fillet",
-        // The ripple at the pitch points is refused as not positive.
-        E::OutOfRange { quantity: Of::Ripple, .. } => "--flank-ripple",
         E::EmptySteps { quantity, .. }
         | E::OutOfRange { quantity, .. }
         | E::NotPositive { quantity, .. }

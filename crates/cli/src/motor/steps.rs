@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use epicyclic_formats::visible::one_line;
-use epicyclic_formats::{Number, Quantity};
+use epicyclic_formats::{Number, Physical as _, Quantity};
 use epicyclic_hydromotor::search::forms::Steps;
 use std::fmt;
 use std::str::FromStr;
@@ -20,14 +20,25 @@ pub(super) struct Stepped<T> {
 pub(super) trait Step: FromStr<Err: fmt::Display> + Copy {
     /// Shown where one is due.
     const EXAMPLE: &'static str;
+
+    /// In its SI unit.
+    fn size(self) -> f64;
 }
 
 impl Step for Number {
     const EXAMPLE: &'static str = "0.7..1/7";
+
+    fn size(self) -> f64 {
+        self.get()
+    }
 }
 
 impl Step for Quantity<Angle> {
     const EXAMPLE: &'static str = "20deg..30deg/5";
+
+    fn size(self) -> f64 {
+        self.0.si()
+    }
 }
 
 impl<T: Step> FromStr for Stepped<T> {
@@ -45,7 +56,11 @@ impl<T: Step> FromStr for Stepped<T> {
         };
         let (to, values) = rest.rsplit_once('/').ok_or_else(form)?;
         let values = values.trim().parse().ok().filter(|values| *values >= 2).ok_or_else(form)?;
-        Ok(Self { from: value(from)?, to: value(to)?, values })
+        let (from, to) = (value(from)?, value(to)?);
+        if from.size() >= to.size() {
+            return Err(format!("{}: write the smaller end first", one_line(written)));
+        }
+        Ok(Self { from, to, values })
     }
 }
 
@@ -107,7 +122,7 @@ mod tests {
 
     #[test]
     fn what_is_no_range_says_how_to_write_one() {
-        for written in ["0.7..1", "0.7..1/1", "0.7..1/x", "a", "..1/3", "20..30deg/3"] {
+        for written in ["0.7..1", "0.7..1/1", "1..0.7/3", "1..1/3", "0.7..1/x", "a", "..1/3", "20..30deg/3"] {
             let told = match written {
                 "20..30deg/3" => written.parse::<Stepped<Quantity<Angle>>>().map(|_| ()).unwrap_err(),
                 _ => written.parse::<Stepped<Number>>().map(|_| ()).unwrap_err(),

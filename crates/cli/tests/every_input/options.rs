@@ -514,7 +514,7 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --angle '20 deg'
   --view centrodes
   --points 50
-motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --format json
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --objectives 'volume, ripple, contact-ratio, radius' --format json
   --displacement '200 cm3/rev'
   --pressure '15 MPa'
   --speed '60 rpm'
@@ -572,7 +572,7 @@ motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 -
   --tolerance '1 %'
 motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..10 --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2
   --every
-motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2 --svg motor.svg --csv motor.csv
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --objectives 'volume, ripple, contact-ratio, radius' --svg motor.svg --csv motor.csv
   --design 2
   --angle '20 deg'
   --view centrodes
