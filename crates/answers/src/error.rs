@@ -43,6 +43,9 @@ pub enum Error {
     /// A search that no hydromotor passes.
     #[error("no motor within the limits: {0}")]
     NoMotor(Box<crate::motor_search::Funnel>),
+    /// A search with free tooth forms in which no motor passes with any.
+    #[error("no motor within the limits: {0}")]
+    NoMotorForm(Box<crate::motor_forms::Funnel>),
     /// A search whose every design has default teeth that break their limits, or none.
     #[error(
         "no motor within the limits: on none of the {designs} designs that pass do the default teeth keep their limits"
@@ -318,7 +321,7 @@ impl Error {
             Self::Placed { why, .. } => why.name(),
             Self::Drive(error) => error.name(),
             Self::Motor(error) => error.name(),
-            Self::NoMotor(_) => "no-motor",
+            Self::NoMotor(_) | Self::NoMotorForm(_) => "no-motor",
             Self::NoTeethHold { .. } => "no-teeth-hold",
             Self::NoSuchDesign { .. } => "no-such-design",
             Self::PressureDrop => "pressure-drop",
@@ -372,6 +375,7 @@ impl Error {
             Self::Placed { why, .. } => why.is_nothing_found(),
             Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
             | Self::NoMotor(_)
+            | Self::NoMotorForm(_)
             | Self::NoSize { .. }
             | Self::NoTeethHold { .. } => true,
             Self::Drive(why) => {

@@ -13,6 +13,7 @@
 //! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
 //! | [`motor`] | a planetary hydromotor |
+//! | [`motor_forms`] | hydromotors with their tooth forms for a displacement or torque |
 //! | [`motor_search`] | hydromotors for a displacement or torque |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
@@ -65,6 +66,7 @@ pub mod gearbox;
 pub mod losses;
 pub mod machine;
 pub mod motor;
+pub mod motor_forms;
 pub mod motor_search;
 pub mod number;
 pub mod refusal;

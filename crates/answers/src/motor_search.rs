@@ -7,14 +7,15 @@ pub use funnel::{Funnel, Reason, Refused};
 use crate::motor::{Chosen, Designed, Groups, Made, Point, Subject};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
+use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
+use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search, Requirements};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::HashSet;
-use uom::si::f64::Angle;
+use uom::si::f64::{Angle, Length};
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -248,13 +249,30 @@ impl Searched {
         };
         let Some(size) = shown_size(design) else { return Err(none) };
         let motor = design.motor(size.module)?;
-        let form = ToothForm::default();
-        let requirements = &self.wanted.search.requirements;
-        let (width, pressure, speed) = (Some(size.width), requirements.pressure_drop, requirements.speed);
+        let (form, made) = (ToothForm::default(), &Groups::default());
+        Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
+    }
+}
+
+/// The motor of a design, for drawings.
+pub(crate) struct Drawn<'a> {
+    pub(crate) motor: Motor,
+    pub(crate) form: ToothForm,
+    pub(crate) width: Length,
+    pub(crate) angle: Angle,
+    pub(crate) made: &'a Groups,
+}
+
+impl Drawn<'_> {
+    /// With what is wanted of it.
+    pub(crate) fn designed(self, requirements: &Requirements) -> Result<Designed, Error> {
+        let Self { motor, form, angle, made, .. } = self;
+        let (width, pressure, speed) = (Some(self.width), requirements.pressure_drop, requirements.speed);
+        let family = motor.arcs().map(|_| Family::new(motor.numbers(), motor.module())).transpose()?;
         Ok(Designed {
-            made: Made::of(&motor, &Groups::default(), Point { form, width, pressure, speed })?,
+            made: Made::of(&motor, made, Point { form, width, pressure, speed })?,
             profile: Profile::new(&motor, form),
-            family: Some(Family::new(design.numbers, size.module)?),
+            family,
             motor,
             chosen: Chosen::Given,
             form,
@@ -266,10 +284,18 @@ impl Searched {
     }
 }
 
-/// The size that is shown of a design: the one whose width is nearest to half its diameter.
+/// The size that is shown of a design.
 fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
-    let off = |size: &&search::Dimensions| (si(size.width) / si(size.outer_diameter) - 0.5).abs();
-    design.dimensions.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
+    nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
+}
+
+/// Of sizes with their width and diameter the one whose width is nearest to half its diameter.
+pub(crate) fn nearest_half<T>(sizes: &[T], of: impl Fn(&T) -> [Length; 2]) -> Option<&T> {
+    let off = |size: &&T| {
+        let [width, diameter] = of(size).map(si);
+        (width / diameter - 0.5).abs()
+    };
+    sizes.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
 }
 
 impl Design {

@@ -134,8 +134,15 @@ mod tests {
         let saved =
             ["select --save <FILE>", "size --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        let mut expected =
-            [&drawings[..], &of_search, &saved, &["design --save <FILE>", "simulate --csv <FILE>"]].concat();
+        let of_forms = ["forms --csv <FILE>", "forms --dxf <FILE>", "forms --svg <FILE>"];
+        let mut expected = [
+            &drawings[..],
+            &of_search,
+            &of_forms,
+            &saved,
+            &["design --save <FILE>", "simulate --csv <FILE>"],
+        ]
+        .concat();
         expected.sort_unstable();
         assert_eq!(options, expected);
     }

@@ -1,9 +1,12 @@
-//! The command `motor`: a planetary hydromotor from its numbers to its drawings, and the search for one.
+//! The command `motor`: a planetary hydromotor from its numbers to its drawings, and two searches for one.
 
 mod design;
 mod files;
+mod forms;
 mod made;
 mod search;
+mod sought;
+mod steps;
 
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
@@ -27,7 +30,8 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 #[command(override_usage = "\
 epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
            --zs <TEETH> --module <MODULE>
-       epicyclic motor search [OPTIONS]")]
+       epicyclic motor search [OPTIONS]
+       epicyclic motor forms [OPTIONS]")]
 #[command(after_help = "\
 Example:
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
@@ -43,7 +47,9 @@ Example:
       --oil 'viscosity: 46 mm²/s, density: 870 kg/m³, bulk_modulus: 1.4 GPa' \\
       --gaps 'satellites: 10 µm' --friction 0.05..0.1 --ports 'part: 0.9'
   epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
-      --stator 5..6 --z3 ..66")]
+      --stator 5..6 --z3 ..66
+  epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --module '2 mm' \\
+      --stator 6 --z3 66 --zs 10 --addendum 0.75..0.85/3")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Option<Command>,
@@ -55,6 +61,7 @@ pub(crate) struct Args {
 #[derive(Debug, clap::Subcommand)]
 enum Command {
     Search(Box<search::Args>),
+    Forms(Box<forms::Args>),
 }
 
 /// A motor and what is wanted of it.
@@ -221,8 +228,10 @@ pub(crate) enum View {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    if let Some(Command::Search(args)) = &args.command {
-        return search::run(args);
+    match &args.command {
+        Some(Command::Search(args)) => return search::run(args),
+        Some(Command::Forms(args)) => return forms::run(args),
+        None => {}
     }
     let Design { files, page: options, output, .. } = &args.design;
     options.only_of_a_page(output.is_page())?;

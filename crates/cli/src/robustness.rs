@@ -141,6 +141,18 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "places" => &["4"],
         "resolution" => &["20 %"],
         "design" => &["1", "2"],
+        "families" => &["arcs", "cosine, second-harmonic"],
+        "crests" => &["space", "tooth, space"],
+        "contact-ratio" => &["1.1"],
+        "contact-limit" => &["1500 MPa"],
+        "root-limit" => &["400 MPa"],
+        "youngs-modulus" => &["200 GPa"],
+        "poissons-ratio" => &["0.25"],
+        "flank-ripple" => &["20 %"],
+        "least-torque" => &["80 %"],
+        "contact-stress" | "root-stress" => &["2 GPa"],
+        "allowed-pressure" => &["5 MPa"],
+        "by" => &["ripple", "contact-ratio", "least-torque"],
         _ => &[],
     }
 }
@@ -166,6 +178,7 @@ fn commands() -> Vec<Vec<String>> {
         &["machine", "rotor"],
         &["motor"],
         &["motor", "search"],
+        &["motor", "forms"],
         &["draw", "II-3"],
         &["draw", "III"],
         &["schema", "gearbox"],
@@ -214,7 +227,12 @@ fn options(command: &[String]) -> Vec<(String, bool, bool)> {
 
 /// Whether the line seeks motors.
 fn seeks_motors(command: &[String]) -> bool {
-    command.starts_with(&["motor".to_owned(), "search".to_owned()])
+    command[0] == "motor" && command.len() == 2
+}
+
+/// Whether it seeks them with tooth forms, of which it names few.
+fn seeks_forms(command: &[String]) -> bool {
+    seeks_motors(command) && command[1] == "forms"
 }
 
 /// Whether a command says nothing without an option, by its own word or by a group that it stands in.
@@ -223,10 +241,14 @@ fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
     required
         || (command[0] == "select" && option == "ratios")
         || (seeks_motors(command) && (BOUNDS.contains(&option) || wanted.contains(&option)))
+        || (seeks_forms(command) && FORMS.contains(&option))
 }
 
 /// Numbers of motors that bound a search.
 const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];
+
+/// What bounds the tooth forms.
+const FORMS: [&str; 4] = ["places", "pressure-angle", "addendum", "shift"];
 
 /// A command line: the command, and options with values that fit or do not. What takes seconds is left out: searches
 /// over all sets of tooth numbers, and over motors of many sets.

@@ -16,6 +16,7 @@ use epicyclic_answers::drive::Drive;
 use epicyclic_answers::losses::{LossMap, Losses};
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::motor::Motor;
+use epicyclic_answers::motor_forms::MotorForms;
 use epicyclic_answers::motor_search::MotorSearch;
 use epicyclic_answers::refused::Refused;
 use epicyclic_answers::report::Report;
@@ -92,6 +93,8 @@ enum Of {
     AnswerMotor,
     /// The answer of `epicyclic motor search`.
     AnswerMotorSearch,
+    /// The answer of `epicyclic motor forms`.
+    AnswerMotorForms,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
     /// The answer of `epicyclic teeth --double-planet`.
@@ -164,6 +167,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerMotor => schema::<Motor>(),
         Of::AnswerMotorSearch => schema::<MotorSearch>(),
+        Of::AnswerMotorForms => schema::<MotorForms>(),
         Of::AnswerTeeth => schema::<Teeth>(),
         Of::AnswerTeethDoublePlanet => schema::<DoublePlanetTeeth>(),
         Of::AnswerTeethShifted => schema::<ShiftedTeeth>(),

@@ -44,6 +44,7 @@ fn help_says_what_there_is() {
             &["draw", "--help"],
             &["motor", "--help"],
             &["motor", "search", "--help"],
+            &["motor", "forms", "--help"],
         ]
     ));
 }
@@ -95,7 +96,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 14] = [
+    let commands: [&[&str]; 15] = [
         &["teeth"],
         &["drive"],
         &["analyze"],
@@ -110,6 +111,7 @@ fn the_examples_in_the_help_work_as_printed() {
         &["draw"],
         &["motor"],
         &["motor", "search"],
+        &["motor", "forms"],
     ];
     for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));

@@ -8,7 +8,7 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`compare`], [`design`], [`draw`], [`drive`], [`losses`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`simulate`], [`size`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`], [`vibration`] | the views of these answers |
+//! | [`analyze`], [`compare`], [`design`], [`draw`], [`drive`], [`losses`], [`machine`], [`motor`], [`motor_forms`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`simulate`], [`size`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`], [`vibration`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -22,6 +22,7 @@ pub mod figure;
 pub mod losses;
 pub mod machine;
 pub mod motor;
+pub mod motor_forms;
 pub mod motor_search;
 pub mod page;
 pub mod quantities;

@@ -62,17 +62,26 @@ fn many(count: usize) -> Figure {
     Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
-fn records(search: &MotorSearch) -> Records {
-    let hidden = match search.hidden {
+/// How to see the rest.
+pub(crate) fn hidden(designs: usize) -> String {
+    match designs {
         0 => String::new(),
         1 => " 1 more: --limit shows it.".to_owned(),
         hidden => format!(" {hidden} more: --limit shows them."),
-    };
-    let of_set = if search.first_of_each_set {
+    }
+}
+
+/// What the count of designs of a set means.
+pub(crate) const fn of_set(first_of_each_set: bool) -> &'static str {
+    if first_of_each_set {
         " Of set: designs of these numbers, of which the first is shown unless --every is given."
     } else {
         " Of set: designs of these numbers."
-    };
+    }
+}
+
+fn records(search: &MotorSearch) -> Records {
+    let (hidden, of_set) = (hidden(search.hidden), of_set(search.first_of_each_set));
     let shapes = View {
         note: format!(
             "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature radius of both \

@@ -524,6 +524,69 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --angle '20 deg'
   --view centrodes
   --points 50
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --objectives 'volume, ripple, contact-ratio, radius' --format json
+  --displacement '200 cm3/rev'
+  --pressure '15 MPa'
+  --speed '60 rpm'
+  --module '2.5 mm'
+  --outer-diameter '120 mm'
+  --ripple '6 %'
+  --stator 5
+  --rotor 5
+  --z3 60..66
+  --zs 10
+  --divisor one
+  --families arcs
+  --places 5
+  --pressure-angle 24deg..26deg/3
+  --addendum 0.85
+  --shift 0.2
+  --clearance 0.2
+  --fillet 0.12
+  --backlash 0.05
+  --crests space
+  --contact-ratio 1.2
+  --youngs-modulus '200 GPa' --pressure '15 MPa'
+  --poissons-ratio 0.25 --pressure '15 MPa'
+  --flank-ripple '6 %'
+  --least-torque '97 %'
+  --objectives volume
+  --resolution '20 %'
+  --exact
+  --by ripple
+  --limit 1
+  --svg motor.svg
+  --dxf motor.dxf
+  --csv motor.csv
+  --format csv
+  --output motors.json
+  --output motors.pdf
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2 --output motor.png
+  --dpi 60
+motor forms: --torque '600 N·m' --pressure '20 MPa' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --crests space --contact-limit '1500 MPa' --root-limit '400 MPa' --format json
+  --torque '500 N·m'
+  --pressure '15 MPa'
+  --contact-limit '1400 MPa'
+  --root-limit '300 MPa'
+  --youngs-modulus '200 GPa'
+  --poissons-ratio 0.25
+  --contact-stress '1100 MPa'
+  --root-stress '300 MPa'
+  --allowed-pressure '30 MPa'
+  --objectives 'volume, allowed-pressure'
+  --by contact-stress
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2
+  --width '40 mm'
+  --width-over-diameter 0.4
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm, 2.5 mm' --width '30 mm' --tolerance '30 %' --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2 --format json
+  --tolerance '1 %'
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..10 --places 4 --pressure-angle 25deg --addendum 0.8 --shift 0.2
+  --every
+motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2 --shift 0.1..0.2/2 --objectives 'volume, ripple, contact-ratio, radius' --svg motor.svg --csv motor.csv
+  --design 2
+  --angle '20 deg'
+  --view centrodes
+  --points 50
 draw: sized-gearbox.yaml
   --view ladder
 draw: real-transmissions.yaml
@@ -656,6 +719,18 @@ motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --csv a.csv --angle '5 deg' | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --design 2 | --csv
 motor search: --displacement '250 cm3/rev' --z3 55 --module '2 mm' --tolerance 5% | --width
+motor forms: --displacement '250 cm3/rev' --z3 66 --contact-limit '1500 MPa' | --root-limit
+motor forms: --displacement '250 cm3/rev' --z3 66 --root-limit '400 MPa' | --contact-limit
+motor forms: --displacement '250 cm3/rev' --z3 66 --contact-stress '900 MPa' | --pressure
+motor forms: --displacement '250 cm3/rev' --z3 66 --root-stress '300 MPa' | --pressure
+motor forms: --displacement '250 cm3/rev' --z3 66 --allowed-pressure '30 MPa' | --contact-limit
+motor forms: --displacement '250 cm3/rev' --z3 66 --by allowed-pressure | --contact-limit
+motor forms: --displacement '250 cm3/rev' --z3 66 --objectives root-stress | --pressure
+motor forms: --displacement '250 cm3/rev' --z3 66 --exact --resolution 1% | --resolution
+motor forms: --displacement '250 cm3/rev' --z3 66 --view teeth | --svg
+motor forms: --displacement '250 cm3/rev' --z3 66 --csv a.csv --angle '5 deg' | --svg
+motor forms: --displacement '250 cm3/rev' --z3 66 --design 2 | --csv
+motor forms: --displacement '250 cm3/rev' --z3 66 --module '2 mm' --tolerance 5% | --width
 draw: sized-gearbox.yaml --efficiency 97% | --power
 drive: minimal-drive.yaml --project 'Winch 7' | .html
 select: --ratios 2.5 --paper a4 | .html
@@ -816,7 +891,7 @@ fn every_option_of_machines_changes_the_answer() {
 
 #[test]
 fn every_option_of_motors_changes_the_answer() {
-    check(&["motor", "motor search"]);
+    check(&["motor", "motor search", "motor forms"]);
 }
 
 #[test]
