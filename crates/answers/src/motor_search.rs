@@ -1,6 +1,6 @@
 //! The search for hydromotors: non-dominated designs for a displacement or torque.
 
-mod funnel;
+pub(crate) mod funnel;
 
 pub use funnel::{Funnel, Reason, Refused};
 

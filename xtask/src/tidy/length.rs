@@ -6,11 +6,8 @@ use super::{Breach, source::Source};
 const MOST: usize = 600;
 
 /// Longer files, and the most lines that each may have: what it had when the rule came.
-const LONGER: &[(&str, usize)] = &[
-    ("crates/answers/src/motor.rs", 670),
-    ("xtask/src/calculations/gears.rs", 610),
-    ("xtask/src/calculations/schemes.rs", 780),
-];
+const LONGER: &[(&str, usize)] =
+    &[("xtask/src/calculations/gears.rs", 610), ("xtask/src/calculations/schemes.rs", 780)];
 
 /// Files that are too long.
 #[must_use]

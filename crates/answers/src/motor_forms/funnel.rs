@@ -1,6 +1,6 @@
 //! The space of a search with free tooth forms, and what became of its points.
 
-use crate::motor_search;
+use crate::motor_search::funnel as motor_search;
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::profile::limits::LimitKind;
 use epicyclic_hydromotor::search::forms::{FormFound, FormRefusal, ShapeReason};
