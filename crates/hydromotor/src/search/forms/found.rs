@@ -256,7 +256,7 @@ impl FormSearch {
         funnel: FormFunnel,
         shapes: &[Shape],
         forms: &[ToothForm],
-        found: Vec<(usize, Point)>,
+        found: &[(usize, Point)],
     ) -> FormFound {
         // A design found later may be better than one found before.
         let costs: Vec<Value> = found.iter().map(|(_, point)| point.value.map(|part| -part)).collect();

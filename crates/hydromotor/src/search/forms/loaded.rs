@@ -110,7 +110,7 @@ impl FlankFigures {
             pressure_drop.map(|drop| materials.contact * over(drop, allowed.by_contact).sqrt());
         let root_stress = pressure_drop.map(|drop| materials.root * over(drop, allowed.by_root));
         let above = |value: Option<Pressure>, most: Option<Pressure>| {
-            value.zip(most).is_some_and(|(value, most)| !(value <= most))
+            value.zip(most).is_some_and(|(value, most)| !at_most(value, most))
         };
         if above(contact_stress, order.contact_stress) {
             return Err(FormRefusal::ContactStress);
@@ -118,7 +118,7 @@ impl FlankFigures {
         if above(root_stress, order.root_stress) {
             return Err(FormRefusal::RootStress);
         }
-        if order.allowed_pressure.is_some_and(|least| !(allowed.pressure >= least)) {
+        if order.allowed_pressure.is_some_and(|least| !at_most(least, allowed.pressure)) {
             return Err(FormRefusal::AllowedPressure);
         }
         let ripple = profile.flank_ripple(order.sealing);
@@ -129,10 +129,10 @@ impl FlankFigures {
             root_stress,
             allowed,
         };
-        if order.ripple.is_some_and(|most| !(figures.ripple <= most)) {
+        if order.ripple.is_some_and(|most| !at_most(figures.ripple, most)) {
             return Err(FormRefusal::FlankRipple);
         }
-        if order.least_torque.is_some_and(|least| !(figures.least_over_mean >= least)) {
+        if order.least_torque.is_some_and(|least| !at_most(least, figures.least_over_mean)) {
             return Err(FormRefusal::LeastTorque);
         }
         Ok(figures)
@@ -151,6 +151,11 @@ impl FlankFigures {
             _ => return None,
         })
     }
+}
+
+/// Whether a value keeps a bound; what is no number keeps none.
+fn at_most<T: PartialOrd + Copy>(value: T, most: T) -> bool {
+    value <= most
 }
 
 /// What the pressures of Hertz at crest and trough leave at best, with contacts at the pitch points: the load there is `Δp·b·r/cos α`.

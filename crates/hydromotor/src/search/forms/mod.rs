@@ -256,7 +256,7 @@ impl FormSearch {
                 }
             }
         }
-        Ok(self.found(&yardstick, funnel, &found, &all_forms, designs))
+        Ok(self.found(&yardstick, funnel, &found, &all_forms, &designs))
     }
 
     fn yardstick(&self) -> Result<Yardstick, Error> {
