@@ -42,7 +42,7 @@ pub fn count(search: &MotorForms) -> String {
 
 /// What the answer claims of the points that are not listed.
 fn completeness(search: &MotorForms) -> String {
-    let objectives: Vec<String> = search.objectives.iter().map(|objective| objective.to_string()).collect();
+    let objectives: Vec<String> = search.objectives.iter().map(ToString::to_string).collect();
     let (points, objectives) = (search.funnel.points, objectives.join(", "));
     match search.resolution {
         None => format!(
