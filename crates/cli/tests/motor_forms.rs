@@ -1,6 +1,10 @@
 //! The command `motor forms` from outside: its answers, its refusals, and that what it lists is what `motor` calculates.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 mod common;
 

@@ -5,6 +5,7 @@ use super::{Designed, Push};
 use crate::Error;
 use crate::number::{maybe_si, plain, si};
 use crate::tolerance::{beside_zero, rounded};
+use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::flanks::{
     self, ContactStress, ForceBound, Governing, LoadedPath, MaterialLimits, PeakPressure, RootStress,
     SealingContact,
@@ -138,6 +139,9 @@ impl Flanks {
     /// Of a motor with teeth.
     pub(super) fn of(designed: &Designed, profile: &Profile) -> Result<Self, Error> {
         let motor = &designed.motor;
+        // Where the flanks hold no satellite nothing else is told of them.
+        let held = (Length::from_si(1.0), Pressure::from_si(1.0));
+        motor.greatest_flank_forces(profile.form().pressure_angle, held.0, held.1)?;
         let ripple = profile.flank_ripple(SealingContact::default());
         let (contact, roots) = match designed.pressure {
             Some(drop) => (contact(designed, profile, drop)?, roots(profile, drop)?),

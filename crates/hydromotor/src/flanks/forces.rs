@@ -182,6 +182,23 @@ impl Motor {
         (0..).zip(&instant.contacts).map(on_satellite).collect()
     }
 
+    /// Whether teeth of this pressure angle hold every loaded satellite: `α + σ·μ` stays below a right angle.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{angle::degree, f64::{Angle, Length}, length::millimeter};
+    ///
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, Length::new::<millimeter>(1.0), Length::new::<millimeter>(40.0))?;
+    /// assert!(motor.held_by(Angle::new::<degree>(25.0)));
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    #[must_use]
+    pub fn held_by(&self, pressure_angle: Angle) -> bool {
+        let (width, drop) = (self.module(), crate::units::pressure_of_pascals(1.0));
+        self.greatest_flank_forces(pressure_angle, width, drop).is_ok()
+    }
+
     /// The greatest flank forces over a revolution: of the satellites by a crest, and of those by a trough.
     ///
     /// Exact: `N` grows with `σ·μ`, and the steepest slopes are ends of the loaded ranges, junctions of the arcs, or roots of

@@ -152,9 +152,9 @@ proptest! {
         let fast = fast.unwrap();
         prop_assert_eq!(fast.len(), slow.len());
         for ((wheel, fast), slow) in fast.into_iter().zip(slow) {
-            // The worst section goes from one point of the outline to the next: between such bumps, far below the thousandth that the points
-            // leave, either way may settle on the lower one.
-            prop_assert!((fast.stress - slow).abs() <= 1e-6 * slow, "{wheel:?} {fast:?} {slow}");
+            // The worst section goes from one point of the outline to the next: between such bumps, a tenth of the thousandth that the points
+            // leave at most, either way may settle on the lower one.
+            prop_assert!((fast.stress - slow).abs() <= 1e-4 * slow, "{wheel:?} {fast:?} {slow}");
         }
     }
 

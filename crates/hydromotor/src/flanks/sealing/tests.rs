@@ -160,6 +160,8 @@ proptest! {
 
     #[test]
     fn extremes_of_the_flow_are_those_of_samples(profile in any_profile(), in_mesh in any::<bool>()) {
+        // Towards a slope at which flanks hold no satellite the sweep grows beyond all bounds.
+        prop_assume!(profile.motor().held_by(profile.form().pressure_angle));
         let rule = if in_mesh { SealingContact::NearestInMesh } else { SealingContact::Nearest };
         let ripple = profile.flank_ripple(rule);
         let period = profile.motor().period();
