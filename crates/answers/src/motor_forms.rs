@@ -10,8 +10,7 @@ use crate::motor::{Designed, GoverningLimit, Groups};
 use crate::motor_search::{Drawn, nearest_half};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
-use epicyclic_hydromotor::centrode::Wheel;
-use epicyclic_hydromotor::flanks::{Governing, MaterialLimits, effective_modulus};
+use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch, FormSize};
 use epicyclic_hydromotor::search::forms::{Progress, Watch};
@@ -322,12 +321,7 @@ impl Flanks {
             on_path_pa: si(allowed.pressure),
             by_contact_pa: si(allowed.by_contact),
             by_root_pa: si(allowed.by_root),
-            governing: match allowed.governing {
-                Governing::Contact => GoverningLimit::Contact,
-                Governing::Root(Wheel::Stator) => GoverningLimit::StatorRoot,
-                Governing::Root(Wheel::Rotor) => GoverningLimit::RotorRoot,
-                Governing::Root(Wheel::Satellite) => GoverningLimit::SatelliteRoot,
-            },
+            governing: GoverningLimit::of(allowed.governing),
         };
         Self {
             ripple: plain(flanks.ripple),

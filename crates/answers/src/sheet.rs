@@ -84,7 +84,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
     subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
     let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
-    for (place_in_gearbox, (set, simple)) in simple_sets(subject, &file).enumerate() {
+    for (in_gearbox, (set, simple)) in simple_sets(subject, &file).enumerate() {
         if !is_wanted(set.id()) {
             continue;
         }
@@ -99,8 +99,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
                 let (sheet, allowed) = sheet(&place, entry, &toothed, module.0)?;
                 sets.push(sheet);
                 let face_width = entry.face_width.filter(|_| entry.planets.is_some()).map(|width| width.0);
-                let place = place_in_gearbox;
-                known.push(Known { place, set: toothed, module: module.0, face_width, allowed });
+                known.push(Known { place: in_gearbox, set: toothed, module: module.0, face_width, allowed });
             }
             (toothed, module) => {
                 let missing =

@@ -305,8 +305,10 @@ fn answered(args: &[&str]) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// A number of an answer by its keys and places, as `flanks.contact.2.alone_pa`.
 fn number(answer: &serde_json::Value, path: &str) -> f64 {
-    answer.pointer(path).and_then(serde_json::Value::as_f64).unwrap_or_else(|| panic!("{path}"))
+    let pointer = format!("/{}", path.replace('.', "/"));
+    answer.pointer(&pointer).and_then(serde_json::Value::as_f64).unwrap_or_else(|| panic!("{path}"))
 }
 
 /// Figures derived apart from this project, to the digits that were printed.
@@ -326,10 +328,10 @@ fn a_motor_under_load_has_the_figures_of_its_derivation() {
         ],
     );
     let five = answered(&five);
-    assert!((number(&five, "/flanks/forces/bearing_load/force_n") - 34_800.0).abs() < 50.0);
+    assert!((number(&five, "flanks.forces.bearing_load.force_n") - 34_800.0).abs() < 50.0);
     let rotor = &five["flanks"]["contact"][2];
     assert_eq!((&rotor["wheel"], &rotor["by"]), (&"rotor".into(), &"crest".into()));
-    assert!((number(rotor, "/at_pitch_point_pa") / 1e6 - 1973.0).abs() < 0.5);
+    assert!((number(rotor, "at_pitch_point_pa") / 1e6 - 1973.0).abs() < 0.5);
 
     let six = |more: &[&str]| {
         let six = [
@@ -364,18 +366,18 @@ fn a_motor_under_load_has_the_figures_of_its_derivation() {
         "part: 0.9",
     ]);
     let [least, greatest] =
-        ["0", "1"].map(|place| number(&made, &format!("/made_ports/extremes/{place}/bend_m2")) * 1e6);
+        ["0", "1"].map(|place| number(&made, &format!("made_ports.extremes.{place}.bend_m2")) * 1e6);
     assert!((least - 156.7).abs() < 0.05 && (greatest + 170.1).abs() < 0.05, "{least} {greatest}");
-    let eight = 8.0 * number(&made, "/losses/leakage/satellite/flow_m3_s") * 6e4;
+    let eight = 8.0 * number(&made, "losses.leakage.satellite.flow_m3_s") * 6e4;
     assert!((eight - 0.081).abs() < 5e-4, "{eight} l/min");
-    assert!((number(&made, "/losses/friction/share/0") - 0.0469).abs() < 5e-5);
-    assert!(number(&made, "/flanks/forces/bearing_load/force_n") == 0.0);
+    assert!((number(&made, "losses.friction.share.0") - 0.0469).abs() < 5e-5);
+    assert!(number(&made, "flanks.forces.bearing_load.force_n") == 0.0);
 
     let second = ["motor", "--stator", "6", "--rotor", "4", "--z3", "66", "--zs", "10", "--module", "1 mm"];
     let second = answered(&with(&second, &["--cosine", "--second-harmonic", "0.015"]));
-    assert!((number(&second, "/cosine_law/mean_radius_m") * 1e3 - 21.0176).abs() < 5e-5);
-    assert!((number(&second, "/cosine_law/amplitude") - 0.10702).abs() < 5e-6);
-    let areas = number(&second, "/work/greatest_chamber_m2") - number(&second, "/work/least_chamber_m2");
+    assert!((number(&second, "cosine_law.mean_radius_m") * 1e3 - 21.0176).abs() < 5e-5);
+    assert!((number(&second, "cosine_law.amplitude") - 0.10702).abs() < 5e-6);
+    let areas = number(&second, "work.greatest_chamber_m2") - number(&second, "work.least_chamber_m2");
     assert!((areas * 1e6 - 96.395).abs() < 5e-4, "{areas}");
 }
 
@@ -390,12 +392,12 @@ fn the_allowed_pressure_is_where_a_stress_meets_its_limit() {
         answered(&with(&motor, &more))
     };
     let one = at("2 mm", "80 mm", "50 mm", "20 MPa");
-    let allowed = number(&one, "/flanks/allowed/pressure_pa");
+    let allowed = number(&one, "flanks.allowed.pressure_pa");
     let other = at("3 mm", "120 mm", "20 mm", &format!("{} MPa", allowed / 1e6));
-    assert!((number(&other, "/flanks/allowed/pressure_pa") / allowed - 1.0).abs() < 1e-9);
+    assert!((number(&other, "flanks.allowed.pressure_pa") / allowed - 1.0).abs() < 1e-9);
     let stresses = other["flanks"]["contact"].as_array().unwrap();
-    let greatest = stresses.iter().map(|one| number(one, "/alone_pa")).fold(0.0, f64::max);
-    let at_pitch = stresses.iter().map(|one| number(one, "/at_pitch_point_pa")).fold(0.0, f64::max);
+    let greatest = stresses.iter().map(|one| number(one, "alone_pa")).fold(0.0, f64::max);
+    let at_pitch = stresses.iter().map(|one| number(one, "at_pitch_point_pa")).fold(0.0, f64::max);
     assert!((greatest.max(at_pitch) / 2e9 - 1.0).abs() < 1e-6, "{greatest}");
     assert_eq!(one["flanks"]["allowed"]["governing"], "contact");
 }
@@ -407,19 +409,19 @@ fn losses_add_up() {
         with(&SIX_FOUR, &["--l", "80 mm", "--width", "30 mm", "--pressure", "20 MPa", "--speed", "60 rpm"]);
     let oil = "viscosity: 46 mm²/s, density: 870 kg/m³";
     let ideal = answered(&with(&six, &["--oil", oil, "--gaps", "satellites: 0 mm", "--friction", "0"]));
-    for key in ["volumetric", "mechanical/0", "total/1"] {
-        let found = number(&ideal, &format!("/losses/at_point/{key}"));
+    for key in ["volumetric", "mechanical.0", "total.1"] {
+        let found = number(&ideal, &format!("losses.at_point.{key}"));
         assert!((found - 1.0).abs() < 1e-12, "{key} {found}");
     }
-    let start = number(&ideal, "/losses/friction/starting_torque_n_m/0");
-    assert!((start / number(&ideal, "/work/least_torque_n_m") - 1.0).abs() < 1e-6);
+    let start = number(&ideal, "losses.friction.starting_torque_n_m.0");
+    assert!((start / number(&ideal, "work.least_torque_n_m") - 1.0).abs() < 1e-6);
     let made =
         answered(&with(&six, &["--oil", oil, "--gaps", "satellites: 20 µm", "--friction", "0.05..0.1"]));
-    let at = |key: &str| number(&made, &format!("/losses/at_point/{key}"));
-    let power = at("torque_n_m/0") * at("speed_rad_s") / (at("inlet_flow_m3_s") * at("pressure_pa"));
-    assert!((power / at("total/0") - 1.0).abs() < 1e-12 && at("total/0") < at("total/1"));
-    let flow = number(&made, "/work/flow_m3_s") + number(&made, "/losses/leakage/flow_m3_s");
+    let at = |key: &str| number(&made, &format!("losses.at_point.{key}"));
+    let power = at("torque_n_m.0") * at("speed_rad_s") / (at("inlet_flow_m3_s") * at("pressure_pa"));
+    assert!((power / at("total.0") - 1.0).abs() < 1e-12 && at("total.0") < at("total.1"));
+    let flow = number(&made, "work.flow_m3_s") + number(&made, "losses.leakage.flow_m3_s");
     assert!((flow / at("inlet_flow_m3_s") - 1.0).abs() < 1e-9);
-    let last = number(&made, "/losses/map/total/19/19");
-    assert!((last / at("total/0") - 1.0).abs() < 1e-12, "the corner of the map is the point");
+    let last = number(&made, "losses.map.total.19.19");
+    assert!((last / at("total.0") - 1.0).abs() < 1e-12, "the corner of the map is the point");
 }

@@ -253,11 +253,6 @@ mod tests {
         }
     }
 
-    fn period(motor: &Motor) -> f64 {
-        let numbers = motor.numbers();
-        TAU * f64::from(numbers.common_divisor()) / f64::from(numbers.stator_lobes() * numbers.rotor_lobes())
-    }
-
     /// Where, but for periods, a satellite passes a crest, a trough or a junction, or a chamber changes over.
     fn breaks(motor: &Motor) -> Vec<f64> {
         let end = motor.shape.trough().phase;
@@ -270,7 +265,7 @@ mod tests {
     /// satellite passes a crest, a trough or a junction, or a chamber changes over, ever closer ones, since the least may be a dip
     /// as sharp as a needle there; the neighbourhood of the best by golden section.
     fn sampled_extremes(motor: &Motor, start: f64) -> [f64; 2] {
-        let period = period(motor);
+        let period = motor.period();
         let flow = |rotation: f64| get(motor.flow_per_width(angle(rotation)).unwrap());
         let even: Vec<f64> = (0..=2000).map(|i| period * f64::from(i) / 2000.0).collect();
         let near = breaks(motor).into_iter().flat_map(|place: f64| {
@@ -310,8 +305,8 @@ mod tests {
         fn displacement_is_the_integral_of_the_flow(motor in any_motor(), start in -9.0..9.0_f64) {
             let closed = get(motor.displacement_per_width());
             // Smooth from break to break; the panels close in on both ends, near which a nearly radial flank makes it steep.
-            let mut edges: Vec<f64> = breaks(&motor).iter().map(|&place| (place - start).rem_euclid(period(&motor))).collect();
-            edges.extend([0.0, period(&motor)]);
+            let mut edges: Vec<f64> = breaks(&motor).iter().map(|&place| (place - start).rem_euclid(motor.period())).collect();
+            edges.extend([0.0, motor.period()]);
             edges.sort_by(f64::total_cmp);
             let flow = |place: f64| motor.flow_kernel(start + place).0;
             let piece = |pair: &[f64]| {
@@ -321,7 +316,7 @@ mod tests {
                 let from = |end: f64, side: f64| quadrature(0.0, 1.0, 12, |t: f64| 4.0 * t * t * t * flow(end + side * half * t.powi(4)));
                 half * (from(pair[0], 1.0) + from(pair[1], -1.0))
             };
-            let integral: f64 = edges.windows(2).map(piece).sum::<f64>() * TAU / period(&motor);
+            let integral: f64 = edges.windows(2).map(piece).sum::<f64>() * TAU / motor.period();
             prop_assert!((integral - closed).abs() < 1e-10 * closed, "{integral} {closed}");
         }
 

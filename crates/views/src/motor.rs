@@ -351,9 +351,8 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         }
         View::Ports => {
             let lacking = || Error::Lacking("ports as made, with the key or option ports".to_owned());
-            let plate = designed.made.ports.as_ref().ok_or_else(lacking)?;
-            let timing = plate.timing().map_err(epicyclic_pictures::Error::from)?;
-            pictures::plate(plate, &timing, *angle)
+            let (plate, timing) = designed.made.ports.as_ref().ok_or_else(lacking)?;
+            pictures::plate(plate, timing, *angle)
         }
         View::Pressure | View::Stress => {
             let cycle = motor::over_cycle(designed).map_err(|why| Error::Answer(Box::new(why)))?;

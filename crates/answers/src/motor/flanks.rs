@@ -135,6 +135,19 @@ pub enum GoverningLimit {
     SatelliteRoot,
 }
 
+impl GoverningLimit {
+    pub(crate) fn of(governing: Governing) -> Self {
+        match governing {
+            Governing::Contact => Self::Contact,
+            Governing::Root(wheel) => match Wheel::of(wheel) {
+                Wheel::Stator => Self::StatorRoot,
+                Wheel::Rotor => Self::RotorRoot,
+                Wheel::Satellite => Self::SatelliteRoot,
+            },
+        }
+    }
+}
+
 impl Flanks {
     /// Of a motor with teeth.
     pub(super) fn of(designed: &Designed, profile: &Profile) -> Result<Self, Error> {
@@ -247,14 +260,7 @@ impl AllowedPressure {
             pressure_pa: si(alone.pressure),
             by_contact_pa: si(alone.by_contact),
             by_root_pa: si(alone.by_root),
-            governing: match alone.governing {
-                Governing::Contact => GoverningLimit::Contact,
-                Governing::Root(wheel) => match Wheel::of(wheel) {
-                    Wheel::Stator => GoverningLimit::StatorRoot,
-                    Wheel::Rotor => GoverningLimit::RotorRoot,
-                    Wheel::Satellite => GoverningLimit::SatelliteRoot,
-                },
-            },
+            governing: GoverningLimit::of(alone.governing),
             on_path_pa: si(whole.pressure),
         })
     }

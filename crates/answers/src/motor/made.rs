@@ -10,6 +10,7 @@ use epicyclic_hydromotor::efficiency::LossInputs;
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::friction::FrictionRange;
 use epicyclic_hydromotor::leakage::{EndGaps, GapFluid, TurbulentLaw, warm_play};
+use epicyclic_hydromotor::ports::timing::Timing;
 use epicyclic_hydromotor::ports::{PortPlate, PortShape};
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::{Error as MotorError, Motor};
@@ -35,8 +36,8 @@ pub struct Made {
     pub(super) modulus: Pressure,
     /// What the material bears.
     pub(super) limits: Option<MaterialLimits>,
-    /// Ports as made.
-    pub ports: Option<PortPlate>,
+    /// Ports as made, and when they open and close.
+    pub ports: Option<(PortPlate, Timing)>,
     pub(super) port_figures: Option<MadePorts>,
     most_trapped: Option<Pressure>,
     pub(super) bulk_modulus: Option<Pressure>,
@@ -75,9 +76,15 @@ impl Made {
     pub(crate) fn of(motor: &Motor, groups: &Groups, point: Point) -> Result<Self, Error> {
         let (modulus, limits) = material(groups)?;
         let inputs = Inputs::of(groups, point)?;
-        let ports = groups.ports.as_ref().map(|group| plate(motor, group)).transpose()?;
-        let port_figures = ports.as_ref().map(|plate| MadePorts::of(plate, &inputs, point)).transpose()?;
-        let losses = Losses::of(motor, ports.as_ref(), &inputs, point)?;
+        let ports = groups.ports.as_ref().map(|group| {
+            let plate = plate(motor, group)?;
+            let timing = plate.timing()?;
+            Ok::<_, Error>((plate, timing))
+        });
+        let ports = ports.transpose()?;
+        let port_figures = ports.as_ref().map(|(plate, timing)| MadePorts::of(plate, timing, &inputs, point));
+        let port_figures = port_figures.transpose()?;
+        let losses = Losses::of(motor, ports.as_ref().map(|(plate, _)| plate), &inputs, point)?;
         let Inputs { most_trapped, bulk_modulus, dead_area, .. } = inputs;
         Ok(Self { modulus, limits, ports, port_figures, most_trapped, bulk_modulus, dead_area, losses })
     }

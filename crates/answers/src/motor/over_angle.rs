@@ -88,13 +88,12 @@ pub fn over_cycle(designed: &Designed) -> Result<OverCycle, Error> {
     let cycle = std::f64::consts::TAU * (1.0 / stator + 1.0 / rotor);
     let phases_rad: Vec<f64> = (0..=STEPS).map(|i| cycle * (f64::from(i) / f64::from(STEPS) - 0.5)).collect();
     let mut chamber_pressures_pa = vec![];
-    if let (Some(plate), Some(drop), Some(modulus)) =
+    if let (Some((plate, timing)), Some(drop), Some(modulus)) =
         (&designed.made.ports, designed.pressure, designed.made.bulk_modulus)
     {
-        let timing = plate.timing()?;
         for phase in &phases_rad {
             let phase = Angle::from_si(*phase);
-            let found = plate.chamber_pressure(&timing, phase, drop, modulus, designed.made.dead_area)?;
+            let found = plate.chamber_pressure(timing, phase, drop, modulus, designed.made.dead_area)?;
             chamber_pressures_pa.push(found.map(si));
         }
     }

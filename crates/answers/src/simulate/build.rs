@@ -258,32 +258,27 @@ impl Scenario<'_> {
             return Err(refused(document, &path.key("conductance"), &"it must be at least 0"));
         }
         let links = found.links().map(|link| gearbox.link_name(link).to_owned());
-        let sources = [
-            entry.holding.is_some(),
-            entry.capacity.is_some(),
-            entry.pressure.is_some(),
-            entry.dog.is_some(),
-        ];
-        if sources.into_iter().filter(|is_given| *is_given).count() != 1 {
-            let message = "give one of holding, capacity, pressure and dog";
-            return Err(refused(document, &path, &message));
-        }
-        if let Some(dog) = &entry.dog {
-            self.add_dog(model, &path, entry, dog)?;
-            return Ok(Element::new(&entry.id, ElementKind::DogClutch, links, None));
-        }
-        let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure) {
-            (Some(_), None, None) => ("holding", program.course(entry).map_err(|why| (root("shifts"), why))),
-            (None, Some(table), None) => {
+        let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure, &entry.dog) {
+            (None, None, None, Some(dog)) => {
+                self.add_dog(model, &path, entry, dog)?;
+                return Ok(Element::new(&entry.id, ElementKind::DogClutch, links, None));
+            }
+            (Some(_), None, None, None) => {
+                ("holding", program.course(entry).map_err(|why| (root("shifts"), why)))
+            }
+            (None, Some(table), None, None) => {
                 let path = path.clone().key("capacity");
                 let points = table.points(self.texts).map_err(|fault| self.of_table(&path, fault))?;
                 ("capacity", Course::table(&points).map_err(|why| (path, why)))
             }
-            (None, None, Some(pressure)) => {
+            (None, None, Some(pressure), None) => {
                 let path = path.clone().key("pressure");
                 ("pressure", self.by_pressure(&path, pressure)?.map_err(|why| (path, why)))
             }
-            _ => return Err(refused(document, &path, &"its capacity is due")),
+            _ => {
+                let message = "give one of holding, capacity, pressure and dog";
+                return Err(refused(document, &path, &message));
+            }
         };
         let course = course.map_err(|(path, why)| placed(document, &path, why))?;
         let ratio = entry.static_ratio.map_or(1.0, Number::get);

@@ -50,7 +50,7 @@ pub struct ConverterResult {
     pub heat_j: f64,
 }
 
-/// Torques of a shaft or a converter over time.
+/// A shaft over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShaftSamples {

@@ -110,7 +110,7 @@ impl Motor {
     }
 
     /// The period of everything that depends on the pressures of ideal ports: `2π/lcm(N, n)`.
-    pub(super) fn period(&self) -> f64 {
+    pub(crate) fn period(&self) -> f64 {
         let numbers = self.numbers();
         TAU * f64::from(numbers.common_divisor()) / f64::from(numbers.stator_lobes() * numbers.rotor_lobes())
     }

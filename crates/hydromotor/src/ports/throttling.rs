@@ -25,7 +25,6 @@ use crate::units::{
     angle, area, degrees, metres, positive_density, positive_length, positive_speed, power_of_watts,
     pressure_of_pascals, ranging, square_metres,
 };
-use std::f64::consts::TAU;
 
 /// Rotations of a period that are looked at.
 const PLACES: u32 = 60;
@@ -71,9 +70,7 @@ impl PortPlate {
         let discharge =
             ranging(Quantity::DischargeCoefficient, through.discharge, [f64::MIN_POSITIVE, 1.0], "")?;
         let module = self.motor.module();
-        let numbers = self.motor.numbers();
-        let period = TAU * f64::from(numbers.common_divisor())
-            / f64::from(numbers.stator_lobes() * numbers.rotor_lobes());
+        let period = self.motor.period();
         let (mut smallest, mut greatest, mut sum) = ((f64::INFINITY, 0.0, 0.0), 0.0_f64, 0.0);
         for i in 0..PLACES {
             // From where a chamber changes over on, and there too.

@@ -147,10 +147,14 @@ pub struct Throttling {
 }
 
 impl MadePorts {
-    pub(super) fn of(plate: &PortPlate, inputs: &Inputs, point: Point) -> Result<Self, Error> {
-        let timing = plate.timing()?;
+    pub(super) fn of(
+        plate: &PortPlate,
+        timing: &Timing,
+        inputs: &Inputs,
+        point: Point,
+    ) -> Result<Self, Error> {
         let motor = plate.motor();
-        let trapped = inputs.bulk_modulus.map(|modulus| plate.trapped(&timing, modulus, inputs.dead_area));
+        let trapped = inputs.bulk_modulus.map(|modulus| plate.trapped(timing, modulus, inputs.dead_area));
         let trapped = trapped.transpose()?;
         let extremes = motor.extremes_of_chambers();
         let compression = inputs.bulk_modulus.zip(point.pressure);
@@ -186,8 +190,8 @@ impl MadePorts {
             low: of_side(PortSide::Low, 1),
             land_m: si(plate.land()),
             cycle_rad: si(timing.cycle),
-            states: states(&timing),
-            closed: closed(&timing, trapped.as_deref()),
+            states: states(timing),
+            closed: closed(timing, trapped.as_deref()),
             extremes: [extreme(&extremes[0])?, extreme(&extremes[1])?],
             charge_m3: charge.map(|(volume, _)| volume),
             charge_share: charge.map(|(_, share)| share),
