@@ -21,7 +21,7 @@ use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
 use super::kernel::{flank_number, greatest_of, pressure_angle};
-use super::stress::{LoadedPath, Places, Stretch, arc};
+use super::stress::{LoadedPath, Places, Stretch, arc, parted};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::{Conjugate, Contact};
@@ -144,18 +144,11 @@ impl Profile {
             for crest in [true, false] {
                 let sigma = Motor::push(crest, 1.0);
                 let stretches: Vec<Stretch> = self.stretches(side, sigma, crest);
-                let part = |stretch: &Stretch| match path {
-                    LoadedPath::Whole => stretch.whole,
-                    LoadedPath::SingleContact => stretch.alone,
-                };
-                let flanks: Vec<&Stretch> =
-                    stretches.iter().filter(|stretch| part(stretch)[0] < part(stretch)[1]).collect();
+                let mut ends = Places::new(motor, arc(side));
+                let (pieces, flanks) = parted(&stretches, path, &motor.corners(crest), &mut ends);
                 if flanks.is_empty() {
                     continue;
                 }
-                let mut ends = Places::new(motor, arc(side));
-                let pieces: Vec<[f64; 2]> =
-                    flanks.iter().map(|stretch| part(stretch).map(|s| ends.of(s))).collect();
                 let places: Vec<(usize, f64)> =
                     flanks.iter().map(|stretch| self.tooth_of(side, stretch.sign, stretch.pitch)).collect();
                 // On the wheel's tooth and on the satellite's, by one contact.

@@ -186,10 +186,53 @@ pub(super) struct Stretch {
     pub(super) alone: [f64; 2],
 }
 
+/// The parts of stretches on a path between the corners of a load, by the quantity in which the shape is explicit, each with its stretch.
+pub(super) fn parted<'s>(
+    stretches: &'s [Stretch],
+    path: LoadedPath,
+    corners: &[Contact],
+    places: &mut Places<'_>,
+) -> (Vec<[f64; 2]>, Vec<&'s Stretch>) {
+    let by = places.motor.shape.explicit();
+    let (mut pieces, mut flanks) = (Vec::new(), Vec::new());
+    for stretch in stretches {
+        let [from, to] = stretch.on(path);
+        if from >= to {
+            continue;
+        }
+        let [from, to] = [from, to].map(|s| places.of(s));
+        let mut start = from;
+        for corner in corners.iter().map(|contact| contact.get(by)) {
+            if corner > start && corner < to {
+                pieces.push([start, corner]);
+                start = corner;
+            }
+        }
+        pieces.push([start, to]);
+        flanks.resize(pieces.len(), stretch);
+    }
+    (pieces, flanks)
+}
+
 impl Stretch {
+    pub(super) fn on(&self, path: LoadedPath) -> [f64; 2] {
+        match path {
+            LoadedPath::Whole => self.whole,
+            LoadedPath::SingleContact => self.alone,
+        }
+    }
+
     /// `e` at an arc length.
     pub(super) fn offset(&self, s: f64, cos: f64) -> f64 {
         self.sign * (s - self.pitch) * cos
+    }
+}
+
+impl Motor {
+    /// Contacts of a satellite by a crest, or by a trough, at the ends of its loaded range, where its load has corners, and in the middle.
+    pub(super) fn corners(&self, crest: bool) -> Vec<Contact> {
+        let phases = self.smooth_ends(self.loaded(crest), [0.0, self.shape.trough().phase]);
+        phases.into_iter().map(|phase| self.shape.at(By::Phase, phase)).collect()
     }
 }
 
@@ -233,13 +276,10 @@ impl Profile {
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
         let (arc, by) = (arc(side), motor.shape.explicit());
         let range = motor.loaded(crest);
-        let phases = motor.smooth_ends(range, [0.0, motor.shape.trough().phase]);
-        let mut ends = Vec::with_capacity(phases.len());
+        let ends = motor.corners(crest);
         // Refuses what no flank holds before anything is compared.
-        for phase in phases {
-            let contact = motor.shape.at(By::Phase, phase);
-            flank_number(r, alpha, &contact, sigma)?;
-            ends.push(contact);
+        for contact in &ends {
+            flank_number(r, alpha, contact, sigma)?;
         }
         for phase in motor.steepest().into_iter().flat_map(|place| [place, -place]) {
             if (range[0]..=range[1]).contains(&phase) {
@@ -252,25 +292,10 @@ impl Profile {
         let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [0, 1].map(|i| pair[i].get(by))).collect();
         let [top] = greatest_of(&pieces, BESIDE_JUMP, |_, place| [at.of(&motor.shape.at(by, place), 0.0)]);
         best[0] = Some(Peak { severity: top.value, phase: phase_of(top.place), offset: 0.0 });
-        let kinks: Vec<f64> = ends[1..ends.len() - 1].iter().map(|contact| contact.get(by)).collect();
         let stretches = self.stretches(side, sigma, crest);
         let mut places = Places::new(motor, arc);
-        for slot in [1, 2] {
-            let (mut pieces, mut flanks) = (Vec::new(), Vec::new());
-            for stretch in &stretches {
-                let [from, to] = if slot == 1 { stretch.alone } else { stretch.whole };
-                if from >= to {
-                    continue;
-                }
-                let [from, to] = [from, to].map(|s| places.of(s));
-                let mut start = from;
-                for &kink in kinks.iter().filter(|&&kink| kink > from && kink < to) {
-                    pieces.push([start, kink]);
-                    start = kink;
-                }
-                pieces.push([start, to]);
-                flanks.resize(pieces.len(), stretch);
-            }
+        for (slot, path) in [(1, LoadedPath::SingleContact), (2, LoadedPath::Whole)] {
+            let (pieces, flanks) = parted(&stretches, path, &ends, &mut places);
             if pieces.is_empty() {
                 continue;
             }

@@ -33,16 +33,22 @@ fn plain_bent(profile: &Profile, side: Side, path: LoadedPath, crest: bool) -> O
     let (own, teeth) = (profile.satellite_tooth(POINTS), profile.wheel_teeth_one_by_one(side, POINTS));
     let sigma = Motor::push(crest, 1.0);
     let stretches: Vec<Stretch> = profile.stretches(side, sigma, crest);
-    let part = |stretch: &Stretch| match path {
-        LoadedPath::Whole => stretch.whole,
-        LoadedPath::SingleContact => stretch.alone,
-    };
-    let flanks: Vec<&Stretch> =
-        stretches.iter().filter(|stretch| part(stretch)[0] < part(stretch)[1]).collect();
+    // Along the arc from corner to corner of the load.
+    let corners: Vec<f64> = motor.corners(crest).iter().map(|contact| contact.get(arc(side))).collect();
+    let (mut pieces, mut flanks) = (vec![], vec![]);
+    for stretch in stretches.iter().filter(|stretch| stretch.on(path)[0] < stretch.on(path)[1]) {
+        let [from, to] = stretch.on(path);
+        let mut ends = vec![from];
+        ends.extend(corners.iter().filter(|&&corner| corner > from && corner < to));
+        ends.push(to);
+        for pair in ends.windows(2) {
+            pieces.push([pair[0], pair[1]]);
+            flanks.push(stretch);
+        }
+    }
     if flanks.is_empty() {
         return None;
     }
-    let pieces: Vec<[f64; 2]> = flanks.iter().map(|stretch| part(stretch)).collect();
     let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma).unwrap_or(f64::NAN);
     let on_wheel = |piece: usize, s: f64| {
         let flank = flanks[piece];
