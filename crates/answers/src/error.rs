@@ -289,6 +289,26 @@ pub enum Error {
         /// Why.
         why: String,
     },
+    /// Columns of different lengths.
+    #[error("`{name}` has {given} values, and `{first}` has {expected}: every variant takes one of each")]
+    SweptLength {
+        /// The set or link.
+        name: String,
+        /// How many values it has.
+        given: usize,
+        /// The first set or link.
+        first: String,
+        /// How many values that has.
+        expected: usize,
+    },
+    /// A variant of a sweep that is refused.
+    #[error("variant {variant}: {why}")]
+    SweptVariant {
+        /// Its place, from 0.
+        variant: usize,
+        /// Why.
+        why: epicyclic_train::Error,
+    },
     /// What a simulated motion refuses.
     #[error(transparent)]
     Motion(#[from] epicyclic_motion::Error),
@@ -360,6 +380,8 @@ impl Error {
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
             Self::Sweep { .. } => "sweep",
+            Self::SweptLength { .. } => "swept-length",
+            Self::SweptVariant { why, .. } => why.name(),
             Self::Motion(error) => error.name(),
             Self::NothingToSize { .. } => "nothing-to-size",
             Self::NoSize { .. } => "no-size",

@@ -10,6 +10,7 @@
 //! | [`analyze`] | what a gearbox does in its gears |
 //! | [`losses`] | what a gearbox loses at work, mesh by mesh and drag by drag |
 //! | [`compare`] | gearboxes side by side |
+//! | [`sweep`] | states, ratios and efficiencies of a gearbox for many basic ratios, as columns |
 //! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
 //! | [`motor`] | a planetary hydromotor |
@@ -80,6 +81,7 @@ pub mod sheet;
 pub mod simulate;
 pub mod size;
 pub mod strength;
+pub mod sweep;
 pub mod synthesize;
 pub mod teeth;
 mod tolerance;

@@ -276,6 +276,20 @@ pub enum Error {
         /// How many there are.
         expected: usize,
     },
+    /// A set whose basic ratio cannot be given.
+    #[error(
+        "set `{set}` is described gear by gear: its basic ratios follow from its teeth and cannot be varied"
+    )]
+    NotVaried {
+        /// The set.
+        set: String,
+    },
+    /// A set whose basic ratio is given twice.
+    #[error("k of set `{set}` is given twice")]
+    VariedTwice {
+        /// The set.
+        set: String,
+    },
 }
 
 impl Error {
@@ -304,6 +318,8 @@ impl Error {
             Self::NotDriven { .. } => "not-driven",
             Self::OperatingPoint { .. } => "operating-point",
             Self::ValueCount { .. } => "value-count",
+            Self::NotVaried { .. } => "not-varied",
+            Self::VariedTwice { .. } => "varied-twice",
         }
     }
 }

@@ -24,6 +24,7 @@
 //! | [`combinations`] | every set of shift elements |
 //! | [`solution`] | what solving a gear finds |
 //! | [`compiled`] | a gear compiled once, solved often |
+//! | [`sweep`] | states, ratios and efficiencies for many basic ratios |
 //! | [`tolerance`] | what counts as nothing, and how much is solved |
 //! | [`mobility`] | Chebyshev's count |
 //! | [`groups`], [`names`] | links that turn as one, names that may be mistyped |
@@ -96,6 +97,7 @@ mod shifted;
 pub mod solution;
 pub mod speeds;
 pub mod state;
+pub mod sweep;
 pub mod tolerance;
 pub mod tooth_checks;
 mod topology;

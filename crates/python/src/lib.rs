@@ -1,0 +1,22 @@
+//! The compiled part of the Python package `epicyclic`.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`sweep`] | many variants of a gearbox in one call, as arrays |
+//! | [`work`] | long work: without Python's lock, with progress and Ctrl-C |
+//!
+//! It only carries: what is asked goes to `answers`, and what is answered comes back as arrays and JSON. The classes that
+//! people use are in Python, in `python/epicyclic`.
+
+mod sweep;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package `epicyclic`; use that.
+#[pymodule]
+fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_function(wrap_pyfunction!(sweep::sweep, module)?)?;
+    module.add_function(wrap_pyfunction!(sweep::points, module)?)
+}

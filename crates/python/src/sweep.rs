@@ -1,0 +1,197 @@
+//! Columns in, columns out: many basic ratios of the sets, or many operating points of a gear.
+
+use crate::work;
+use epicyclic_answers::gearbox::{Choice, one};
+use epicyclic_answers::refused::{Place, Refused};
+use epicyclic_answers::sweep::points::{Columns as PointColumns, Wanted as Points, answer as answer_points};
+use epicyclic_answers::sweep::{self as ratios, Columns};
+use epicyclic_answers::{Error, answer::to_json};
+use epicyclic_formats::{Document, Physical, Quantity};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use uom::si::f64::Ratio;
+
+type Numbers<'py> = Bound<'py, PyArray1<f64>>;
+type Flags<'py> = Bound<'py, PyArray1<bool>>;
+type Given<'py> = Vec<(String, PyReadonlyArray1<'py, f64>)>;
+
+/// States, ratios, whether there is one, efficiencies, whether there is one: by variant, then gear.
+type RatioArrays<'py> =
+    (Bound<'py, PyArray1<u8>>, Numbers<'py>, Flags<'py>, Numbers<'py>, Flags<'py>);
+
+/// Speeds and whether they follow, torques, powers, whether any keeps it moving, losses, efficiencies and whether there is one.
+type PointArrays<'py> = (
+    Numbers<'py>,
+    Flags<'py>,
+    Numbers<'py>,
+    Numbers<'py>,
+    Flags<'py>,
+    Numbers<'py>,
+    Numbers<'py>,
+    Flags<'py>,
+);
+
+/// What is found, or a refusal as JSON.
+type Answered<Found> = (Option<Found>, Option<String>);
+
+/// Why there is nothing.
+enum Failure {
+    Answer(Box<Error>),
+    /// What an option of Python says cannot be.
+    Option(&'static str, String),
+}
+
+impl<E: Into<Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::Answer(Box::new(error.into()))
+    }
+}
+
+impl Failure {
+    /// As `--format json` of the program writes it.
+    fn json(&self) -> String {
+        const WRONG: u8 = 2;
+        let refused = match self {
+            Self::Answer(error) => Refused {
+                name: error.name(),
+                message: error.to_string(),
+                exit_code: WRONG,
+                option: None,
+                place: Place::of_answer(error),
+            },
+            Self::Option(option, message) => Refused {
+                name: "option",
+                message: message.clone(),
+                exit_code: WRONG,
+                option: Some((*option).to_owned()),
+                place: None,
+            },
+        };
+        to_json(&refused).unwrap_or_default()
+    }
+}
+
+/// A gearbox's description, owned by the thread that reads it.
+#[derive(FromPyObject)]
+pub(crate) struct Description {
+    file_name: String,
+    file: Vec<u8>,
+    transmission: Option<String>,
+    efficiency: Option<String>,
+}
+
+impl Description {
+    fn gearbox(&self) -> Result<Gearbox, Failure> {
+        let of = |text: &String| {
+            let refuse = |message: String| Failure::Option("--efficiency", message);
+            let eta: Quantity<Ratio> = text.parse().map_err(|why: _| refuse(format!("{why}")))?;
+            MeshEfficiency::new(eta.0.si()).map_err(|why| refuse(why.to_string()))
+        };
+        let efficiency = self.efficiency.as_ref().map(of).transpose()?;
+        let document = Document::parse_one(&self.file_name, &self.file)?;
+        Ok(one(&document, &Choice { transmission: self.transmission.clone(), efficiency })?.gearbox)
+    }
+}
+
+fn owned(given: Given<'_>) -> Vec<(String, Vec<f64>)> {
+    given.into_iter().map(|(name, values)| (name, values.as_array().to_vec())).collect()
+}
+
+fn borrowed(owned: &[(String, Vec<f64>)]) -> Vec<(String, &[f64])> {
+    owned.iter().map(|(name, values)| (name.clone(), values.as_slice())).collect()
+}
+
+/// Solves on another thread; what is done is told by pieces.
+fn solved<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    count: usize,
+    solve: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Result<Option<T>, Failure> + Send + 'static,
+) -> PyResult<Result<T, String>> {
+    let found = work::done(py, progress, move |shared| {
+        let done = AtomicUsize::new(0);
+        let proceed = |more: usize| {
+            let done = done.fetch_add(more, Ordering::Relaxed) + more;
+            shared.tell(format!("{done} of {count}"));
+            !shared.is_ended()
+        };
+        solve(&proceed)
+    })?;
+    // Only a signal ends it, and then nobody waits for what it found.
+    Ok(found.map_err(|failure| failure.json()).and_then(|found| found.ok_or_else(String::new)))
+}
+
+/// Ratios of a gearbox for many `k`; see `epicyclic.Gearbox.sweep`.
+#[pyfunction]
+#[pyo3(signature = (description, gears, k, progress=None))]
+pub(crate) fn sweep<'py>(
+    py: Python<'py>,
+    description: Description,
+    gears: Vec<String>,
+    k: Given<'py>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Answered<(Vec<String>, RatioArrays<'py>)>> {
+    let k = owned(k);
+    let count = k.first().map_or(1, |(_, values)| values.len());
+    let found = solved(py, progress, count, move |proceed| {
+        let wanted = ratios::Wanted { gears, k: borrowed(&k) };
+        Ok(ratios::answer(&description.gearbox()?, &wanted, proceed)?)
+    })?;
+    Ok(match found {
+        Ok(columns) => (Some(of_ratios(py, columns)), None),
+        Err(refusal) => (None, Some(refusal)),
+    })
+}
+
+fn of_ratios(py: Python<'_>, columns: Columns) -> (Vec<String>, RatioArrays<'_>) {
+    let states: Vec<u8> = columns.states.iter().map(|state| *state as u8).collect();
+    let arrays = (
+        states.into_pyarray(py),
+        columns.ratios.into_pyarray(py),
+        columns.has_ratio.into_pyarray(py),
+        columns.efficiencies.into_pyarray(py),
+        columns.has_efficiency.into_pyarray(py),
+    );
+    (columns.gears, arrays)
+}
+
+/// A gear at many speeds and torques; see `epicyclic.Gearbox.points`.
+#[pyfunction]
+#[pyo3(signature = (description, gear, speeds_rad_s, torques_n_m, progress=None))]
+pub(crate) fn points<'py>(
+    py: Python<'py>,
+    description: Description,
+    gear: String,
+    speeds_rad_s: Given<'py>,
+    torques_n_m: Given<'py>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Answered<(Vec<String>, Vec<String>, PointArrays<'py>)>> {
+    let (speeds, torques) = (owned(speeds_rad_s), owned(torques_n_m));
+    let count = speeds.first().map_or(1, |(_, values)| values.len());
+    let found = solved(py, progress, count, move |proceed| {
+        let (speeds_rad_s, torques_n_m) = (borrowed(&speeds), borrowed(&torques));
+        let wanted = Points { gear, speeds_rad_s, torques_n_m };
+        Ok(answer_points(&description.gearbox()?, &wanted, proceed)?)
+    })?;
+    Ok(match found {
+        Ok(columns) => (Some(of_points(py, columns)), None),
+        Err(refusal) => (None, Some(refusal)),
+    })
+}
+
+fn of_points(py: Python<'_>, columns: PointColumns) -> (Vec<String>, Vec<String>, PointArrays<'_>) {
+    let arrays = (
+        columns.speeds_rad_s.into_pyarray(py),
+        columns.has_speed.into_pyarray(py),
+        columns.torques_n_m.into_pyarray(py),
+        columns.powers_w.into_pyarray(py),
+        columns.moves.into_pyarray(py),
+        columns.losses_w.into_pyarray(py),
+        columns.efficiencies.into_pyarray(py),
+        columns.has_efficiency.into_pyarray(py),
+    );
+    (columns.links, columns.terminals, arrays)
+}

@@ -1,0 +1,81 @@
+//! Work that is long: beside Python's lock, with its progress told and Ctrl-C heard.
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// How often signals are looked for.
+const LOOK: Duration = Duration::from_millis(50);
+/// How long work that was asked to end may go on before it is left to itself.
+const PATIENCE: Duration = Duration::from_secs(2);
+/// Searches and readers recurse; a thread of its own has less than the main one otherwise.
+const STACK: usize = 16 << 20;
+
+/// What work and the thread that waits for it share.
+#[derive(Debug, Default)]
+pub(crate) struct Shared {
+    ended: AtomicBool,
+    progress: Mutex<Option<String>>,
+}
+
+impl Shared {
+    /// Whether the work is asked to end.
+    pub(crate) fn is_ended(&self) -> bool {
+        self.ended.load(Ordering::Relaxed)
+    }
+
+    /// Says how far the work is.
+    pub(crate) fn tell(&self, progress: String) {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
+    }
+
+    fn told(&self) -> Option<String> {
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
+
+/// Does work on a thread of its own, without Python's lock.
+///
+/// `progress` is called with a line of text whenever there is a new one. An exception of it, or of a signal, asks the
+/// work to end; what does not is left to itself, and its result is dropped.
+pub(crate) fn done<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Shared) -> T + Send + 'static,
+) -> PyResult<T> {
+    let shared = Arc::new(Shared::default());
+    let (sender, mut receiver) = channel();
+    let own = Arc::clone(&shared);
+    // Nobody waits for the result of work that was left to itself.
+    let run = move || drop(sender.send(work(&own)));
+    thread::Builder::new().stack_size(STACK).spawn(run).map_err(PyErr::from)?;
+    loop {
+        let (found, back) = wait(py, receiver, LOOK);
+        receiver = back;
+        let asked = match found {
+            Ok(found) => return Ok(found),
+            Err(RecvTimeoutError::Timeout) => py.check_signals().and_then(|()| {
+                let Some((callback, line)) = progress.zip(shared.told()) else { return Ok(()) };
+                callback.call1((line,)).map(|_| ())
+            }),
+            Err(RecvTimeoutError::Disconnected) => Err(PyRuntimeError::new_err(
+                "a calculation ended without a result; this is an error of epicyclic",
+            )),
+        };
+        if let Err(asked) = asked {
+            shared.ended.store(true, Ordering::Relaxed);
+            drop(wait(py, receiver, PATIENCE));
+            return Err(asked);
+        }
+    }
+}
+
+type Waited<T> = (Result<T, RecvTimeoutError>, Receiver<T>);
+
+fn wait<T: Send>(py: Python<'_>, receiver: Receiver<T>, time: Duration) -> Waited<T> {
+    py.detach(move || (receiver.recv_timeout(time), receiver))
+}

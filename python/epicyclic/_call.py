@@ -1,0 +1,167 @@
+"""A call of the command line: the same words, the same answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+
+from . import _core
+from .errors import Error, Refused, of_messages, of_record
+from .records import Answer, parsed
+
+if TYPE_CHECKING:
+    from .gearbox import Drawing, Gearbox
+
+Value = Union[str, int, float, "np.number[Any]"]
+"""A value of an option: a number, or a text as on the command line. A quantity is a text with a unit: ``"500 N·m"``."""
+
+Values = Union[Value, Sequence[Value], Mapping[str, Value]]
+"""One value or several; of an option that takes values by name (``{"engine": "2000 rpm"}``) a mapping."""
+
+Source = Union[str, "PathLike[str]", "Gearbox"]
+"""A gearbox: a :class:`Gearbox`, the name of a YAML file, or a scheme of the catalogue by its name."""
+
+Progress = Callable[[str], Any]
+"""Called with a line of text now and then while long work runs."""
+
+NO_ANSWER = 130
+
+
+def read(file: str) -> bytes:
+    """A file; what prevents it is told as the command line tells it."""
+    try:
+        with open(file, "rb") as opened:
+            return opened.read()
+    except OSError as error:
+        raise of_messages(3, f"{file}: cannot be read: {error.strerror}") from error
+
+
+def _word(value: Any, files: dict[str, bytes], option: str) -> str:
+    from .gearbox import Gearbox
+
+    if isinstance(value, Gearbox):
+        files[value._file] = value._text
+        return value._file
+    if isinstance(value, (bool, np.bool_)):
+        raise Refused(f"{value}: a number or text is due", name="usage", option=option)
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, (str, PathLike)):
+        return fspath(value)
+    raise Refused(f"{value!r}: a number or text is due", name="usage", option=option)
+
+
+def line(
+    command: Sequence[str],
+    words: Iterable[Any],
+    options: Mapping[str, Any],
+    many: Mapping[str, str] | None = None,
+) -> tuple[list[str], dict[str, bytes]]:
+    """The words of a call, and the files that stand in Python's memory."""
+    files: dict[str, bytes] = {}
+    found = list(command)
+    for option, value in options.items():
+        if value is None or value is False:
+            continue
+        if value is True:
+            found.append(option)
+            continue
+        if isinstance(value, Mapping):
+            value = [f"{name}={_word(inner, files, option)}" for name, inner in value.items()]
+        if isinstance(value, (list, tuple, np.ndarray)):
+            each = [_word(one, files, option) for one in value]
+            joined = (many or {}).get(option, "repeated")
+            texts = each if joined == "repeated" else [joined.join(each)]
+        else:
+            texts = [_word(value, files, option)]
+        found += [f"{option}={text}" for text in texts]
+    given = [word for word in words if word is not None]
+    positional = []
+    for word in given:
+        several = isinstance(word, (list, tuple))
+        positional += [_word(one, files, "") for one in word] if several else [_word(word, files, "")]
+    # What looks like an option is a name where it stands behind this.
+    if any(word.startswith("-") for word in positional):
+        found.append("--")
+    return found + positional, files
+
+
+def run(words: Sequence[str], files: Mapping[str, bytes], progress: Progress | None) -> tuple[bytes, str, dict[str, bytes]]:
+    """What the command line answers, says beside it, and writes.
+
+    Raises
+    ------
+    Error
+        Of the kind that the exit code says.
+    """
+    code, answer, messages, written = _core.call([*words], dict(files), progress)
+    if code == 0:
+        return answer, messages, written
+    if code == NO_ANSWER:
+        raise KeyboardInterrupt
+    raise _error(code, answer, messages)
+
+
+def _error(code: int, answer: bytes, messages: str) -> Error:
+    if answer.startswith(b"{"):
+        record = parsed(answer)
+        if record.get("answer") == "error":
+            return of_record(record)
+    return of_messages(code, messages)
+
+
+def answer(
+    command: Sequence[str],
+    words: Iterable[Any],
+    options: Mapping[str, Any],
+    progress: Progress | None = None,
+    many: Mapping[str, str] | None = None,
+) -> Answer:
+    """The answer of a command as an object."""
+    said, files = line(command, words, options, many)
+
+    def again() -> str:
+        return run(said, files, None)[0].decode()
+
+    before_words = len(command)
+    found, _, _ = run([*said[:before_words], "--format=json", *said[before_words:]], files, progress)
+    return Answer(parsed(found), again)
+
+
+def text(
+    command: Sequence[str],
+    words: Iterable[Any],
+    options: Mapping[str, Any],
+    progress: Progress | None = None,
+    many: Mapping[str, str] | None = None,
+) -> str:
+    """What a command writes that has no record."""
+    said, files = line(command, words, options, many)
+    return run(said, files, progress)[0].decode()
+
+
+def drawing(
+    command: Sequence[str],
+    words: Iterable[Any],
+    options: Mapping[str, Any],
+    progress: Progress | None = None,
+    many: Mapping[str, str] | None = None,
+) -> Drawing:
+    """A drawing of a command."""
+    from .gearbox import Drawing
+
+    said, files = line(command, words, options, many)
+
+    def drawn(name: str) -> bytes:
+        at = len(command)
+        _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress)
+        return next(iter(written.values()))
+
+    return Drawing(drawn("drawing.svg").decode(), drawn)

@@ -1,0 +1,94 @@
+"""What is refused, with the names, messages and places of the command line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping
+
+__all__ = ["Error", "FileFailure", "NothingFound", "Place", "Refused"]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where in a file a fault is."""
+
+    file: str
+    """The file as it was named; of a gearbox built in Python its name."""
+    line: int
+    """From 1."""
+    column: int
+    """From 1, in characters."""
+    path: str
+    """Keys and places of lists that lead there, ``sets[0].k``; empty for the whole document."""
+
+
+class Error(Exception):
+    """A call without an answer.
+
+    ``str(error)`` is the message of the command line: what is wrong and what is allowed.
+    """
+
+    name: str
+    """Kind of the fault, ``ring-to-sun-ratio``; it stays the same whatever the message says."""
+    message: str
+    option: str | None
+    """The option of the command line that it is about, ``--torque``; the argument has its name without the dashes."""
+    place: Place | None
+    exit_code: int
+    """Exit code of the command line."""
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        name: str = "usage",
+        option: str | None = None,
+        place: Place | None = None,
+        exit_code: int = 2,
+    ) -> None:
+        super().__init__(message)
+        self.message, self.name, self.option, self.place, self.exit_code = message, name, option, place, exit_code
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (type(self), self.message, self.name, self.option, self.place, self.exit_code))
+
+
+class Refused(Error, ValueError):
+    """An input that cannot be."""
+
+
+class NothingFound(Error, LookupError):
+    """A sound question without an answer within its bounds."""
+
+
+class FileFailure(Error, OSError):
+    """A file that cannot be read or written."""
+
+
+_KINDS: dict[int, type[Error]] = {1: NothingFound, 2: Refused, 3: FileFailure}
+
+
+def _again(kind: type[Error], message: str, name: str, option: str | None, place: Place | None, code: int) -> Error:
+    return kind(message, name=name, option=option, place=place, exit_code=code)
+
+
+def of_record(record: Mapping[str, Any]) -> Error:
+    """The exception of a record that stands in place of an answer."""
+    place = record.get("place")
+    code = int(record.get("exit_code", 2))
+    return _KINDS.get(code, Refused)(
+        str(record["message"]),
+        name=str(record["name"]),
+        option=record.get("option"),
+        place=Place(**place) if place else None,
+        exit_code=code,
+    )
+
+
+def of_messages(code: int, messages: str) -> Error:
+    """The exception of what was said beside an answer that is no JSON."""
+    lines = messages.splitlines()
+    starts = [at for at, line in enumerate(lines) if line.startswith("error: ")]
+    text = "\n".join(lines[starts[-1] :]) if starts else messages
+    text = text.removeprefix("error: ").split("\n\nUsage: ")[0].split("\n\nFor more information")[0].strip()
+    return _KINDS.get(code, Refused)(text, exit_code=code)
