@@ -13,7 +13,7 @@ from .errors import Error, Refused, of_messages, of_record
 from .records import Answer, parsed
 
 if TYPE_CHECKING:
-    from .gearbox import Drawing, Gearbox
+    from .gearbox import Drawing, Gearbox, Page
 
 Value = Union[str, int, float, "np.number[Any]"]
 """A value of an option: a number, or a text as on the command line. A quantity is a text with a unit: ``"500 N·m"``."""
@@ -23,6 +23,9 @@ Values = Union[Value, Sequence[Value], Mapping[str, Value]]
 
 Source = Union[str, "PathLike[str]", "Gearbox"]
 """A gearbox: a :class:`Gearbox`, the name of a YAML file, or a scheme of the catalogue by its name."""
+
+Path = Union[str, "PathLike[str]"]
+"""The name of a file."""
 
 Progress = Callable[[str], Any]
 """Called with a line of text now and then while long work runs."""
@@ -77,8 +80,7 @@ def line(
             value = [f"{name}={_word(inner, files, option)}" for name, inner in value.items()]
         if isinstance(value, (list, tuple, np.ndarray)):
             each = [_word(one, files, option) for one in value]
-            joined = (many or {}).get(option, "repeated")
-            texts = each if joined == "repeated" else [joined.join(each)]
+            texts = each if option in (many or {}) else [", ".join(each)]
         else:
             texts = [_word(value, files, option)]
         found += [f"{option}={text}" for text in texts]
@@ -93,15 +95,17 @@ def line(
     return found + positional, files
 
 
-def run(words: Sequence[str], files: Mapping[str, bytes], progress: Progress | None) -> tuple[bytes, str, dict[str, bytes]]:
-    """What the command line answers, says beside it, and writes.
+def run(
+    words: Sequence[str], files: Mapping[str, bytes], progress: Progress | None, kept: Sequence[str] = ()
+) -> tuple[bytes, str, dict[str, bytes]]:
+    """What the command line answers, says beside it, and writes under the names in ``kept``.
 
     Raises
     ------
     Error
         Of the kind that the exit code says.
     """
-    code, answer, messages, written = _core.call([*words], dict(files), progress)
+    code, answer, messages, written = _core.call([*words], dict(files), [*kept], progress)
     if code == 0:
         return answer, messages, written
     if code == NO_ANSWER:
@@ -123,15 +127,19 @@ def answer(
     options: Mapping[str, Any],
     progress: Progress | None = None,
     many: Mapping[str, str] | None = None,
+    output: Path | None = None,
 ) -> Answer:
-    """The answer of a command as an object."""
+    """The answer of a command as an object; written to a file, too, where one is named."""
     said, files = line(command, words, options, many)
+    if output is not None:
+        at = len(command)
+        run([*said[:at], f"--output={fspath(output)}", *said[at:]], files, progress)
 
     def again() -> str:
         return run(said, files, None)[0].decode()
 
-    before_words = len(command)
-    found, _, _ = run([*said[:before_words], "--format=json", *said[before_words:]], files, progress)
+    at = len(command)
+    found, _, _ = run([*said[:at], "--format=json", *said[at:]], files, progress)
     return Answer(parsed(found), again)
 
 
@@ -161,7 +169,23 @@ def drawing(
 
     def drawn(name: str) -> bytes:
         at = len(command)
-        _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress)
-        return next(iter(written.values()))
+        _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
+        return written[name]
 
     return Drawing(drawn("drawing.svg").decode(), drawn)
+
+
+def page(
+    command: Sequence[str],
+    words: Iterable[Any],
+    options: Mapping[str, Any],
+    progress: Progress | None = None,
+    many: Mapping[str, str] | None = None,
+) -> Page:
+    """A page of a command."""
+    from .gearbox import Page
+
+    said, files = line(command, words, options, many)
+    at, name = len(command), "page.html"
+    _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
+    return Page(written[name].decode())

@@ -14,7 +14,7 @@ _Columns = list[tuple[str, _Numbers]]
 _Progress = Callable[[str], Any] | None
 
 def call(
-    line: list[str], files: dict[str, bytes], progress: _Progress = None
+    line: list[str], files: dict[str, bytes], kept: list[str], progress: _Progress = None
 ) -> tuple[int, bytes, str, dict[str, bytes]]: ...
 def commands() -> str: ...
 def sweep(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from html import escape
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Union
@@ -12,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _call, commands
-from .errors import Refused
+from .errors import NothingFound, Refused
 from .records import Answer
 from .sweeps import PointSweep, RatioSweep, points, ratios
 
-__all__ = ["Drawing", "Gearbox"]
+__all__ = ["Drawing", "Gearbox", "Page"]
 
 Progress = Callable[[str], Any]
 """Called with a line of text while long work runs."""
@@ -149,6 +150,10 @@ class Gearbox:
         """
         return commands.analyze(self, **{**self._options, **options})
 
+    def report(self, **options: Any) -> Page:
+        """A page about it; options as of :func:`epicyclic.report`."""
+        return commands.report(self, **{**self._options, **options})
+
     def losses(self, **options: Any) -> Answer:
         """What heats it at work; options as of :func:`epicyclic.losses`."""
         return commands.losses(self, **{**self._options, **options})
@@ -251,7 +256,7 @@ class Gearbox:
     def _repr_svg_(self) -> str | None:
         try:
             return self.draw().svg
-        except Refused:
+        except (NothingFound, Refused):
             # It crosses itself, or cannot be read: its other form says that it is a gearbox, an analysis says why.
             return None
 
@@ -274,6 +279,25 @@ class Drawing:
         """Writes it as SVG, DXF, PDF or PNG, by the end of the name."""
         path = Path(file)
         path.write_bytes(self._redraw(path.name))
+
+
+class Page:
+    """A page to read and print, whole in itself."""
+
+    def __init__(self, html: str) -> None:
+        self.html = html
+        """The page as HTML."""
+
+    def _repr_html_(self) -> str:
+        # In a frame, so that its style and that of the notebook do not meet.
+        return f'<iframe srcdoc="{escape(self.html)}" style="width: 100%; height: 40em; border: 0"></iframe>'
+
+    def __repr__(self) -> str:
+        return f"<Page, {len(self.html)} characters of HTML>"
+
+    def save(self, file: str | PathLike[str]) -> None:
+        """Writes it to a file."""
+        Path(file).write_text(self.html, encoding="utf-8")
 
 
 def _entries(given: Any, name: str, of: Callable[[Any], dict[str, Any]]) -> list[Any]:

@@ -62,7 +62,7 @@ class Record(Mapping[str, Any]):
         return f"{type(self).__name__}({shown})"
 
     def __eq__(self, other: object) -> bool:
-        return self.to_dict() == (other.to_dict() if isinstance(other, Record) else other)
+        return bool(self.to_dict() == (other.to_dict() if isinstance(other, Record) else other))
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -86,9 +86,9 @@ class Records(Sequence[Any]):
         self._rows = [_wrapped(row) for row in rows]
 
     @overload
-    def __getitem__(self, key: slice) -> Records: ...
-    @overload
     def __getitem__(self, key: int | str) -> Any: ...
+    @overload
+    def __getitem__(self, key: slice) -> Records: ...
     def __getitem__(self, key: int | str | slice) -> Any:
         if isinstance(key, slice):
             return Records(self._rows[key])
@@ -106,7 +106,7 @@ class Records(Sequence[Any]):
         return f"Records({self._rows!r})"
 
     def __eq__(self, other: object) -> bool:
-        return _plain(self) == (_plain(other) if isinstance(other, Records) else other)
+        return bool(_plain(self) == (_plain(other) if isinstance(other, Records) else other))
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -68,7 +68,7 @@ class RatioSweep:
     @property
     def driven(self) -> NDArray[np.bool_]:
         """Where a gear is driven, shape ``S + (G,)``."""
-        return self.state == 0
+        return np.asarray(self.state == 0)
 
     def gear(self, name: str) -> int:
         """Place of a gear on the last axis."""
@@ -148,7 +148,9 @@ def _column(values: Masked) -> Any:
     flat = values.ravel()
     if not np.ma.is_masked(flat):
         return np.asarray(flat)
-    return np.where(np.ma.getmaskarray(flat), None, flat.data.astype(object))
+    column = np.asarray(flat.data, dtype=object)
+    column[np.ma.getmaskarray(flat)] = None
+    return column
 
 
 def _columns(named: Mapping[str, ArrayLike], what: str) -> tuple[dict[str, NDArray[np.float64]], tuple[int, ...]]:

@@ -42,7 +42,7 @@ pub struct Columns {
 
 /// Solves every variant; `None` where `proceed` said no.
 ///
-/// `proceed` is asked with the number of variants of each piece that is done, from any thread.
+/// `proceed` is asked before each piece with 0 and after it with the number of its variants, from any thread.
 ///
 /// ```
 /// use epicyclic_answers::sweep::{Wanted, answer};
@@ -83,6 +83,9 @@ pub fn answer(
         }
     }
     let piece = |place: usize| -> Piece<Swept> {
+        if !proceed(0) {
+            return Ok(None);
+        }
         let mut sweep = sweep.clone();
         let range = place * PIECE..variants.min((place + 1) * PIECE);
         let mut all = Vec::with_capacity(range.len() * gears.len());

@@ -181,6 +181,12 @@ pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &
     end(&call, files.are_apart(&call).and_then(|()| run(&call, cli.command)), is_json)
 }
 
+/// The commands with their options and what the help says of them, for those who offer them in another form.
+#[must_use]
+pub fn command_line() -> clap::Command {
+    Cli::command()
+}
+
 fn end(call: &Call<'_>, done: Result<(), failure::Failure>, is_json: bool) -> u8 {
     match done {
         Ok(()) => 0,

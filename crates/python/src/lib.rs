@@ -2,12 +2,16 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`sweep`] | many variants of a gearbox in one call, as arrays |
+//! | [`call`] | a call of the command line: the same words, the same answer |
+//! | [`commands`] | the commands and their options as data |
+//! | [`sweep`] | many variants or operating points of a gearbox in one call, as arrays |
 //! | [`work`] | long work: without Python's lock, with progress and Ctrl-C |
 //!
-//! It only carries: what is asked goes to `answers`, and what is answered comes back as arrays and JSON. The classes that
-//! people use are in Python, in `python/epicyclic`.
+//! It only carries: what is asked goes to the library of the program or to `answers`, and what is answered comes back as JSON or arrays. The
+//! classes that people use are in Python, in `python/epicyclic`.
 
+mod call;
+mod commands;
 mod sweep;
 mod work;
 
@@ -17,6 +21,8 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_function(wrap_pyfunction!(call::call, module)?)?;
+    module.add_function(wrap_pyfunction!(commands::commands, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::sweep, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::points, module)?)
 }

@@ -19,8 +19,7 @@ type Flags<'py> = Bound<'py, PyArray1<bool>>;
 type Given<'py> = Vec<(String, PyReadonlyArray1<'py, f64>)>;
 
 /// States, ratios, whether there is one, efficiencies, whether there is one: by variant, then gear.
-type RatioArrays<'py> =
-    (Bound<'py, PyArray1<u8>>, Numbers<'py>, Flags<'py>, Numbers<'py>, Flags<'py>);
+type RatioArrays<'py> = (Bound<'py, PyArray1<u8>>, Numbers<'py>, Flags<'py>, Numbers<'py>, Flags<'py>);
 
 /// Speeds and whether they follow, torques, powers, whether any keeps it moving, losses, efficiencies and whether there is one.
 type PointArrays<'py> = (

@@ -58,6 +58,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
             "hydromotor",
         ],
     ),
+    ("python", &["answers", "formats", "train", "gears"]),
     ("xtask", &["formats", "selection", "dynamics", "layout", "schemes", "train", "gears", "hydromotor"]),
 ];
 

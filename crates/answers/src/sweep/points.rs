@@ -49,7 +49,7 @@ pub struct Columns {
     pub has_efficiency: Vec<bool>,
 }
 
-/// Solves every point; `None` where `proceed` said no.
+/// Solves every point; `None` where `proceed` said no, which is asked as of [`super::answer`].
 ///
 /// ```
 /// use epicyclic_answers::sweep::points::{Wanted, answer};
@@ -112,6 +112,9 @@ pub fn answer(
         }
     };
     let piece = |place: usize| {
+        if !proceed(0) {
+            return Ok(None);
+        }
         let range = place * PIECE..points.min((place + 1) * PIECE);
         let count = range.len();
         let found = range.map(at).collect::<Result<Option<Vec<MultiState>>, Error>>()?;
@@ -188,7 +191,7 @@ mod tests {
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 
-    /// A double planet whose ratio is near 1: with losses no torque moves it one way.
+    /// A double planet whose basic ratio is near 1: its losses hold it against a torque at the carrier one way.
     fn locking() -> Gearbox {
         let loss = MeshLoss::Set(MeshEfficiency::new(0.97).unwrap());
         Gearbox::builder("locking")
@@ -208,18 +211,18 @@ mod tests {
         let wanted = Wanted {
             gear: "1".into(),
             speeds_rad_s: vec![("sun".into(), &speeds)],
-            torques_n_m: vec![("sun".into(), &torques)],
+            torques_n_m: vec![("carrier".into(), &torques)],
         };
         let found = answer(&gearbox, &wanted, &|_| true).unwrap().unwrap();
         assert_eq!(found.links, ["sun", "carrier"]);
         assert_eq!(found.terminals, ["sun", "carrier"]);
         let mut locked = 0;
         for (point, (&speed, &torque)) in speeds.iter().zip(&torques).enumerate() {
-            let sun = gearbox.link("sun").unwrap();
+            let [sun, carrier] = ["sun", "carrier"].map(|link| gearbox.link(link).unwrap());
             let alone = gearbox.with_inputs(
                 gearbox.gear("1").unwrap(),
                 &[(sun, AngularVelocity::from_si(speed))],
-                &[(sun, Torque::from_si(torque))],
+                &[(carrier, Torque::from_si(torque))],
             );
             // ω_sun = (1 − i₀)·ω_carrier with i₀ = 1.01
             assert!((found.speeds_rad_s[2 * point + 1] + 100.0 * speed).abs() < 1e-9 * speed.abs() * 100.0);
@@ -227,7 +230,7 @@ mod tests {
                 Ok(alone) => {
                     let load = alone.load.unwrap();
                     assert!(found.moves[point]);
-                    assert_eq!(found.torques_n_m[2 * point + 1], load.terminals[1].torque.si());
+                    assert_eq!(found.torques_n_m[2 * point], load.terminals[0].torque.si());
                     assert_eq!(found.powers_w[2 * point], load.terminals[0].power.si());
                     assert_eq!(found.losses_w[point], load.loss.si());
                 }

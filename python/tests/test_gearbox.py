@@ -1,0 +1,196 @@
+"""Gearboxes built in Python and read from files, and what is refused of them."""
+
+from __future__ import annotations
+
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import epicyclic
+from epicyclic import Gearbox
+
+REAL = ROOT / "examples" / "real-transmissions.yaml"
+
+
+def conveyor(**changes: Any) -> Gearbox:
+    described: dict[str, Any] = {
+        "input": "D",
+        "output": "B",
+        "sets": [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 2.94, "efficiency": 0.97}],
+        "brakes": {"K1": "T1"},
+        "clutches": {"K2": ("D", "B")},
+        "gears": {"slow": ["K1"], "fast": ["K2"]},
+    }
+    return Gearbox("conveyor", **{**described, **changes})
+
+
+def test_a_gearbox_is_built_in_python() -> None:
+    slow = conveyor().analyze().gears["slow"]
+    assert slow.ratio == pytest.approx(3.94, rel=1e-15)
+    assert slow.efficiency == pytest.approx((1 + 0.97 * 2.94) / 3.94, rel=1e-15)
+    assert conveyor().analyze(gear="slow", torque="500 N·m", speed="1475 rpm").operating_point.torque_n_m == 500.0
+
+
+def test_a_built_gearbox_is_that_of_its_file(tmp_path: Path) -> None:
+    file = tmp_path / "conveyor.yaml"
+    conveyor().save(file)
+    assert Gearbox.read(file).analyze() == conveyor().analyze()
+    assert epicyclic.analyze(file) == conveyor().analyze()
+    assert Gearbox.from_yaml(conveyor().yaml).analyze() == conveyor().analyze()
+
+
+def test_numbers_of_numpy_describe_a_gearbox() -> None:
+    teeth = np.array([18, 72])
+    sets = [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "teeth": teeth, "efficiency": np.float64(0.97)}]
+    exact = conveyor(sets=sets).analyze().gears["slow"].exact_ratio
+    assert (exact.numerator, exact.denominator) == (5, 1)
+
+
+def test_other_keys_of_a_file_are_taken() -> None:
+    drag = {"speeds": ["0 rpm", "500 rpm"], "torques": ["1 N·m", "2 N·m"], "beyond": "constant"}
+    box = conveyor(
+        sets=[{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 2.94}],
+        brakes=[{"id": "K1", "link": "T1", "drag": drag}],
+        clutches={"K2": {"one_way": ("D", "B")}},
+        gears={"slow": {"engaged": ["K1"], "output": "B"}},
+        density="7800 kg/m3",
+        note="a remark",
+    )
+    assert box.analyze().shift_elements["K2"].kind == "one_way_clutch"
+    assert box.losses(speed="500 rpm", torque="10 N·m") is not None
+
+
+def test_a_transmission_of_a_list_is_chosen() -> None:
+    box = Gearbox.read(REAL, transmission="8HP", efficiency=0.97)
+    gears = box.analyze().gears
+    exact = gears["5"].exact_ratio
+    assert (exact.numerator, exact.denominator) == (1171, 911)
+    assert gears["1"].efficiency < 1
+    assert box.sweep({"P1": 2.0}).gears[:2] == ["1", "2"]
+
+
+def test_a_gearbox_draws_itself() -> None:
+    svg = conveyor()._repr_svg_()
+    assert svg is not None and svg.startswith("<svg") and "</svg>" in svg
+    drawing = conveyor().draw(gear="slow", power=True)
+    assert drawing._repr_svg_().startswith("<svg") and drawing.svg != svg
+
+
+def test_a_drawing_is_saved_by_the_end_of_its_name(tmp_path: Path) -> None:
+    drawing = conveyor().draw()
+    for name, start in [("a.svg", b"<svg"), ("a.pdf", b"%PDF"), ("a.png", b"\x89PNG"), ("a.dxf", b"999\n")]:
+        drawing.save(tmp_path / name)
+        assert (tmp_path / name).read_bytes().lstrip(b" \n").startswith(start.lstrip(b" \n"))
+    with pytest.raises(epicyclic.Refused):
+        drawing.save(tmp_path / "a.bmp")
+    assert not (tmp_path / "a.bmp").exists()
+
+
+def test_a_gearbox_that_crosses_itself_has_no_picture_and_says_why() -> None:
+    box = Gearbox.read(ROOT / "examples" / "self-crossing.yaml")
+    assert box._repr_svg_() is None
+    with pytest.raises(epicyclic.NothingFound, match="crosses itself"):
+        box.draw()
+
+
+def test_a_fault_of_a_file_has_its_place() -> None:
+    with pytest.raises(epicyclic.Refused) as refused:
+        Gearbox.from_yaml("gearbox: x\ninput: D\noutput: B\nsets:\n  - id: P\n    sun: D\n    rnig: T\n", file="x.yaml").analyze()
+    place = refused.value.place
+    assert place is not None and (place.file, place.line) == ("x.yaml", 7)
+    assert "rnig" in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "name", "path"),
+    [
+        ({"sets": [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 0.5}]}, "refused", "sets[0]"),
+        ({"gears": {"slow": ["K3"]}}, "refused", "gears[0]"),
+        ({"efficiency": 2}, "unknown-key", ""),
+    ],
+)
+def test_a_fault_of_a_built_gearbox_has_its_place(changes: Any, name: str, path: str) -> None:
+    with pytest.raises(epicyclic.Refused) as refused:
+        conveyor(**changes).analyze()
+    assert refused.value.name == name, refused.value
+    place = refused.value.place
+    assert place is not None and place.path.startswith(path)
+    assert place.file == "conveyor (built in Python)"
+
+
+def test_nan_is_no_number_of_a_gearbox() -> None:
+    sets = [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": float("nan")}]
+    with pytest.raises(epicyclic.Refused):
+        conveyor(sets=sets).analyze()
+
+
+def test_an_error_names_the_option_and_is_pickled() -> None:
+    with pytest.raises(epicyclic.Refused) as refused:
+        conveyor().analyze(gear="slwo")
+    again = pickle.loads(pickle.dumps(refused.value))
+    assert (str(again), again.name, again.option, again.place) == (
+        str(refused.value),
+        refused.value.name,
+        refused.value.option,
+        refused.value.place,
+    )
+    assert isinstance(again, ValueError) and isinstance(again, epicyclic.Refused)
+
+
+def test_a_bare_number_where_a_unit_is_due_is_refused_with_the_unit() -> None:
+    with pytest.raises(epicyclic.Refused, match="N·m"):
+        conveyor().analyze(gear="slow", torque=500)
+
+
+def test_nothing_found_and_a_file_that_is_not_there_are_errors_of_their_kind(tmp_path: Path) -> None:
+    with pytest.raises(epicyclic.NothingFound) as nothing:
+        epicyclic.teeth(ratio=20)
+    assert nothing.value.exit_code == 1 and isinstance(nothing.value, LookupError)
+    missing = tmp_path / "no.yaml"
+    with pytest.raises(epicyclic.FileFailure, match="cannot be read") as failure:
+        epicyclic.analyze(missing)
+    assert isinstance(failure.value, OSError) and failure.value.exit_code == 3
+    with pytest.raises(epicyclic.FileFailure, match="cannot be read"):
+        Gearbox.read(missing)
+
+
+def test_words_that_look_like_options_are_values() -> None:
+    assert epicyclic.teeth(ratio=-4, mode="ab^H", limit=1).tooth_numbers[0].exact_ratio.numerator == -4
+    assert epicyclic.schemes("III-1", ratio1=-2.56, ratio2=-1.465).answer == "scheme"
+
+
+def test_several_gearboxes_are_compared() -> None:
+    built = conveyor()
+    answer = epicyclic.compare([built, "II-3"], k1=2.15, k2=2.35)
+    assert answer.answer == "compare"
+
+
+def test_a_page_is_written_where_it_is_wanted(tmp_path: Path) -> None:
+    page = tmp_path / "box.html"
+    made = conveyor().report(power="75 kW", speed="1475 rpm")
+    made.save(page)
+    assert "<iframe srcdoc=" in made._repr_html_() and "<script" not in made.html
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_a_schema_is_that_of_the_answers() -> None:
+    import json
+
+    assert "gears" in json.loads(epicyclic.schema("answer-analyze"))["properties"]
+
+
+def test_an_answer_is_written_to_a_file_too(tmp_path: Path) -> None:
+    import json
+
+    for name in ("a.json", "a.csv", "a.txt"):
+        answer = conveyor().analyze(output=tmp_path / name)
+        text = (tmp_path / name).read_text(encoding="utf-8")
+        assert answer.gearbox == "conveyor" and text, name
+        if name == "a.json":
+            assert json.loads(text) == answer.to_dict()
+    with pytest.raises(epicyclic.Refused, match="svg"):
+        conveyor().analyze(output=tmp_path / "a.svg")

@@ -1,0 +1,71 @@
+"""Long work: other threads go on, progress is told, Ctrl-C ends it."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from test_sweeps import two_sets
+
+import epicyclic
+
+LONG = {
+    "ratios": "4.171 2.340 1.521 1.143 0.867 0.691 -3.403",
+    "sets": 4,
+    "elements": 6,
+    "engaged": 3,
+    "class": "all",
+}
+
+
+def search(**options: object) -> object:
+    words = {("class_" if key == "class" else key): value for key, value in LONG.items()}
+    return epicyclic.synthesize(**{**words, **options})  # type: ignore[arg-type]
+
+
+def test_other_threads_go_on() -> None:
+    """A thread counts while a sweep runs; with Python's lock held it would stand."""
+    k = np.full(2_000_000, 2.0)
+    counts: list[int] = []
+    ended = threading.Event()
+
+    def count() -> None:
+        number = 0
+        while not ended.is_set():
+            number += 1
+            if number % 1000 == 0:
+                time.sleep(0)
+        counts.append(number)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        two_sets().sweep({"1": k})
+    finally:
+        ended.set()
+        thread.join()
+    assert counts[0] > 1000
+
+
+def test_a_sweep_tells_its_progress_and_ends_by_ctrl_c() -> None:
+    told: list[str] = []
+    k = np.full(20_000_000, 2.0)
+    timer = threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT))
+    begun = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        two_sets().sweep({"1": k}, progress=told.append)
+    timer.cancel()
+    assert time.monotonic() - begun < 20
+    assert told and told[0].endswith("of 20000000")
+
+
+def test_an_exception_of_the_progress_ends_the_work() -> None:
+    def stop(line: str) -> None:
+        raise RuntimeError(line)
+
+    with pytest.raises(RuntimeError, match="of 20000000"):
+        two_sets().sweep({"1": np.full(20_000_000, 2.0)}, progress=stop)
