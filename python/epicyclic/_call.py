@@ -118,6 +118,9 @@ def _error(code: int, answer: bytes, messages: str) -> Error:
         record = parsed(answer)
         if record.get("answer") == "error":
             return of_record(record)
+        error = of_messages(code, messages)
+        error.answer = Answer(record)
+        return error
     return of_messages(code, messages)
 
 

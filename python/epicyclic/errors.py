@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Mapping
+
+if TYPE_CHECKING:
+    from .records import Answer
 
 __all__ = ["Error", "FileFailure", "NothingFound", "Place", "Refused"]
 
@@ -36,6 +39,8 @@ class Error(Exception):
     place: Place | None
     exit_code: int
     """Exit code of the command line."""
+    answer: Answer | None = None
+    """Of :class:`NothingFound` the answer that tells why, where there is one: all candidates with what keeps them out."""
 
     def __init__(
         self,

@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
+from inspect import signature
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,7 +23,7 @@ __all__ = ["Drawing", "Gearbox", "Page"]
 Progress = Callable[[str], Any]
 """Called with a line of text while long work runs."""
 
-Links = Union[Sequence[str], Mapping[str, Sequence[str]]]
+Asked = TypeVar("Asked")
 
 
 class Gearbox:
@@ -143,43 +144,50 @@ class Gearbox:
     def __repr__(self) -> str:
         return f"<Gearbox {self._name!r}>"
 
+    def _asked(self, function: Callable[..., Asked], options: Mapping[str, Any]) -> Asked:
+        """What a command answers; of what the gearbox was read with it gets what it takes."""
+        takes = signature(function).parameters
+        return function(self, **{**{key: value for key, value in self._options.items() if key in takes}, **options})
+
     def analyze(self, **options: Any) -> Answer:
         """States, ratios, speeds, torques, powers and losses of its gears; options as of :func:`epicyclic.analyze`.
 
         >>> box.analyze(gear="1", torque="500 N·m").gear.efficiency  # doctest: +SKIP
         """
-        return commands.analyze(self, **{**self._options, **options})
+        return self._asked(commands.analyze, options)
 
     def report(self, **options: Any) -> Page:
         """A page about it; options as of :func:`epicyclic.report`."""
-        return commands.report(self, **{**self._options, **options})
+        return self._asked(commands.report, options)
 
     def losses(self, **options: Any) -> Answer:
         """What heats it at work; options as of :func:`epicyclic.losses`."""
-        return commands.losses(self, **{**self._options, **options})
+        return self._asked(commands.losses, options)
 
     def strength(self, **options: Any) -> Answer:
         """Safeties of its teeth by ISO 6336; options as of :func:`epicyclic.strength`."""
-        return commands.strength(self, **options)
+        return self._asked(commands.strength, options)
 
     def sheet(self, **options: Any) -> Answer:
         """Data sheets of its gears; options as of :func:`epicyclic.sheet`."""
-        return commands.sheet(self, **options)
+        return self._asked(commands.sheet, options)
 
     def size(self, **options: Any) -> Answer:
         """Sizes of its sets that hold over the duty of its description; options as of :func:`epicyclic.size`."""
-        return commands.size(self, **options)
+        return self._asked(commands.size, options)
 
     def vibrate(self, **options: Any) -> Answer:
         """Natural frequencies, modes and resonances of its sets; options as of :func:`epicyclic.vibrate`."""
-        return commands.vibrate(self, **options)
+        return self._asked(commands.vibrate, options)
 
     def draw(self, **options: Any) -> Drawing:
         """A drawing; options as of :func:`epicyclic.draw`.
 
         >>> box.draw(gear="2", power=True)  # doctest: +SKIP
         """
-        return commands.draw(self, **{**self._options, **options})
+        # Losses change nothing but the flow of power.
+        own = self._options if options.get("power") else {**self._options, "efficiency": None}
+        return commands.draw(self, **{**{key: value for key, value in own.items() if value is not None}, **options})
 
     def sweep(
         self,

@@ -76,7 +76,7 @@ class RatioSweep:
             raise KeyError(f"{name!r}: there are {', '.join(self.gears)}")
         return self.gears.index(name)
 
-    def table(self) -> dict[str, NDArray[Any] | Masked]:
+    def table(self) -> dict[str, Any]:
         """Columns of one row for each variant and gear: ``k_…`` of the sets, ``gear``, ``state``, ``ratio``, ``efficiency``.
 
         ``pandas.DataFrame`` and ``polars.DataFrame`` take it; ratios and efficiencies that do not exist are
@@ -85,8 +85,8 @@ class RatioSweep:
         count = len(self.gears)
         variants = self.state.size // count if count else 0
         columns: dict[str, Any] = {f"k_{name}": np.repeat(values.ravel(), count) for name, values in self.k.items()}
-        columns["gear"] = np.tile(np.asarray(self.gears, dtype=object), variants)
-        columns["state"] = self.states.ravel().astype(object)
+        columns["gear"] = np.tile(np.asarray(self.gears), variants)
+        columns["state"] = self.states.ravel()
         for name, values in (("ratio", self.ratio), ("efficiency", self.efficiency)):
             columns[name] = _column(values)
         return columns
@@ -129,7 +129,7 @@ class PointSweep:
             raise KeyError(f"{terminal!r}: there are {', '.join(self.terminals) or 'none, since no torque was given'}")
         return self.torque_n_m[..., self.terminals.index(terminal)]
 
-    def table(self) -> dict[str, NDArray[Any] | Masked]:
+    def table(self) -> dict[str, Any]:
         """Columns of one row for each point; ``pandas.DataFrame`` and ``polars.DataFrame`` take it."""
         columns = {f"speed_{link}_rad_s": _column(self.speed(link)) for link in self.links}
         for place, link in enumerate(self.terminals):
@@ -144,13 +144,12 @@ class PointSweep:
 
 
 def _column(values: Masked) -> Any:
-    """A column without masks where all values exist; else with ``None``."""
+    """An array where all values exist; else a list with ``None``."""
     flat = values.ravel()
     if not np.ma.is_masked(flat):
         return np.asarray(flat)
-    column = np.asarray(flat.data, dtype=object)
-    column[np.ma.getmaskarray(flat)] = None
-    return column
+    # A list: of an array of objects neither frame makes numbers.
+    return flat.tolist()
 
 
 def _columns(named: Mapping[str, ArrayLike], what: str) -> tuple[dict[str, NDArray[np.float64]], tuple[int, ...]]:
