@@ -10,7 +10,7 @@ on the command line: ``torque="500 N·m"``. Several values are a list, values by
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, TypedDict
 
 from . import _call
 from ._call import Path, Progress, Source, Values
@@ -45,6 +45,152 @@ __all__ = [
     "teeth",
     "vibrate",
 ]
+
+
+class AnalyzeOptions(TypedDict, total=False):
+    """Arguments of :func:`analyze`."""
+
+    k1: Values | None
+    k2: Values | None
+    ratio1: Values | None
+    ratio2: Values | None
+    transmission: Values | None
+    efficiency: Values | None
+    gear: Values | None
+    all_combinations: bool
+    formula: bool
+    steps: bool
+    shifts: bool
+    progression: Values | None
+    speeds: Values | None
+    torques: Values | None
+    map: Values | None
+    torque: Values | None
+    power: Values | None
+    speed: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class StrengthOptions(TypedDict, total=False):
+    """Arguments of :func:`strength`."""
+
+    gear: Values | None
+    factors: bool
+    torque: Values | None
+    power: Values | None
+    speed: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class SheetOptions(TypedDict, total=False):
+    """Arguments of :func:`sheet`."""
+
+    set: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class SizeOptions(TypedDict, total=False):
+    """Arguments of :func:`size`."""
+
+    modules: Values | None
+    face_widths: Values | None
+    planets: Values | None
+    centre_distance_step: Values | None
+    width_ratio: Values | None
+    aim: Literal["sliding", "tip-alteration"] | None
+    tip_thickness: Values | None
+    planet_rim: Values | None
+    ring_rim: Values | None
+    bearings: Values | None
+    bearing_rows: Values | None
+    no_bearings: bool
+    minimise: Literal["mass", "ring"] | None
+    most: Values | None
+    save: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class LossesOptions(TypedDict, total=False):
+    """Arguments of :func:`losses`."""
+
+    k1: Values | None
+    k2: Values | None
+    ratio1: Values | None
+    ratio2: Values | None
+    transmission: Values | None
+    efficiency: Values | None
+    gear: Values | None
+    speed: Values | None
+    torque: Values | None
+    power: Values | None
+    load_torque: Values | None
+    speeds: Values | None
+    torques: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class VibrateOptions(TypedDict, total=False):
+    """Arguments of :func:`vibrate`."""
+
+    gear: Values | None
+    set: Values | None
+    speeds: Values | None
+    harmonics: Values | None
+    campbell: Values | None
+    shapes: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class DrawOptions(TypedDict, total=False):
+    """Arguments of :func:`draw`."""
+
+    view: Literal["scheme", "speeds", "levers", "ladder", "map", "centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None
+    transmission: Values | None
+    gear: Values | None
+    power: bool
+    whole: bool
+    same_side: bool
+    to_scale: bool
+    speeds: Values | None
+    torques: Values | None
+    k1: Values | None
+    k2: Values | None
+    ratio1: Values | None
+    ratio2: Values | None
+    efficiency: Values | None
+    title: Values | None
+    dpi: Values | None
+    svg: Values | None
+    dxf: Values | None
+    output: Path | None
+    progress: Progress | None
+
+
+class ReportOptions(TypedDict, total=False):
+    """Arguments of :func:`report`."""
+
+    k1: Values | None
+    k2: Values | None
+    ratio1: Values | None
+    ratio2: Values | None
+    transmission: Values | None
+    efficiency: Values | None
+    torque: Values | None
+    power: Values | None
+    speed: Values | None
+    to_scale: bool
+    project: Values | None
+    customer: Values | None
+    author: Values | None
+    date: Values | None
+    paper: Literal["a4", "letter"] | None
+    progress: Progress | None
 
 
 def teeth(

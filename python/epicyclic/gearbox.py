@@ -8,7 +8,7 @@ from html import escape
 from inspect import signature
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, TypeVar, Union
+from typing import Any, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -149,38 +149,38 @@ class Gearbox:
         takes = signature(function).parameters
         return function(self, **{**{key: value for key, value in self._options.items() if key in takes}, **options})
 
-    def analyze(self, **options: Any) -> Answer:
+    def analyze(self, **options: Unpack[commands.AnalyzeOptions]) -> Answer:
         """States, ratios, speeds, torques, powers and losses of its gears; options as of :func:`epicyclic.analyze`.
 
         >>> box.analyze(gear="1", torque="500 N·m").gear.efficiency  # doctest: +SKIP
         """
         return self._asked(commands.analyze, options)
 
-    def report(self, **options: Any) -> Page:
+    def report(self, **options: Unpack[commands.ReportOptions]) -> Page:
         """A page about it; options as of :func:`epicyclic.report`."""
         return self._asked(commands.report, options)
 
-    def losses(self, **options: Any) -> Answer:
+    def losses(self, **options: Unpack[commands.LossesOptions]) -> Answer:
         """What heats it at work; options as of :func:`epicyclic.losses`."""
         return self._asked(commands.losses, options)
 
-    def strength(self, **options: Any) -> Answer:
+    def strength(self, **options: Unpack[commands.StrengthOptions]) -> Answer:
         """Safeties of its teeth by ISO 6336; options as of :func:`epicyclic.strength`."""
         return self._asked(commands.strength, options)
 
-    def sheet(self, **options: Any) -> Answer:
+    def sheet(self, **options: Unpack[commands.SheetOptions]) -> Answer:
         """Data sheets of its gears; options as of :func:`epicyclic.sheet`."""
         return self._asked(commands.sheet, options)
 
-    def size(self, **options: Any) -> Answer:
+    def size(self, **options: Unpack[commands.SizeOptions]) -> Answer:
         """Sizes of its sets that hold over the duty of its description; options as of :func:`epicyclic.size`."""
         return self._asked(commands.size, options)
 
-    def vibrate(self, **options: Any) -> Answer:
+    def vibrate(self, **options: Unpack[commands.VibrateOptions]) -> Answer:
         """Natural frequencies, modes and resonances of its sets; options as of :func:`epicyclic.vibrate`."""
         return self._asked(commands.vibrate, options)
 
-    def draw(self, **options: Any) -> Drawing:
+    def draw(self, **options: Unpack[commands.DrawOptions]) -> Drawing:
         """A drawing; options as of :func:`epicyclic.draw`.
 
         >>> box.draw(gear="2", power=True)  # doctest: +SKIP

@@ -12,20 +12,6 @@ from test_sweeps import two_sets
 
 import epicyclic
 
-LONG = {
-    "ratios": "4.171 2.340 1.521 1.143 0.867 0.691 -3.403",
-    "sets": 4,
-    "elements": 6,
-    "engaged": 3,
-    "class": "all",
-}
-
-
-def search(**options: object) -> object:
-    words = {("class_" if key == "class" else key): value for key, value in LONG.items()}
-    return epicyclic.synthesize(**{**words, **options})  # type: ignore[arg-type]
-
-
 def test_other_threads_go_on() -> None:
     """A thread counts while a sweep runs; with Python's lock held it would stand."""
     k = np.full(2_000_000, 2.0)
@@ -69,3 +55,26 @@ def test_an_exception_of_the_progress_ends_the_work() -> None:
 
     with pytest.raises(RuntimeError, match="of 20000000"):
         two_sets().sweep({"1": np.full(20_000_000, 2.0)}, progress=stop)
+
+
+def test_a_search_tells_its_progress_and_ends_by_ctrl_c() -> None:
+    told: list[str] = []
+    timer = threading.Timer(3.0, lambda: signal.raise_signal(signal.SIGINT))
+    begun = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        epicyclic.synthesize(
+            ratios="4.171 2.340 1.521 1.143 0.867 0.691 -3.403",
+            sets=3,
+            elements=6,
+            engaged=3,
+            class_="all-sparse",
+            progress=told.append,
+        )
+    timer.cancel()
+    assert time.monotonic() - begun < 15
+    assert told and told[0].startswith("searching")
+
+
+def test_after_an_end_the_next_call_answers() -> None:
+    assert epicyclic.teeth(ratio=6, planets=4, limit=1).tooth_numbers[0].exact_ratio.numerator == 6

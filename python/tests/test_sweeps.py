@@ -121,3 +121,10 @@ def test_points_without_torques_are_speeds() -> None:
     assert refused.value.name == "inputs"
     with pytest.raises(KeyError, match="no torque was given"):
         found.torque("ring")
+
+
+def test_numpy_says_the_same_of_a_four_speed_gearbox(capsys: pytest.CaptureFixture[str]) -> None:
+    import runpy
+
+    runpy.run_path(str(ROOT / "python" / "benchmarks" / "sweep.py"))["main"](2000, 1)
+    assert "2000 variants of 5 gears" in capsys.readouterr().out

@@ -26,7 +26,7 @@ on the command line: ``torque="500 N·m"``. Several values are a list, values by
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, TypedDict
 
 from . import _call
 from ._call import Path, Progress, Source, Values
@@ -37,6 +37,8 @@ from .records import Answer
 
 # Written by the call itself.
 OWN = {"format", "help", "version"}
+# Those that a gearbox has as methods.
+METHODS = {"analyze", "draw", "losses", "report", "sheet", "size", "strength", "vibrate"}
 SOURCES = {"gearbox", "file", "files", "gearboxes"}
 
 
@@ -130,9 +132,26 @@ def function(command: dict[str, Any]) -> str:
     return f"def {name}(\n" + "\n".join(signature) + f"\n) -> {returned}:\n{doc}\n{body}\n"
 
 
+def options(command: dict[str, Any]) -> str:
+    """The arguments by name of a command, for the method of a gearbox."""
+    arguments = [argument for argument in command["arguments"] if argument["long"] and argument["id"] not in OWN]
+    ids = {argument["id"] for argument in command["arguments"]}
+    name = "".join(part.capitalize() for part in command["path"])
+    lines = [f'class {name}Options(TypedDict, total=False):', f'    """Arguments of :func:`{command["path"][0]}`."""', ""]
+    for argument in arguments:
+        if argument["id"] == "output":
+            continue
+        own = kind_of(argument)
+        lines.append(f"    {name_of(argument['long'])}: {own}" + ("" if own == "bool" else " | None"))
+    if "format" in ids and command["path"] != ["report"]:
+        lines.append("    output: Path | None")
+    return "\n".join([*lines, "    progress: Progress | None", ""])
+
+
 def module() -> str:
     commands = json.loads(_core.commands())
-    functions = [function(command) for command in commands]
+    functions = [options(command) for command in commands if command["path"][0] in METHODS]
+    functions += [function(command) for command in commands]
     names = ["_".join(name_of(part) for part in command["path"]) for command in commands]
     listed = "__all__ = [\n" + "".join(f"    {json.dumps(name)},\n" for name in sorted(names)) + "]\n\n\n"
     text = HEAD + listed + "\n\n".join(functions)
