@@ -39,7 +39,9 @@ def read(file: str) -> bytes:
         with open(file, "rb") as opened:
             return opened.read()
     except OSError as error:
-        raise of_messages(3, f"{file}: cannot be read: {error.strerror}") from error
+        failure = of_messages(3, f"{file}: cannot be read: {error.strerror} (os error {error.errno})")
+        failure.name = "cannot-be-read"
+        raise failure from error
 
 
 def _word(value: Any, files: dict[str, bytes], option: str) -> str:
@@ -170,12 +172,14 @@ def drawing(
 
     said, files = line(command, words, options, many)
 
-    def drawn(name: str) -> bytes:
+    def drawn(name: str) -> tuple[bytes, bytes]:
         at = len(command)
-        _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
-        return written[name]
+        out = ["--format=json", f"--output={name}"]
+        record, _, written = run([*said[:at], *out, *said[at:]], files, progress, [name])
+        return record, written[name]
 
-    return Drawing(drawn("drawing.svg").decode(), drawn)
+    record, svg = drawn("drawing.svg")
+    return Drawing(svg.decode(), Answer(parsed(record)), lambda name: drawn(name)[1])
 
 
 def page(
@@ -190,5 +194,6 @@ def page(
 
     said, files = line(command, words, options, many)
     at, name = len(command), "page.html"
+    record, _, _ = run([*said[:at], "--format=json", *said[at:]], files, progress)
     _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
-    return Page(written[name].decode())
+    return Page(written[name].decode(), Answer(parsed(record)))

@@ -1018,8 +1018,7 @@ def vibrate(
 
 
 def compare(
-    gearboxes: Source | Sequence[Source],
-    *,
+    *gearboxes: Source,
     k1: Values | None = None,
     k2: Values | None = None,
     ratio1: Values | None = None,
@@ -1100,7 +1099,7 @@ def compare(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["compare"], [gearboxes], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--torque": torque, "--power": power, "--speed": speed, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--transmission": "repeated"}, output=output)
+    return _call.answer(["compare"], [*gearboxes], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--torque": torque, "--power": power, "--speed": speed, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--transmission": "repeated"}, output=output)
 
 
 def select(

@@ -272,9 +272,11 @@ class Gearbox:
 class Drawing:
     """A drawing, shown in a notebook as it is."""
 
-    def __init__(self, svg: str, redraw: Callable[[str], bytes]) -> None:
+    def __init__(self, svg: str, answer: Answer, redraw: Callable[[str], bytes]) -> None:
         self.svg = svg
         """The drawing as SVG."""
+        self.answer = answer
+        """What it shows, as a record."""
         self._redraw = redraw
 
     def _repr_svg_(self) -> str:
@@ -292,9 +294,11 @@ class Drawing:
 class Page:
     """A page to read and print, whole in itself."""
 
-    def __init__(self, html: str) -> None:
+    def __init__(self, html: str, answer: Answer) -> None:
         self.html = html
         """The page as HTML."""
+        self.answer = answer
+        """The answers that it is made from, as a record."""
 
     def _repr_html_(self) -> str:
         # In a frame, so that its style and that of the notebook do not meet.

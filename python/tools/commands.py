@@ -62,7 +62,7 @@ def kind_of(argument: dict[str, Any]) -> str:
     if argument["is_flag"]:
         return "bool"
     if not argument["long"] and argument["id"] in SOURCES:
-        return "Source | Sequence[Source]" if argument["is_many"] else "Source"
+        return "Source"
     if argument["choices"]:
         choices = ", ".join(json.dumps(choice, ensure_ascii=False) for choice in argument["choices"])
         return f"Sequence[Literal[{choices}]] | Literal[{choices}]" if argument["is_many"] else f"Literal[{choices}]"
@@ -82,9 +82,13 @@ def function(command: dict[str, Any]) -> str:
     options = [argument for argument in arguments if argument["long"]]
     signature, described = [], []
     for argument in positional:
+        if argument["is_many"]:
+            signature.append(f"    *{name_of(argument['id'])}: {kind_of(argument)},")
+            continue
         default = "" if argument["is_required"] else " | None = None"
         signature.append(f"    {name_of(argument['id'])}: {kind_of(argument)}{default},")
-    signature.append("    *,")
+    if not any(argument["is_many"] for argument in positional):
+        signature.append("    *,")
     for argument in sorted(options, key=lambda one: not one["is_required"]):
         own = kind_of(argument)
         default = " = False" if own == "bool" else "" if argument["is_required"] else " | None = None"
@@ -101,7 +105,7 @@ def function(command: dict[str, Any]) -> str:
             "        line writes them a page in .html or a drawing; what is asked is then answered twice"
         )
     described.append("    progress\n        Called with a line of text now and then while long work runs.")
-    words = ", ".join(name_of(argument["id"]) for argument in positional)
+    words = ", ".join(f"{'*' if argument['is_many'] else ''}{name_of(argument['id'])}" for argument in positional)
     given = ", ".join(f'"--{argument["long"]}": {name_of(argument["long"])}' for argument in options)
     many = {f"--{one['long']}": "repeated" for one in options if one["is_many"]}
     about, *rest = python_words(command["about"]).split("\n\n")

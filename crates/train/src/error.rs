@@ -2,6 +2,7 @@
 
 use crate::compound::{CentralKind, GearName, SetMember};
 pub use crate::drag_fault::DragFault;
+pub use crate::operating_fault::OperatingFault;
 use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -322,24 +323,6 @@ impl Error {
             Self::VariedTwice { .. } => "varied-twice",
         }
     }
-}
-
-/// Why a gear does not run at an operating point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum OperatingFault {
-    /// Power into an input without speed.
-    #[error("an input at rest takes no power")]
-    PowerAtRest,
-    /// A speed or load that is no number, or too large.
-    #[error("speed and load are numbers up to 1e50 in size")]
-    NoNumber,
-    /// One of several speeds and torques that is no number, or too large.
-    #[error("speeds and torques are numbers up to 1e50 in size")]
-    NoNumbers,
-    /// Power out of the input of a gear that is self-locking in this direction.
-    #[error("power cannot leave at the input: the gear is self-locking when driven from its output")]
-    SelfLocking,
 }
 
 /// What a compiled gear is solved for.

@@ -87,6 +87,7 @@ pub mod names;
 mod network;
 pub mod one_way;
 pub mod operating;
+mod operating_fault;
 pub mod planet_bearings;
 mod planet_places;
 pub mod planet_set;
