@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import keyword
 import math
 import os
 import re
 import shlex
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +68,7 @@ def understood(line: str) -> tuple[tuple[str, ...], list[str], dict[str, Any]] |
         if name in {"--format", "--output"}:
             continue
         key = option["long"].replace("-", "_")
+        key += "_" if keyword.iskeyword(key) else ""
         if option["is_many"]:
             options.setdefault(key, []).append(given)
         else:
@@ -116,13 +119,19 @@ def test_python_answers_as_the_command_line(line: str, folder: Path, program: st
     words = [word for word in words if not word.startswith(("--format=", "--output="))]
     if path == ("draw",):
         words += ["--output", "drawing.svg"]
-    called = subprocess.run(
-        [program, *words, "--format", "json"], capture_output=True, cwd=folder, env={**os.environ, "COLUMNS": "80"}
+    # Both at a time: what is called from Python does not hold its lock.
+    started = ThreadPoolExecutor(1).submit(
+        subprocess.run,
+        [program, *words, "--format", "json"],
+        capture_output=True,
+        cwd=folder,
+        env={**os.environ, "COLUMNS": "80"},
     )
     function = getattr(epicyclic, "_".join(part.replace("-", "_") for part in path))
     try:
         answer = function(*positional, **options)
     except epicyclic.Error as error:
+        called = started.result()
         assert called.returncode == error.exit_code, called.stderr.decode()
         if called.stdout:
             record = json.loads(called.stdout)
@@ -138,6 +147,7 @@ def test_python_answers_as_the_command_line(line: str, folder: Path, program: st
         else:
             assert error.message in called.stderr.decode()
         return
+    called = started.result()
     assert called.returncode == 0, called.stderr.decode()
     record = answer if isinstance(answer, epicyclic.Answer) else answer.answer
     assert differences(json.loads(called.stdout), record.to_dict()) == []
