@@ -111,7 +111,7 @@ class Records(Sequence[Any]):
     __hash__ = None  # type: ignore[assignment]
 
     def _repr_html_(self) -> str:
-        return _table_html(_flat_rows([({}, row) for row in self._rows]))
+        return _table_html(_flat_rows([({}, _shown(_plain(row))) for row in self._rows]))
 
 
 class Answer(Record):
@@ -284,6 +284,16 @@ def _cell(value: Any) -> str:
     return html.escape(str(value))
 
 
+def _shown(value: Any) -> Any:
+    """Fractions as people write them."""
+    if isinstance(value, dict):
+        if value.keys() == {"numerator", "denominator"}:
+            whole = value["denominator"] == 1
+            return str(value["numerator"]) if whole else f"{value['numerator']}/{value['denominator']}"
+        return {key: _shown(inner) for key, inner in value.items()}
+    return [_shown(inner) for inner in value] if isinstance(value, list) else value
+
+
 def _table_html(rows: list[dict[str, Any]]) -> str:
     if not rows:
         return "<p>–</p>"
@@ -293,13 +303,13 @@ def _table_html(rows: list[dict[str, Any]]) -> str:
         "<tr>" + "".join(f"<td>{_cell(row[key])}</td>" for key in keys) + "</tr>" for row in rows[:_MOST_ROWS]
     )
     more = f"<p>… {len(rows) - _MOST_ROWS} more rows</p>" if len(rows) > _MOST_ROWS else ""
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+    return f"<div style='overflow-x: auto'><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>{more}"
 
 
 def _html(record: Record) -> str:
-    plain = record.to_dict()
+    plain = _shown(record.to_dict())
     warnings = plain.pop("warnings", [])
-    facts = [(key, value) for key, value in _flat(plain) if value is not None and key != "schema_version"]
+    facts = [(key, value) for key, value in _flat(plain) if value not in (None, []) and key != "schema_version"]
     parts = []
     for key, value in plain.items():
         if isinstance(value, list) and value and isinstance(value[0], dict):

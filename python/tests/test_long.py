@@ -14,7 +14,7 @@ import epicyclic
 
 def test_other_threads_go_on() -> None:
     """A thread counts while a sweep runs; with Python's lock held it would stand."""
-    k = np.full(2_000_000, 2.0)
+    k = np.full(300_000, 2.0)
     counts: list[int] = []
     ended = threading.Event()
 
@@ -39,14 +39,14 @@ def test_other_threads_go_on() -> None:
 def test_a_sweep_tells_its_progress_and_ends_by_ctrl_c() -> None:
     told: list[str] = []
     k = np.full(20_000_000, 2.0)
-    timer = threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT))
-    begun = time.monotonic()
+    timer = threading.Timer(2.0, lambda: signal.raise_signal(signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         two_sets().sweep({"1": k}, progress=told.append)
     timer.cancel()
-    assert time.monotonic() - begun < 20
-    assert told and told[0].endswith("of 20000000")
+    assert told and all(line.endswith(" of 20000000") for line in told)
+    # It has not come to its end.
+    assert not told[-1].startswith("20000000")
 
 
 def test_an_exception_of_the_progress_ends_the_work() -> None:

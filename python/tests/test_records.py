@@ -85,7 +85,12 @@ def test_a_notebook_shows_tables(answer: Answer) -> None:
     shown = answer._repr_html_()
     assert "<h4>gears</h4>" in shown and "nan" not in shown.lower().replace("nance", "")
     assert "<td>II-3</td>" in shown
-    assert answer.gears._repr_html_().startswith("<table>")
+    assert answer.gears._repr_html_().count("<tr>") == 4
+
+
+def test_fractions_are_shown_as_people_write_them() -> None:
+    shown = epicyclic.teeth(ratio=4.3, planets=4, limit=3).tooth_numbers._repr_html_()
+    assert "<td>43/10</td>" in shown and "numerator" not in shown
 
 
 def test_what_is_shown_is_escaped() -> None:
