@@ -33,6 +33,12 @@ type PointArrays<'py> = (
     Flags<'py>,
 );
 
+/// The gears, and the columns.
+type Ratios<'py> = (Vec<String>, RatioArrays<'py>);
+
+/// The links, the terminals, and the columns.
+type AtPoints<'py> = (Vec<String>, Vec<String>, PointArrays<'py>);
+
 /// What is found, or a refusal as JSON.
 type Answered<Found> = (Option<Found>, Option<String>);
 
@@ -132,7 +138,7 @@ pub(crate) fn sweep<'py>(
     gears: Vec<String>,
     k: Given<'py>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Answered<(Vec<String>, RatioArrays<'py>)>> {
+) -> PyResult<Answered<Ratios<'py>>> {
     let k = owned(k);
     let count = k.first().map_or(1, |(_, values)| values.len());
     let found = solved(py, progress, count, move |proceed| {
@@ -145,7 +151,7 @@ pub(crate) fn sweep<'py>(
     })
 }
 
-fn of_ratios(py: Python<'_>, columns: Columns) -> (Vec<String>, RatioArrays<'_>) {
+fn of_ratios(py: Python<'_>, columns: Columns) -> Ratios<'_> {
     let states: Vec<u8> = columns.states.iter().map(|state| *state as u8).collect();
     let arrays = (
         states.into_pyarray(py),
@@ -167,7 +173,7 @@ pub(crate) fn points<'py>(
     speeds_rad_s: Given<'py>,
     torques_n_m: Given<'py>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Answered<(Vec<String>, Vec<String>, PointArrays<'py>)>> {
+) -> PyResult<Answered<AtPoints<'py>>> {
     let (speeds, torques) = (owned(speeds_rad_s), owned(torques_n_m));
     let count = speeds.first().map_or(1, |(_, values)| values.len());
     let found = solved(py, progress, count, move |proceed| {
@@ -181,7 +187,7 @@ pub(crate) fn points<'py>(
     })
 }
 
-fn of_points(py: Python<'_>, columns: PointColumns) -> (Vec<String>, Vec<String>, PointArrays<'_>) {
+fn of_points(py: Python<'_>, columns: PointColumns) -> AtPoints<'_> {
     let arrays = (
         columns.speeds_rad_s.into_pyarray(py),
         columns.has_speed.into_pyarray(py),
