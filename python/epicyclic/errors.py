@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Mapping
 
@@ -96,4 +97,5 @@ def of_messages(code: int, messages: str) -> Error:
     starts = [at for at, line in enumerate(lines) if line.startswith("error: ")]
     text = "\n".join(lines[starts[-1] :]) if starts else messages
     text = text.removeprefix("error: ").split("\n\nUsage: ")[0].split("\n\nFor more information")[0].strip()
-    return _KINDS.get(code, Refused)(text, exit_code=code)
+    named = re.match(r"invalid value .*? for '(--[a-z0-9-]+)", text, re.S)
+    return _KINDS.get(code, Refused)(text, option=named[1] if named else None, exit_code=code)

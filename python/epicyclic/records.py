@@ -129,7 +129,7 @@ class Answer(Record):
 
     def tables(self) -> list[str]:
         """Names that :meth:`table` takes: the lists of records, at any depth."""
-        return [*_tables(self.to_dict(), "")]
+        return [name for name, rows in _tables(self.to_dict(), "").items() if rows]
 
     def table(self, name: str) -> list[dict[str, Any]]:
         """A list of records as flat rows, all with the same keys.
@@ -158,7 +158,7 @@ class Answer(Record):
                     named = {**outer, **_identity(value, outer)}
                     below += [(named, row) for row in inner] if isinstance(inner, list) else [(named, inner)]
             rows = below if any(True for _ in below) else []
-            if not rows and name not in self.tables():
+            if not rows and name not in _tables(self.to_dict(), ""):
                 raise KeyError(f"{name!r}: there are {', '.join(self.tables())}")
         if len(rows) == 1 and isinstance(rows[0][1], dict) and (columns := _columns(rows[0][1])):
             return [dict(zip(columns, row)) for row in zip(*columns.values())]
@@ -206,19 +206,24 @@ def _identity(record: Mapping[str, Any], outer: Mapping[str, Any]) -> dict[str, 
     return {}
 
 
-def _tables(value: Any, path: str) -> Iterator[str]:
-    found: dict[str, None] = {}
+def _tables(value: Any, path: str) -> dict[str, bool]:
+    """Lists by the keys that lead to them, and whether they have rows."""
+    found: dict[str, bool] = {}
+
+    def add(names: dict[str, bool]) -> None:
+        found.update({name: rows or found.get(name, False) for name, rows in names.items()})
+
     for key, inner in value.items():
         place = f"{path}.{key}" if path else key
         if isinstance(inner, dict):
             if _columns(inner):
-                found[place] = None
-            found.update(dict.fromkeys(_tables(inner, place)))
+                add({place: True})
+            add(_tables(inner, place))
         elif isinstance(inner, list) and (not inner or isinstance(inner[0], dict)):
-            found[place] = None
+            add({place: bool(inner)})
             for row in inner:
-                found.update(dict.fromkeys(_tables(row, place)))
-    yield from found
+                add(_tables(row, place))
+    return found
 
 
 def _flat(record: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:

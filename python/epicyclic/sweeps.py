@@ -153,6 +153,8 @@ def _column(values: Masked) -> Any:
 
 
 def _columns(named: Mapping[str, ArrayLike], what: str) -> tuple[dict[str, NDArray[np.float64]], tuple[int, ...]]:
+    if not isinstance(named, Mapping):
+        raise TypeError("arrays by name are due: {'1': [2.0, 3.0]}")
     arrays = {}
     for name, values in named.items():
         if np.ma.is_masked(values):

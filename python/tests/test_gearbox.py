@@ -142,8 +142,9 @@ def test_an_error_names_the_option_and_is_pickled() -> None:
 
 
 def test_a_bare_number_where_a_unit_is_due_is_refused_with_the_unit() -> None:
-    with pytest.raises(epicyclic.Refused, match="N·m"):
+    with pytest.raises(epicyclic.Refused, match="write 500 N·m") as refused:
         conveyor().analyze(gear="slow", torque=500)
+    assert refused.value.option == "--torque"
 
 
 def test_nothing_found_and_a_file_that_is_not_there_are_errors_of_their_kind(tmp_path: Path) -> None:

@@ -88,6 +88,11 @@ def test_what_cannot_vary_is_refused(k: Any, gears: Any, name: str, told: str) -
     assert refused.value.name == name and told in str(refused.value), refused.value
 
 
+def test_an_array_without_a_name_is_refused() -> None:
+    with pytest.raises(TypeError, match="by name"):
+        two_sets().sweep(np.array([2.0]))  # type: ignore[arg-type]
+
+
 def test_a_file_that_is_none_is_refused_with_its_place() -> None:
     with pytest.raises(epicyclic.Refused) as refused:
         two_sets(k1=0.5).sweep({"2": 2.0})

@@ -2,7 +2,7 @@
 //!
 //! # Method
 //! Where a gear has as many equations as speeds to settle, and no loop of connections, it is driven where these
-//! equations are independent and the output turns. [`proof`] eliminates with a bound on the error of every number:
+//! equations are independent and the output turns. `proof` eliminates with a bound on the error of every number:
 //! where each pivot is certainly not 0 and the output's speed has certain digits, nothing else is needed for state and
 //! ratio, and the compiled gear gives the efficiency. Everything else, gears of another form too, takes the way of
 //! [`Gearbox::analyze`] at these basic ratios. So a state is proved here as it is there.
