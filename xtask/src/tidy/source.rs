@@ -69,7 +69,7 @@ impl Source {
     /// Whether this is a library's own code: of a crate other than the program and `xtask`.
     #[must_use]
     pub fn is_library(&self) -> bool {
-        self.in_crate().is_some_and(|(name, _)| !matches!(name, "cli" | "xtask"))
+        self.in_crate().is_some_and(|(name, _)| !matches!(name, "cli" | "python" | "xtask"))
     }
 
     /// The line, from 1, of a byte of the text.
