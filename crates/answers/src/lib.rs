@@ -6,8 +6,10 @@
 //!
 //! | module | answers |
 //! |---|---|
+//! | [`adjust`] | the numbers of a file that can be changed while one looks on |
 //! | [`gearbox`] | reads the gearbox of a file |
 //! | [`analyze`] | what a gearbox does in its gears |
+//! | [`front`] | the sets of a gearbox seen from the front, as they turn in a gear |
 //! | [`losses`] | what a gearbox loses at work, mesh by mesh and drag by drag |
 //! | [`compare`] | gearboxes side by side |
 //! | [`transmissions`] | the transmissions of a file to choose from |
@@ -52,6 +54,7 @@
 //! # }
 //! ```
 
+pub mod adjust;
 pub mod analyze;
 pub mod answer;
 pub mod catalogue;
@@ -62,6 +65,7 @@ pub mod drawability;
 pub mod drive;
 pub mod error;
 pub mod finite;
+pub mod front;
 pub mod gearbox;
 pub mod losses;
 pub mod machine;
