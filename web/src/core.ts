@@ -11,6 +11,7 @@ export interface Question {
   pictures?: PictureName[];
   tables?: boolean;
   gear_tables?: boolean;
+  list?: boolean;
 }
 
 export type PictureName = 'scheme' | 'power' | 'speeds' | 'levers' | 'ladder';

@@ -197,14 +197,12 @@ export class GearboxPage {
     const wanted = this.views.filter((view) => view.isSeen && !(view.name === 'speeds' && this.state.gear === null));
     const question = this.question();
     try {
-      const look = await core.look(this.state.file, { ...question, pictures: wanted.map((view) => this.named(view)) });
-      if (look.transmissions) {
-        this.transmissions(look.transmissions.transmissions.map(({ name }) => name));
+      const look = await core.look(this.state.file, { ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
+      if (look.transmissions && !look.analyze) {
         this.state.transmission = look.transmissions.transmissions[0]?.name ?? null;
-        at<HTMLSelectElement>('transmission').value = this.state.transmission ?? '';
         return this.update(isAnother);
       }
-      if (isAnother && this.state.transmission === null) this.transmissions([]);
+      if (isAnother) this.transmissions((look.transmissions?.transmissions ?? []).map(({ name }) => name));
       this.look = look;
       at('refused').textContent = '';
       this.facts(look, isAnother);
@@ -245,7 +243,7 @@ export class GearboxPage {
 
   private transmissions(names: string[]): void {
     at('transmission-field').hidden = names.length === 0;
-    at('transmission').replaceChildren(...names.map((name) => h('option', { value: name }, name)));
+    at('transmission').replaceChildren(...names.map((name) => h('option', { value: name, selected: name === this.state.transmission }, name)));
   }
 
   private facts(look: Look, isAnother: boolean): void {
@@ -381,14 +379,15 @@ export function tabled(place: HTMLElement, html: string): void {
 function titled(file: string, text: string): string {
   const name = /^gearbox: *(.+)$/m.exec(text)?.[1]?.replaceAll(/^["']|["']$/g, '');
   const stem = file.replace(/\.yaml$/, '').replaceAll('-', ' ');
-  return name ? `${name} (${stem})` : stem;
+  const list = [...text.matchAll(/^- name: *(.+)$/gm)].map(([, name]) => name!.replace(/ \(.*| gen .*/, ''));
+  return list.length ? list.join(', ') : name ? `${name} (${stem})` : stem;
 }
 
 /** The comment at the head of a file. */
 function comment(text: string): string {
   const lines = [];
   for (const line of text.split('\n')) {
-    if (!line.startsWith('#')) break;
+    if (!/^# ?\S/.test(line)) break;
     lines.push(line.replace(/^# ?/, ''));
   }
   const words = lines.join(' ');

@@ -78,7 +78,7 @@ at('share').addEventListener('click', async () => {
 });
 
 show(state.page);
-await gearbox.update(shared === null && state.gearbox.transmission === null);
+await gearbox.update(true);
 performance.mark('ready');
 document.body.dataset['ready'] = performance.now().toFixed(0);
 if ('serviceWorker' in navigator && location.protocol.startsWith('http')) void navigator.serviceWorker.register('sw.js');

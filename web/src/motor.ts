@@ -159,7 +159,7 @@ export class MotorPage {
 
   private figures({ numbers, work }: Motor): void {
     at('motor-title').textContent = `Motor ${numbers.stator_lobes}×${numbers.rotor_lobes}: chambers as the rotor turns`;
-    const fact = (name: string, value: string) => [h('dt', {}, name), h('dd', {}, value)];
+    const fact = (name: string, value: string) => [h('div', {}, h('dt', {}, name), h('dd', {}, value))];
     this.key.replaceChildren(
       ...fact('Satellites', String(numbers.satellites)),
       ...fact('Ripple of the flow', `${shown(100 * work.ripple, 3)} %`),

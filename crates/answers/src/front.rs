@@ -123,7 +123,10 @@ fn front_set(
         let (sun, carrier) = (member(0)?, member(2)?);
         Some(carrier - (sun - carrier) * factor)
     };
-    let toothed = spec.toothed_set(&subject.rack).and_then(Result::ok);
+    let toothed = spec.toothed_set(&subject.rack).and_then(Result::ok).map(|set| match spec.planet_count {
+        Some(_) => set,
+        None => with_shown_planets(&set).unwrap_or(set),
+    });
     let shape = match &toothed {
         Some(toothed) => of_teeth(toothed)?,
         None => of_circles(set, spec),
@@ -145,6 +148,12 @@ fn front_set(
         planets: shape.planets,
         carrier_of_input: member(2).map(plain),
     })
+}
+
+/// The same gears with [`SHOWN`] planets; nothing where that many do not fit.
+fn with_shown_planets(set: &ToothedSet) -> Option<ToothedSet> {
+    let gears = set.gears().map(|gear| *gear);
+    ToothedSet::new(gears, SHOWN, set.centre_distance()).ok().filter(|set| set.planet_gap() > 0.0)
 }
 
 /// A set at rest.
@@ -251,6 +260,8 @@ mod tests {
         assert!(toothed.gears.iter().all(|gear| gear.outline.len() > 200));
         let reach = |points: &[[f64; 2]]| points.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
         assert!(reach(&toothed.gears[2].outline) < toothed.rim_radius);
+        let unsaid = &front_of(&TOOTHED.replace(", planets: 4", ""), None).sets[0];
+        assert!(!unsaid.planets_are_given && unsaid.planets.len() == 3);
         let circles = &front_of("  - { id: P, sun: D, ring: T, carrier: B, k: 3 }", None).sets[0];
         assert!(!circles.has_teeth && !circles.planets_are_given && circles.planets.len() == 3);
         assert_eq!(circles.gears.clone().map(|gear| gear.pitch_radius), [1.0, 1.0, 3.0]);

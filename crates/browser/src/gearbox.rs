@@ -37,6 +37,9 @@ struct Question {
     /// Whether tables are shown.
     #[serde(default)]
     tables: bool,
+    /// Whether the transmissions of a list are named beside the one that is meant.
+    #[serde(default)]
+    list: bool,
     /// The gears in tables, too.
     #[serde(default)]
     gear_tables: bool,
@@ -109,6 +112,9 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
         ("analyze", json(&overview)?),
         ("adjust", json(&adjust::answer(subject))?),
     ];
+    if question.list && let Content::Several(all) = all_of(subject)? {
+        parts.push(("transmissions", json(&transmissions::answer(&all))?));
+    }
     if question.tables {
         parts.push(("tables", text(&overview.report().html())));
     }
@@ -137,6 +143,14 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
         .collect();
     parts.push(("pictures", object(&pictures)));
     Ok(object(&parts))
+}
+
+/// The transmissions of a list; of another file the one gearbox.
+fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
+    if subject.document.value().get("transmissions").is_none() {
+        return Ok(Content::Several(vec![]));
+    }
+    read(subject.document, &Choice::default()).map_err(refused)
 }
 
 /// A picture as SVG, or in words why there is none.
