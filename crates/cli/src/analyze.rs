@@ -1,5 +1,6 @@
 //! The command `analyze`: what a gearbox does in each of its gears.
 
+use crate::desk::Call;
 mod several;
 
 use crate::failure::Failure;
@@ -142,8 +143,8 @@ impl Choice {
     }
 
     /// The document of the gearbox, its text, and whether the sizes in it are known.
-    pub(crate) fn document(&self, any_size_will_do: bool) -> Result<named::Read, Failure> {
-        named::document(&self.gearbox, self.sizes, self.efficiency, any_size_will_do)
+    pub(crate) fn document(&self, call: &Call<'_>, any_size_will_do: bool) -> Result<named::Read, Failure> {
+        named::document(call, &self.gearbox, self.sizes, self.efficiency, any_size_will_do)
     }
 
     fn question(&self) -> Result<gearbox::Choice, Failure> {
@@ -183,8 +184,8 @@ impl Load {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let named::Read { document, is_sized, .. } = args.choice.document(args.formula && !args.steps)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let named::Read { document, is_sized, .. } = args.choice.document(call, args.formula && !args.steps)?;
     let choice = args.choice.question()?;
     let wants_formulas = args.formula || args.steps;
     let subject = if args.gear.is_some() || args.all_combinations || wants_formulas || args.shifts {
@@ -197,43 +198,47 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
                 let progression = args.progression.map(|_| "--progression");
                 return match args.choice.given().or(args.load.given()).or(progression) {
                     Some(option) => Err(for_one_gearbox(option, &answer)),
-                    None => args.output.deliver(&answer),
+                    None => args.output.deliver(call, &answer),
                 };
             }
         }
     };
     if wants_formulas {
         let answer = answers::formulas::answer(&subject, args.gear.as_deref(), args.steps).map_err(refuse)?;
-        return args.output.deliver(&if is_sized { answer } else { answer.without_numbers() });
+        return args.output.deliver(call, &if is_sized { answer } else { answer.without_numbers() });
     }
     let input = args.load.input();
     match &args.gear {
-        Some(name) if args.several.is_given() => inputs(args, &subject, name),
-        Some(name) if args.load.given().is_none() && subject.has_inputs(name) => inputs(args, &subject, name),
-        Some(name) => args.output.deliver(&answers::gear::answer(&subject, name, input).map_err(refuse)?),
+        Some(name) if args.several.is_given() => inputs(call, args, &subject, name),
+        Some(name) if args.load.given().is_none() && subject.has_inputs(name) => {
+            inputs(call, args, &subject, name)
+        }
+        Some(name) => {
+            args.output.deliver(call, &answers::gear::answer(&subject, name, input).map_err(refuse)?)
+        }
         None if args.all_combinations => {
-            args.output.deliver(&answers::combinations::answer(&subject).map_err(refuse)?)
+            args.output.deliver(call, &answers::combinations::answer(&subject).map_err(refuse)?)
         }
         None if args.shifts => {
-            args.output.deliver(&answers::shifts::answer(&subject, input.speed).map_err(refuse)?)
+            args.output.deliver(call, &answers::shifts::answer(&subject, input.speed).map_err(refuse)?)
         }
         None => {
             let factor = args.progression.map(Number::get);
-            args.output.deliver(&answers::overview::answer(&subject, input, factor).map_err(refuse)?)
+            args.output.deliver(call, &answers::overview::answer(&subject, input, factor).map_err(refuse)?)
         }
     }
 }
 
-fn inputs(args: &Args, subject: &Subject<'_>, gear: &str) -> Result<(), Failure> {
+fn inputs(call: &Call<'_>, args: &Args, subject: &Subject<'_>, gear: &str) -> Result<(), Failure> {
     match args.several.map()? {
         Some(ranges) => {
             let torques = args.several.torques();
             let map = answers::inputs::map(subject, gear, &ranges, torques.as_deref()).map_err(refuse)?;
-            args.output.deliver(&map)
+            args.output.deliver(call, &map)
         }
         None => {
             let answer = answers::inputs::answer(subject, gear, &args.several.wanted()).map_err(refuse)?;
-            args.output.deliver(&answer)
+            args.output.deliver(call, &answer)
         }
     }
 }

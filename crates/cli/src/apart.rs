@@ -3,8 +3,8 @@
 //! The files of a call are found by what its arguments say of themselves, so that no command can forget the check: a positional
 //! argument that is a path is read, an option that is one is written, but for those of [`READ`].
 
+use crate::desk::Call;
 use crate::failure::Failure;
-use crate::writing::are_one_file;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, ValueHint};
 use std::path::{Path, PathBuf};
@@ -51,13 +51,15 @@ impl Files {
     }
 
     /// Refuses two that are one, and a file named `-`, which is standard input where something is read.
-    pub(crate) fn are_apart(&self) -> Result<(), Failure> {
+    pub(crate) fn are_apart(&self, call: &Call<'_>) -> Result<(), Failure> {
         if let Some((option, _)) = self.written.iter().find(|(_, file)| file.as_os_str() == "-") {
             return Err(Failure::WrittenDash { option: option.clone() });
         }
         let named = |option: &str, file: &Path| format!("{option} {}", file.display());
         for (place, (option, file)) in self.written.iter().enumerate() {
-            if let Some(input) = self.read.iter().find(|input| input.exists() && are_one_file(input, file)) {
+            if let Some(input) =
+                self.read.iter().find(|input| call.desk.exists(input) && call.desk.are_one_file(input, file))
+            {
                 return Err(Failure::OneFile {
                     one: named(option, file),
                     other: named("the input", input),
@@ -65,7 +67,8 @@ impl Files {
                 });
             }
             let before = &self.written[..place];
-            if let Some((first, other)) = before.iter().find(|(_, other)| are_one_file(other, file)) {
+            if let Some((first, other)) = before.iter().find(|(_, other)| call.desk.are_one_file(other, file))
+            {
                 return Err(Failure::OneFile {
                     one: named(first, other),
                     other: named(option, file),

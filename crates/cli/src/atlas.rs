@@ -1,10 +1,8 @@
 //! The command `atlas`: all gearboxes of two and three sets as tables.
 
+use crate::desk::Call;
 use crate::failure::Failure;
-use crate::output::say;
-use crate::writing::write_files;
 use epicyclic_tables::atlas::{Table, atlas, classes};
-use std::fs;
 use std::path::PathBuf;
 
 /// All gearboxes of two and three simple planet sets as Parquet tables: structures, gears, and ratios as functions.
@@ -22,11 +20,10 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let folder = &args.output;
-    if !folder.is_dir() {
-        fs::create_dir(folder).map_err(|source| Failure::Write { file: folder.clone(), source })?;
-    }
+    let made = call.desk.make_folder(folder);
+    made.map_err(|source| Failure::Write { file: folder.clone(), source })?;
     let made = atlas(&classes().map_err(epicyclic_answers::Error::from)?, env!("CARGO_PKG_VERSION"))?;
     let tables = [("structures", made.structures), ("functions", made.functions), ("gears", made.gears)];
     let mut told = String::new();
@@ -36,6 +33,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         told += &format!("{}: {rows} rows, {} bytes\n", file.display(), bytes.len());
         files.push((file, bytes));
     }
-    write_files(&files)?;
-    say(&told)
+    call.write(&files)?;
+    call.say(&told)
 }

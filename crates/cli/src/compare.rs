@@ -1,6 +1,7 @@
 //! The command `compare`: gearboxes side by side.
 
 use crate::analyze::{Load, refuse};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::input;
@@ -55,10 +56,10 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     once(args)?;
     args.page.only_of_a_page(args.output.is_page())?;
-    let is_named = |name: &String| !input::exists(Path::new(name));
+    let is_named = |name: &String| !input::exists(call, Path::new(name));
     // Sizes are for those that are named; where none is, the files say why they take none.
     let sizes = |name: &String| {
         if is_named(name) || !args.gearboxes.iter().any(is_named) { args.sizes } else { Sizes::default() }
@@ -66,7 +67,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let read: Vec<Read> = args
         .gearboxes
         .iter()
-        .map(|name| named::document(name, sizes(name), args.efficiency, false))
+        .map(|name| named::document(call, name, sizes(name), args.efficiency, false))
         .collect::<Result<_, _>>()?;
     let eta = args.efficiency.map(efficiency).transpose()?;
     let choice = |transmission| gearbox::Choice { transmission, efficiency: eta };
@@ -96,10 +97,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         subjects.iter().map(|(subject, from)| Candidate { subject, from: (*from).clone() }).collect();
     let answer = answers::answer(&candidates, args.load.input()).map_err(refuse)?;
     if !args.output.is_page() {
-        return args.output.deliver(&answer);
+        return args.output.deliver(call, &answer);
     }
-    let sheet = page::compare::sheet(&answer, &drawn(&candidates), imprint::command());
-    args.output.deliver_page(vec![], &answer, sheet, &args.page.imprint())
+    let sheet = page::compare::sheet(&answer, &drawn(&candidates), imprint::command(call));
+    args.output.deliver_page(call, vec![], &answer, sheet, &args.page.imprint())
 }
 
 /// Standard input is read to its end once.

@@ -1,5 +1,6 @@
 //! The command `completions`: what a shell needs to complete this program's commands and options.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::Target;
 use clap_complete::Shell;
@@ -26,9 +27,9 @@ pub(crate) struct Args {
 }
 
 /// Runs the command for the program's whole command line.
-pub(crate) fn run(args: &Args, mut program: clap::Command) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args, mut program: clap::Command) -> Result<(), Failure> {
     let name = program.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut program, name, &mut script);
-    args.target.write(&script)
+    args.target.write(call, &script)
 }

@@ -1,6 +1,7 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
 use crate::analyze::refuse;
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::input;
@@ -159,10 +160,10 @@ impl FromStr for Factor {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
-    let wanted = wanted(args)?;
-    let shown = Progress::new();
+    let wanted = wanted(call, args)?;
+    let shown = Progress::new(call);
     let design = answer(&wanted, &|at| shown.at(at.share)).map_err(refuse_of)?;
     drop(shown);
     let files = match (&args.save, &design.file) {
@@ -170,10 +171,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         _ => vec![],
     };
     if args.output.is_page() {
-        let sheet = page::design::sheet(&design, own_page(&design)?, &imprint::command());
-        args.output.deliver_page(files, &design, Ok(sheet), &args.page.imprint())?;
+        let sheet = page::design::sheet(&design, own_page(&design)?, &imprint::command(call));
+        args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
     } else {
-        args.output.deliver_with(files, &design)?;
+        args.output.deliver_with(call, files, &design)?;
     }
     match design.file {
         Some(_) => Ok(()),
@@ -190,7 +191,7 @@ fn own_page(design: &Design) -> Result<Option<Sheet>, Failure> {
     Ok(Some(page::gearbox::sheet(&report, &shown, None, file.clone())?))
 }
 
-fn wanted(args: &Args) -> Result<Wanted, Failure> {
+fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
     let power = args.power.map(|power| Load::Power(power.0));
     let duty = Duty {
         input_speed: Some(args.input.0),
@@ -200,7 +201,7 @@ fn wanted(args: &Args) -> Result<Wanted, Failure> {
     let order = Order::new(&args.order.0).map_err(refuse_selection)?;
     let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
     let space = args.speeds.space();
-    let size = args.sizes.wanted()?;
+    let size = args.sizes.wanted(call)?;
     let usual = Bounds::default();
     let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
     let bounds = Bounds {
@@ -218,7 +219,7 @@ fn wanted(args: &Args) -> Result<Wanted, Failure> {
         teeth: args.tooth_design.map_or(Teeth::BestOf(args.tries.max(1)), Teeth::Number),
         shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
         overload: overload(args)?,
-        basis: basis(args)?,
+        basis: basis(call, args)?,
         size,
     })
 }
@@ -244,10 +245,10 @@ fn sharing() -> Result<[f64; 7], Failure> {
     Ok(all)
 }
 
-fn basis(args: &Args) -> Result<Basis, Failure> {
+fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
     let mut basis = match &args.basis {
         None => Basis::default(),
-        Some(file) => Basis::of(&input::document(file)?)?.completed(),
+        Some(file) => Basis::of(&input::document(call, file)?)?.completed(),
     };
     if let Some(factors) = &args.factors {
         let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.symbol.clone(), of.value)).collect();

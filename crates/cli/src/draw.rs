@@ -1,5 +1,6 @@
 //! The command `draw`: pictures of gearboxes and hydromotors as SVG, DXF, PDF and PNG.
 
+use crate::desk::Call;
 mod subject;
 
 use crate::analyze::{self, Choice, analysis};
@@ -9,8 +10,6 @@ use crate::input;
 use crate::losses;
 use crate::motor;
 use crate::named;
-use crate::output::say;
-use crate::writing::write_files;
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::draw as answers;
 use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
@@ -210,12 +209,12 @@ struct Picture {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let file = Path::new(&args.gearbox);
-    let document = input::exists(file).then(|| input::document(file)).transpose()?;
+    let document = input::exists(call, file).then(|| input::document(call, file)).transpose()?;
     let Picture { mut drawing, scene, base } = match &document {
         Some(document) if is_motor(document) => of_motor(args, document)?,
-        _ => of_gearbox(args, document.as_ref())?,
+        _ => of_gearbox(call, args, document.as_ref())?,
     };
     let placed = |failure: Failure| match &document {
         Some(document) => failure.in_file(document, &base),
@@ -224,7 +223,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let scene = scene.map_err(placed);
     if let (Err(Failure::SelfCrossing { conflict, .. }), Format::Json) = (&scene, args.format) {
         drawing.conflict = Some((**conflict).clone());
-        say(&to_json(&drawing)?)?;
+        call.say(&to_json(&drawing)?)?;
     }
     let scene = scene?;
     let mut files: Vec<(&Path, FileFormat)> = vec![];
@@ -235,7 +234,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
     files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
     if files.is_empty() && args.format == Format::Text {
-        return say(&(svg::write(&scene).map_err(|error| placed(error.into()))? + "\n"));
+        return call.say(&(svg::write(&scene).map_err(|error| placed(error.into()))? + "\n"));
     }
     let mut written = vec![];
     for (file, format) in files {
@@ -249,8 +248,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Format::Text => draw::lines(&drawing),
         Format::Json => to_json(&drawing)?,
     };
-    write_files(&written)?;
-    say(&told)
+    call.write(&written)?;
+    call.say(&told)
 }
 
 /// The drawing that the options describe, before it is made.
@@ -302,9 +301,9 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     Ok(Picture { drawing, scene: motor::scene(of_motor, &designed), base })
 }
 
-fn of_gearbox(args: &Args, document: Option<&Document>) -> Result<Picture, Failure> {
+fn of_gearbox(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Result<Picture, Failure> {
     consistent(args)?;
-    let subject = subject::read(args, document)?;
+    let subject = subject::read(call, args, document)?;
     let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), args.gear.as_deref());
     let scene = match (args.view, document) {
         (Some(View::Map), Some(document)) => map(args, document),

@@ -2,11 +2,14 @@
 
 use crate::failure::Failure;
 use epicyclic_answers::draw::FileFormat;
-use epicyclic_drawing::{Scene, dxf, pdf, png, svg};
+use epicyclic_drawing::{Scene, dxf, svg};
+#[cfg(feature = "print")]
+use epicyclic_drawing::{pdf, png};
 use epicyclic_formats::Number;
 use std::path::Path;
 
 /// Pixels to an inch of an image, where none are given.
+#[cfg(feature = "print")]
 const DPI: f64 = 300.0;
 
 /// The end of a file's name, in small letters.
@@ -51,8 +54,16 @@ pub(crate) fn content(scene: &Scene, format: FileFormat, dpi: Option<Number>) ->
     let content = match format {
         FileFormat::Svg => svg::write(scene).map(String::into_bytes),
         FileFormat::Dxf => dxf::write(scene).map(String::into_bytes),
+        #[cfg(feature = "print")]
         FileFormat::Pdf => pdf::write(scene),
+        #[cfg(feature = "print")]
         FileFormat::Png => png::write(scene, dpi.map_or(DPI, Number::get)),
+        #[cfg(not(feature = "print"))]
+        FileFormat::Pdf | FileFormat::Png => {
+            let _ = dpi;
+            let message = "this build of the program draws SVG and DXF alone".to_owned();
+            return Err(Failure::Option { option: "--output", message });
+        }
     };
     content.map_err(|error| match error {
         epicyclic_drawing::Error::Pixels { .. } => {

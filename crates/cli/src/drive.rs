@@ -1,5 +1,6 @@
 //! The command `drive`: a planetary drive from its file to its starting time.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::imprint::PageArgs;
 use crate::input;
@@ -50,14 +51,14 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
-    let (document, bytes) = input::with_bytes(&args.file)?;
+    let (document, bytes) = input::with_bytes(call, &args.file)?;
     let drive = of_file(&document)?;
     if !args.output.is_page() {
-        return args.output.deliver(&drive);
+        return args.output.deliver(call, &drive);
     }
     let report = DriveReport::of(drive);
     let sheet = page::drive::sheet(&report, String::from_utf8_lossy(&bytes).into_owned());
-    args.output.deliver_page(vec![], &report.drive, sheet, &args.page.imprint())
+    args.output.deliver_page(call, vec![], &report.drive, sheet, &args.page.imprint())
 }

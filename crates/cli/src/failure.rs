@@ -8,7 +8,6 @@
 //! | 3 | a file or stream that cannot be read or written |
 //! | 130 | ended by Ctrl-C |
 
-use crate::interrupt::INTERRUPTED;
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::refused::{Place, Refused};
 use epicyclic_formats::gearbox::gear_place;
@@ -24,6 +23,8 @@ const NOTHING_FOUND: u8 = 1;
 pub(crate) const WRONG: u8 = 2;
 /// A file or stream that fails.
 const INPUT_OUTPUT: u8 = 3;
+/// Ended by Ctrl-C.
+pub const INTERRUPTED: u8 = 130;
 
 /// The exit codes, as the help tells them.
 pub(crate) const EXIT_CODES: &str = "\
@@ -121,6 +122,7 @@ pub(crate) enum Failure {
     #[error("{0}")]
     TooLong(String),
     /// A table of a search that cannot be used.
+    #[cfg(feature = "tables")]
     #[error(transparent)]
     Table(#[from] epicyclic_tables::Error),
     /// A hydromotor that cannot be.
@@ -206,6 +208,7 @@ impl Failure {
             Self::NothingFound(_) => "nothing-found",
             Self::Interrupted(_) => "interrupted",
             Self::TooLong(_) => "too-long",
+            #[cfg(feature = "tables")]
             Self::Table(_) => "table",
             Self::Motor(error) => error.name(),
             Self::Option { .. } | Self::Range { .. } => "option",

@@ -1,5 +1,6 @@
 //! What the options say of a page: for whom it is, by whom, when, on which paper.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use epicyclic_views::page::{Imprint, Paper};
 use std::ffi::OsString;
@@ -73,8 +74,8 @@ impl PageArgs {
 }
 
 /// The command as it was typed, without the file that its answer goes to: the input of a page that no file describes.
-pub(crate) fn command() -> String {
-    words(std::env::args_os().skip(1))
+pub(crate) fn command(call: &Call<'_>) -> String {
+    words(call.words.iter().cloned())
 }
 
 fn words(arguments: impl IntoIterator<Item = OsString>) -> String {

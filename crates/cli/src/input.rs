@@ -1,10 +1,10 @@
 //! Files that are read; `-` in place of a name is standard input.
 
+use crate::desk::{Call, Text};
 use crate::failure::Failure;
 use epicyclic_formats::Document;
 use epicyclic_formats::document::{SIZE_LIMIT, too_large};
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
 /// What is written in place of a file for standard input.
@@ -19,18 +19,18 @@ pub(crate) fn is_standard_input(file: &Path) -> bool {
 }
 
 /// Whether there is something to read; a file called `-` is read as `./-`.
-pub(crate) fn exists(file: &Path) -> bool {
-    is_standard_input(file) || file.exists()
+pub(crate) fn exists(call: &Call<'_>, file: &Path) -> bool {
+    is_standard_input(file) || call.desk.exists(file)
 }
 
 /// The YAML document of a file.
-pub(crate) fn document(file: &Path) -> Result<Document, Failure> {
-    Ok(with_bytes(file)?.0)
+pub(crate) fn document(call: &Call<'_>, file: &Path) -> Result<Document, Failure> {
+    Ok(with_bytes(call, file)?.0)
 }
 
 /// The text of a file that is no YAML.
-pub(crate) fn text(file: &Path) -> Result<String, Failure> {
-    let (name, bytes) = named(file)?;
+pub(crate) fn text(call: &Call<'_>, file: &Path) -> Result<String, Failure> {
+    let (name, bytes) = named(call, file)?;
     String::from_utf8(bytes).map_err(|error| Failure::Read {
         file: name.into(),
         source: io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()),
@@ -38,50 +38,18 @@ pub(crate) fn text(file: &Path) -> Result<String, Failure> {
 }
 
 /// The same, and the file as it stands.
-pub(crate) fn with_bytes(file: &Path) -> Result<(Document, Vec<u8>), Failure> {
-    let (name, bytes) = named(file)?;
+pub(crate) fn with_bytes(call: &Call<'_>, file: &Path) -> Result<(Document, Vec<u8>), Failure> {
+    let (name, bytes) = named(call, file)?;
     Ok((Document::parse_one(&name, &bytes)?, bytes))
 }
 
 /// What stands in a file, and its name in messages.
-fn named(file: &Path) -> Result<(String, Vec<u8>), Failure> {
-    let (name, bytes) = if is_standard_input(file) {
-        // The tests of whole command lines within the program give it none.
-        (ITS_NAME.to_owned(), if cfg!(test) { limited(io::empty()) } else { limited(io::stdin().lock()) })
-    } else {
-        (file.display().to_string(), bytes(file))
-    };
-    let bytes = match bytes {
-        Ok(Content::Whole(bytes)) => bytes,
-        Ok(Content::TooLarge { size }) => return Err(too_large(&name, size).into()),
-        Err(source) => return Err(Failure::Read { file: name.into(), source }),
-    };
-    Ok((name, bytes))
-}
-
-/// What is read of a file.
-enum Content {
-    Whole(Vec<u8>),
-    /// More than [`SIZE_LIMIT`] bytes; a device or pipe does not say how many.
-    TooLarge {
-        size: Option<u64>,
-    },
-}
-
-/// Reads no more than the limit: a device may have no end.
-fn bytes(file: &Path) -> io::Result<Content> {
-    let file = File::open(file)?;
-    let metadata = file.metadata()?;
-    let size = metadata.is_file().then_some(metadata.len());
-    if size.is_some_and(|size| size > SIZE_LIMIT) {
-        return Ok(Content::TooLarge { size });
+fn named(call: &Call<'_>, file: &Path) -> Result<(String, Vec<u8>), Failure> {
+    let file = (!is_standard_input(file)).then_some(file);
+    let name = file.map_or_else(|| ITS_NAME.to_owned(), |file| file.display().to_string());
+    match call.desk.read(file, SIZE_LIMIT) {
+        Ok(Text::Whole(bytes)) => Ok((name, bytes)),
+        Ok(Text::TooLarge { size }) => Err(too_large(&name, size).into()),
+        Err(source) => Err(Failure::Read { file: name.into(), source }),
     }
-    // A file may also have grown since.
-    limited(file)
-}
-
-fn limited(from: impl Read) -> io::Result<Content> {
-    let mut bytes = Vec::new();
-    from.take(SIZE_LIMIT + 1).read_to_end(&mut bytes)?;
-    Ok(if bytes.len() as u64 > SIZE_LIMIT { Content::TooLarge { size: None } } else { Content::Whole(bytes) })
 }

@@ -1,6 +1,7 @@
 //! The command `losses`: what heats a gearbox at work, and its efficiency over speed and torque.
 
 use crate::analyze::{self, Choice, refuse};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::named;
 use crate::output::OutputArgs;
@@ -124,11 +125,11 @@ impl<T: Physical> FromStr for Range<T> {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let named::Read { document, .. } = args.choice.document(false)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let named::Read { document, .. } = args.choice.document(call, false)?;
     let subject = analyze::subject(&args.choice, &document)?;
     if let (Some(gear), Some((speeds, torques))) = (&args.gear, args.map.places()?) {
-        return args.output.deliver(&answers::map(&subject, gear, &speeds, &torques).map_err(refuse)?);
+        return args.output.deliver(call, &answers::map(&subject, gear, &speeds, &torques).map_err(refuse)?);
     }
     let input = |load| Some(GivenLoad::Input(load));
     let load = match (args.torque, args.power, args.load_torque) {
@@ -141,7 +142,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         load.ok_or_else(|| missing("--torque", "a load is due: --torque, --power or --load-torque"))?;
     let speed = args.speed.ok_or_else(|| missing("--speed", "the speed of the input is due"))?.0;
     let wanted = Wanted { gear: args.gear.clone(), speed, load };
-    args.output.deliver(&answers::answer(&subject, &wanted).map_err(refuse)?)
+    args.output.deliver(call, &answers::answer(&subject, &wanted).map_err(refuse)?)
 }
 
 impl Map {

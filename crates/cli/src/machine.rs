@@ -1,5 +1,6 @@
 //! The command `machine`: which speeds a mining machine needs, and how many.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::OutputArgs;
@@ -184,24 +185,26 @@ struct Rotor {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     match &args.command {
-        Command::List(list) => list.output.deliver(&machine::list(list.name.as_deref()).map_err(refuse)?),
+        Command::List(list) => {
+            list.output.deliver(call, &machine::list(list.name.as_deref()).map_err(refuse)?)
+        }
         Command::Speeds(speeds) => {
-            speeds.output.deliver(&machine::speeds(&speeds.speeds.values()).map_err(refuse)?)
+            speeds.output.deliver(call, &machine::speeds(&speeds.speeds.values()).map_err(refuse)?)
         }
         Command::ChainCutter(chain) => {
             let forces = chain.rock.forces();
             let found =
                 machine::chain_cutter(chain.pick_spacing.0, chain.feed.0, chain.chip.0, forces.as_ref());
-            chain.output.deliver(&found.map_err(refuse)?)
+            chain.output.deliver(call, &found.map_err(refuse)?)
         }
         Command::Drum(drum) => {
             let forces = drum.rock.forces();
             let found = machine::drum(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks, forces.as_ref());
-            drum.output.deliver(&found.map_err(refuse)?)
+            drum.output.deliver(call, &found.map_err(refuse)?)
         }
-        Command::Rotor(rotor) => rotor.output.deliver(&machine::rotor(&rotor.wheel()).map_err(refuse)?),
+        Command::Rotor(rotor) => rotor.output.deliver(call, &machine::rotor(&rotor.wheel()).map_err(refuse)?),
     }
 }
 

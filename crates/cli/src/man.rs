@@ -1,5 +1,6 @@
 //! The command `man`: the manual page, with every command in it.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::Target;
 use clap_mangen::Man;
@@ -20,10 +21,10 @@ pub(crate) struct Args {
 }
 
 /// Runs the command for the program's whole command line.
-pub(crate) fn run(args: &Args, mut program: clap::Command) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args, mut program: clap::Command) -> Result<(), Failure> {
     program.build();
     let page = page(&program).map_err(|error| Failure::Format(error.to_string()))?;
-    args.target.write(portable(&String::from_utf8_lossy(&page)).as_bytes())
+    args.target.write(call, portable(&String::from_utf8_lossy(&page)).as_bytes())
 }
 
 /// Every roff reads names of characters, not every one the characters; and what follows the options has a name.

@@ -1,5 +1,6 @@
 //! The command `motor`: a planetary hydromotor from its numbers to its drawings, and two searches for one.
 
+use crate::desk::Call;
 mod design;
 mod files;
 mod forms;
@@ -227,10 +228,10 @@ pub(crate) enum View {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     match &args.command {
-        Some(Command::Search(args)) => return search::run(args),
-        Some(Command::Forms(args)) => return forms::run(args),
+        Some(Command::Search(args)) => return search::run(call, args),
+        Some(Command::Forms(args)) => return forms::run(call, args),
         None => {}
     }
     let Design { files, page: options, output, .. } = &args.design;
@@ -241,11 +242,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let files = files::content(files, &wanted, &designed)?;
     if output.is_page() {
         let report = report::motor::answer(None, &designed).map_err(design::refuse)?;
-        let sheet = page::motor::sheet(&report, &designed, imprint::command());
-        return output.deliver_page(files, &report.motor, sheet, &options.imprint());
+        let sheet = page::motor::sheet(&report, &designed, imprint::command(call));
+        return output.deliver_page(call, files, &report.motor, sheet, &options.imprint());
     }
     let answer = answers::motor::answer(&designed).map_err(design::refuse)?;
-    output.deliver_with(files, &answer)
+    output.deliver_with(call, files, &answer)
 }
 
 /// A motor as a drawing.

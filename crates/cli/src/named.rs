@@ -1,5 +1,6 @@
 //! A gearbox by its name: a scheme of the catalogue, or a structure of two sets.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use crate::options::efficiency;
@@ -76,7 +77,7 @@ pub(crate) enum Named {
 const ANY_K: f64 = 2.5;
 
 /// What is named; nothing where a file is meant.
-pub(crate) fn read(name: &str) -> Result<Option<Named>, Failure> {
+pub(crate) fn read(call: &Call<'_>, name: &str) -> Result<Option<Named>, Failure> {
     let file = Path::new(name);
     match (name.parse::<Scheme>(), Structure::read(name)) {
         (Ok(scheme), _) => Ok(Some(Named::Scheme(scheme))),
@@ -88,9 +89,9 @@ pub(crate) fn read(name: &str) -> Result<Option<Named>, Failure> {
         }
         // What looks like a name and is none: say which there are.
         (_, Err(unknown @ SchemeError::NotAStructure { .. })) => Err(unknown.into()),
-        (_, Err(unknown)) if name.contains('+') && !file.exists() => Err(unknown.into()),
+        (_, Err(unknown)) if name.contains('+') && !call.desk.exists(file) => Err(unknown.into()),
         (Err(unknown), _)
-            if file.extension().is_none() && file.components().count() == 1 && !file.exists() =>
+            if file.extension().is_none() && file.components().count() == 1 && !call.desk.exists(file) =>
         {
             Err(unknown.into())
         }
@@ -109,16 +110,17 @@ pub(crate) struct Read {
 
 /// The document of a file, or that of a gearbox by its name, written as a file would be.
 pub(crate) fn document(
+    call: &Call<'_>,
     name: &str,
     sizes: Sizes,
     eta: Option<Quantity<Ratio>>,
     any_size_will_do: bool,
 ) -> Result<Read, Failure> {
     let file = Path::new(name);
-    let named = if input::exists(file) { None } else { read(name)? };
+    let named = if input::exists(call, file) { None } else { read(call, name)? };
     let Some(named) = named else {
         sizes.none_with_a_file()?;
-        let (document, bytes) = input::with_bytes(file)?;
+        let (document, bytes) = input::with_bytes(call, file)?;
         return Ok(Read { document, bytes, is_sized: true });
     };
     let eta = eta.map_or(Ok(MeshEfficiency::IDEAL), efficiency)?;

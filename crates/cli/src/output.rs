@@ -1,8 +1,8 @@
 //! Formats of an answer, and where it goes.
 
+use crate::desk::{Call, Content, Source};
 use crate::drawing_file;
 use crate::failure::Failure;
-use crate::writing::{Content, Source, write_files, write_files_and};
 use clap::ArgMatches;
 use epicyclic_answers::answer::write_json;
 use epicyclic_answers::draw::FileFormat;
@@ -13,10 +13,7 @@ use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
-use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use terminal_size::terminal_size_of;
 
 /// The fewest columns of tables, below which most numbers have no room beside their names.
 const NARROWEST: usize = 20;
@@ -75,8 +72,8 @@ impl OutputArgs {
     }
 
     /// Whether it goes to a file or a pipe.
-    pub(crate) fn is_out_of_sight(&self) -> bool {
-        self.is_file() || !io::stdout().is_terminal()
+    pub(crate) fn is_out_of_sight(&self, call: &Call<'_>) -> bool {
+        self.is_file() || !call.desk.is_seen()
     }
 
     /// How the answer is written.
@@ -116,13 +113,14 @@ impl OutputArgs {
 
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
     /// as well, and those that CSV does not have.
-    pub(crate) fn deliver<A: Answer + AsReport>(&self, answer: &A) -> Result<(), Failure> {
-        self.deliver_with(vec![], answer)
+    pub(crate) fn deliver<A: Answer + AsReport>(&self, call: &Call<'_>, answer: &A) -> Result<(), Failure> {
+        self.deliver_with(call, vec![], answer)
     }
 
     /// The same with other files of the same call, all of them or none.
     pub(crate) fn deliver_with<A: Answer + AsReport>(
         &self,
+        call: &Call<'_>,
         files: Vec<Content>,
         answer: &A,
     ) -> Result<(), Failure> {
@@ -131,14 +129,14 @@ impl OutputArgs {
         // A view is made where it is shown, or where its warnings go to people beside a file.
         let report = (self.format() != Format::Json || self.is_file()).then(|| answer.report());
         match (self.format(), &report) {
-            (Format::Json, _) => self.stream(&files, &mut |out| write_json(answer, out))?,
+            (Format::Json, _) => self.stream(call, &files, &mut |out| write_json(answer, out))?,
             (format, Some(report)) => {
                 // In the units of drawings a number can be too large that is not in SI units.
                 report.refuse_infinite()?;
                 if format == Format::Csv {
-                    self.stream(&files, &mut |out| report.csv(out))?;
+                    self.stream(call, &files, &mut |out| report.csv(out))?;
                 } else {
-                    self.write_with(files, &report.table(self.width()))?;
+                    self.write_with(call, files, &report.table(self.width(call)))?;
                 }
             }
             _ => unreachable!("a report is made for tables and CSV"),
@@ -147,50 +145,44 @@ impl OutputArgs {
         if let Some(report) =
             report.filter(|one| self.is_file() || (self.format() == Format::Csv && one.is_list()))
         {
-            tell(&report);
+            tell(call, &report);
         }
         Ok(())
     }
 
     /// Writes an answer for programs as it comes, and other files of the same call: into a file whole or not at all.
-    pub(crate) fn stream(&self, files: &[Content], source: &mut Source) -> Result<(), Failure> {
+    pub(crate) fn stream(
+        &self,
+        call: &Call<'_>,
+        files: &[Content],
+        source: &mut Source,
+    ) -> Result<(), Failure> {
         if let Some(file) = self.file() {
-            return write_files_and(files, Some((file, source)));
+            return call.write_and(files, Some((file, source)));
         }
-        write_files(files)?;
-        ANSWERED.store(true, Ordering::Relaxed);
-        let mut out = io::stdout().lock();
-        let written = if out.is_terminal() {
-            let mut text = vec![];
-            source(&mut text).and_then(|()| {
-                // A terminal gets what it can show.
-                let text = String::from_utf8(text).map_err(io::Error::other)?;
-                out.write_all(visible::lines(&text).as_bytes())
-            })
-        } else {
-            let mut out = BufWriter::new(&mut out);
-            source(&mut out).and_then(|()| out.flush())
-        };
-        written.and_then(|()| out.flush()).map_err(Failure::StandardOutput)
+        call.write(files)?;
+        if !call.desk.is_seen() {
+            return call.answer(source);
+        }
+        let mut text = vec![];
+        source(&mut text).map_err(Failure::StandardOutput)?;
+        // A terminal gets what it can show.
+        call.say(&visible::lines(&String::from_utf8_lossy(&text)))
     }
 
-    /// Columns of the lines of tables: as many as the terminal has, or `COLUMNS` says where the answer goes to a pipe; 80 in a file.
-    fn width(&self) -> usize {
+    /// Columns of the lines of tables: as many as whoever reads the answer has; 80 in a file.
+    fn width(&self, call: &Call<'_>) -> usize {
         if self.is_file() {
             return WIDTH;
         }
-        let out = io::stdout();
-        let terminal = out.is_terminal().then(|| terminal_size_of(&out)).flatten();
-        let columns = || std::env::var("COLUMNS").ok()?.trim().parse::<usize>().ok();
-        let wanted = terminal.map(|(width, _)| usize::from(width.0)).or_else(columns);
-        // A terminal that does not know its size says 0.
-        wanted.filter(|columns| *columns > 0).map_or(WIDTH, |columns| columns.max(NARROWEST))
+        call.desk.columns().map_or(WIDTH, |columns| columns.max(NARROWEST))
     }
 
     /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer warns of is shown here
     /// as well.
     pub(crate) fn deliver_page<A: Answer + AsReport>(
         &self,
+        call: &Call<'_>,
         files: Vec<Content>,
         answer: &A,
         sheet: Result<Sheet, epicyclic_views::Error>,
@@ -199,22 +191,27 @@ impl OutputArgs {
         finite::check(answer)?;
         let report = answer.report();
         report.refuse_infinite()?;
-        self.write_with(files, &sheet?.html(imprint)?)?;
-        tell(&report);
+        self.write_with(call, files, &sheet?.html(imprint)?)?;
+        tell(call, &report);
         Ok(())
     }
 
     /// Writes the answer and other files of the same call, all of them or none.
-    pub(crate) fn write_with(&self, files: Vec<Content>, answer: &str) -> Result<(), Failure> {
+    pub(crate) fn write_with(
+        &self,
+        call: &Call<'_>,
+        files: Vec<Content>,
+        answer: &str,
+    ) -> Result<(), Failure> {
         // For people, who may look at it in a terminal now or later.
-        self.target.write_with(files, visible::lines(answer).as_bytes())
+        self.target.write_with(call, files, visible::lines(answer).as_bytes())
     }
 }
 
 /// Tells what a report warns of.
-fn tell(report: &Report) {
+fn tell(call: &Call<'_>, report: &Report) {
     for (_, warning) in report.warnings.iter().flatten() {
-        complain(&format!("warning: {}", visible::one_line(warning)));
+        call.complain(&format!("warning: {}", visible::one_line(warning)));
     }
 }
 
@@ -234,42 +231,27 @@ impl Target {
     }
 
     /// Writes all of it.
-    pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
-        self.write_with(vec![], answer)
+    pub(crate) fn write(&self, call: &Call<'_>, answer: &[u8]) -> Result<(), Failure> {
+        self.write_with(call, vec![], answer)
     }
 
-    fn write_with(&self, mut files: Vec<Content>, answer: &[u8]) -> Result<(), Failure> {
+    fn write_with(&self, call: &Call<'_>, mut files: Vec<Content>, answer: &[u8]) -> Result<(), Failure> {
         match &self.output {
             Some(file) => {
                 files.push((file.clone(), answer.to_vec()));
-                write_files(&files)
+                call.write(&files)
             }
             None => {
-                write_files(&files)?;
-                print(answer).map_err(Failure::StandardOutput)
+                call.write(&files)?;
+                match std::str::from_utf8(answer) {
+                    // Programs get what there is, a terminal only what it can show.
+                    Ok(text) if call.desk.is_seen() => call.say(&visible::lines(text)),
+                    _ => call.answer(&mut |out| out.write_all(answer)),
+                }
             }
         }
     }
 }
-
-/// Writes to standard output.
-pub(crate) fn say(text: &str) -> Result<(), Failure> {
-    print(text.as_bytes()).map_err(Failure::StandardOutput)
-}
-
-fn print(text: &[u8]) -> io::Result<()> {
-    ANSWERED.store(true, Ordering::Relaxed);
-    let mut out = io::stdout().lock();
-    match std::str::from_utf8(text) {
-        // Programs get what there is, a terminal only what it can show.
-        Ok(text) if out.is_terminal() => out.write_all(visible::lines(text).as_bytes())?,
-        _ => out.write_all(text)?,
-    }
-    out.flush()
-}
-
-/// Whether anything was written to standard output: then there is an answer, whatever fails later.
-static ANSWERED: AtomicBool = AtomicBool::new(false);
 
 /// Whether a command line asks for JSON on standard output.
 pub(crate) fn is_json_to_standard_output(matches: &ArgMatches) -> bool {
@@ -282,20 +264,10 @@ pub(crate) fn is_json_to_standard_output(matches: &ArgMatches) -> bool {
 }
 
 /// Writes why there is no answer, in its place, unless something was written. What fails here has been told already.
-pub(crate) fn in_place_of_an_answer(refused: &Refused) {
-    if !ANSWERED.load(Ordering::Relaxed) {
-        let mut text = vec![];
-        let _ = write_json(refused, &mut text).and_then(|()| print(&text));
+pub(crate) fn in_place_of_an_answer(call: &Call<'_>, refused: &Refused) {
+    if !call.has_answered() {
+        let _ = call.answer(&mut |out| write_json(refused, out));
     }
-}
-
-/// A line, or lines, on standard error. Nothing can be done where that fails.
-pub(crate) fn complain(line: &str) {
-    // The tests of whole command lines have no reader for it.
-    if cfg!(test) {
-        return;
-    }
-    let _ = writeln!(io::stderr(), "{}", visible::lines(line));
 }
 
 /// JSON of an answer, with a final line break.

@@ -1,6 +1,7 @@
 //! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
 
 use crate::analyze::{Choice, Load, refuse, subject};
+use crate::desk::Call;
 use crate::draw::to_scale;
 use crate::failure::Failure;
 use crate::imprint::PageArgs;
@@ -58,14 +59,14 @@ enum Format {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.format == Format::Html)?;
     args.target.is_for_a_page(args.format == Format::Html)?;
     if args.to_scale && args.format == Format::Json {
         let message = "it is for the pictures of a page; JSON has none".to_owned();
         return Err(Failure::Option { option: "--to-scale", message });
     }
-    let Read { document, bytes, .. } = args.choice.document(false)?;
+    let Read { document, bytes, .. } = args.choice.document(call, false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
     let for_gearboxes = |what: &str| match args
@@ -81,7 +82,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     let text = if has("scenario") {
         for_gearboxes("scenario")?;
-        of_scenario(args, document, text)?
+        of_scenario(call, args, document, text)?
     } else if has("gearbox") || has("transmissions") {
         of_gearbox(args, &document, text)?
     } else if has("power") {
@@ -96,7 +97,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
-    args.target.write(text.as_bytes())
+    args.target.write(call, text.as_bytes())
 }
 
 fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
@@ -142,8 +143,8 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
     file.lines().skip(first.saturating_sub(1)).take(count).flat_map(|line| [line, "\n"]).collect()
 }
 
-fn of_scenario(args: &Args, document: Document, file: String) -> Result<String, Failure> {
-    let read = simulate::Read::beside(document, args.choice.file())?;
+fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
+    let read = simulate::Read::beside(call, document, args.choice.file())?;
     let simulation = answers::simulate::answer(&read.document, &read.file, &read.beside)?;
     match args.format {
         Format::Json => json(file, About::Scenario(Box::new(simulation))),

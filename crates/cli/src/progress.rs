@@ -1,15 +1,13 @@
-//! How large a long search is and how far: on standard error, on a terminal alone.
+//! How large a long search is and how far, where anybody wants to know.
 
-use crate::interrupt::{WIDTH, hear, line_stands};
-use std::io::{IsTerminal, Write as _, stderr};
+use crate::desk::{Call, Desk};
 use std::sync::{Mutex, Once};
-use std::time::{Duration, Instant};
 
-/// How often it is shown; what is done sooner shows nothing.
-const SHOWN_EVERY: Duration = Duration::from_millis(100);
+/// How often it is shown, in s; what is done sooner shows nothing.
+const SHOWN_EVERY: f64 = 0.1;
 
-/// How long a search runs before it is told how long it will.
-const TOLD_AFTER: Duration = Duration::from_secs(3);
+/// How long a search runs before it is told how long it will, in s.
+const TOLD_AFTER: f64 = 3.0;
 
 /// How long a search takes by its size from which on the size is told, in s.
 const TOLD: f64 = 1.0;
@@ -30,9 +28,11 @@ pub(crate) fn duration(seconds: f64) -> String {
 }
 
 /// Progress of one search, from any of its threads. The line goes when this does.
-pub(crate) struct Progress {
-    last: Option<Mutex<Instant>>,
-    begun: Instant,
+pub(crate) struct Progress<'d> {
+    desk: &'d dyn Desk,
+    /// When it was shown last; `None` where nobody wants to know.
+    last: Option<Mutex<f64>>,
+    begun: f64,
     /// What was done before it began.
     before: f64,
     /// What it does: `searching`.
@@ -40,85 +40,89 @@ pub(crate) struct Progress {
     sized: Once,
 }
 
-impl Progress {
+impl<'d> Progress<'d> {
     /// A search that begins.
-    pub(crate) fn new() -> Self {
-        Self::from(0.0)
+    pub(crate) fn new(call: &Call<'d>) -> Self {
+        Self::from(call, 0.0)
     }
 
     /// An answer that is written.
-    pub(crate) fn of_writing() -> Self {
-        Self::of("writing", 0.0)
+    pub(crate) fn of_writing(call: &Call<'d>) -> Self {
+        Self::of(call, "writing", 0.0)
     }
 
     /// Runs of a sweep.
-    pub(crate) fn of_runs() -> Self {
-        Self::of("running", 0.0)
+    pub(crate) fn of_runs(call: &Call<'d>) -> Self {
+        Self::of(call, "running", 0.0)
     }
 
     /// A search of which this share is done already.
-    pub(crate) fn from(before: f64) -> Self {
-        Self::of("searching", before)
+    pub(crate) fn from(call: &Call<'d>, before: f64) -> Self {
+        Self::of(call, "searching", before)
     }
 
-    fn of(doing: &'static str, before: f64) -> Self {
-        let begun = Instant::now();
-        let last = stderr().is_terminal().then(|| Mutex::new(begun));
-        if last.is_some() {
-            // Whoever ends it is not left with the line.
-            hear();
-            line_stands(true);
-        }
-        Self { last, begun, before, doing, sized: Once::new() }
+    fn of(call: &Call<'d>, doing: &'static str, before: f64) -> Self {
+        let desk = call.desk;
+        let begun = desk.seconds();
+        let last = desk.shows_progress().then(|| Mutex::new(begun));
+        Self { desk, last, begun, before, doing, sized: Once::new() }
     }
 
     /// Tells once how large the search is, of so many parts, where so many of them a second take long.
     pub(crate) fn size(&self, parts: f64, in_a_second: f64, words: impl FnOnce() -> String) {
         if self.last.is_some() && parts / in_a_second >= TOLD {
             self.sized.call_once(|| {
-                let _ = writeln!(stderr(), "\r{:WIDTH$}\rsearching {}", "", words());
+                self.desk.progress(None);
+                self.desk.message(&format!("searching {}", words()));
             });
         }
     }
 
     /// How long it will take from here, if it goes on as it went.
     fn left(&self, share: f64) -> String {
-        let done = share - self.before;
-        if self.begun.elapsed() < TOLD_AFTER || done <= 0.0 {
+        let (done, took) = (share - self.before, self.desk.seconds() - self.begun);
+        if took < TOLD_AFTER || done <= 0.0 {
             return String::new();
         }
-        format!(", about {} left", duration(self.begun.elapsed().as_secs_f64() * (1.0 - share) / done))
+        format!(", about {} left", duration(took * (1.0 - share) / done))
     }
 
     /// A pass of which nobody knows how many follow, and the share of it that is done.
     pub(crate) fn at_pass(&self, pass: u32, share: f64) {
-        self.show(|| format!("refining, pass {pass}: {:3.0} %", 100.0 * share));
+        self.show(None, || format!("refining, pass {pass}: {:3.0} %", 100.0 * share));
     }
 
     /// The share that is done, from 0 to 1.
     pub(crate) fn at(&self, share: f64) {
-        self.show(|| format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)));
+        self.show(Some(share), || format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)));
     }
 
-    fn show(&self, line: impl FnOnce() -> String) {
+    fn show(&self, share: Option<f64>, line: impl FnOnce() -> String) {
+        if self.desk.must_end() {
+            std::panic::resume_unwind(Box::new(Ended));
+        }
         // A thread that finds another at it has nothing to add.
-        if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock)
-            && last.elapsed() >= SHOWN_EVERY
-        {
-            *last = Instant::now();
-            let _ = write!(stderr(), "\r{:WIDTH$}", line());
+        if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock) {
+            let now = self.desk.seconds();
+            if now - *last >= SHOWN_EVERY {
+                *last = now;
+                self.desk.progress(Some((&line(), share)));
+            }
         }
     }
 }
 
-impl Drop for Progress {
+impl Drop for Progress<'_> {
     fn drop(&mut self) {
         if self.last.is_some() {
-            let _ = write!(stderr(), "\r{:WIDTH$}\r", "");
-            line_stands(false);
+            self.desk.progress(None);
         }
     }
 }
+
+/// What a call unwinds with that [`Desk::must_end`] ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ended;
 
 #[cfg(test)]
 mod tests {

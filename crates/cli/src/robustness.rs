@@ -1,8 +1,8 @@
 //! Command lines that nobody would write: whatever they say, the program answers or refuses, and never panics.
 
-use crate::{Cli, parsed, run, shown};
+use crate::desk::captured::Captured;
+use crate::{Cli, call};
 use clap::CommandFactory as _;
-use epicyclic_formats::visible;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::path::{Path, PathBuf};
@@ -294,8 +294,7 @@ fn line() -> impl Strategy<Value = Vec<String>> {
 
 /// Whether the line was run to an answer.
 fn try_line(line: &[String], answer: &PathBuf) -> bool {
-    let mut all = vec!["epicyclic".to_owned()];
-    all.extend(line.iter().cloned());
+    let mut all = line.to_vec();
     all.extend(["-o".to_owned(), answer.display().to_string()]);
     if ["select", "synthesize"].contains(&line[0].as_str()) {
         all.push(format!("--save={}", answer.with_extension("yaml").display()));
@@ -306,16 +305,9 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
         }
     }
     let is_plain = |text: &str| !text.contains(|c: char| c.is_control() && c != '\n');
-    let (cli, files, _) = match parsed(&all) {
-        Ok(parsed) => parsed,
-        Err(refused) => {
-            let told = shown(refused).to_string();
-            assert!(!told.is_empty() && is_plain(&told), "{line:?}\n{told:?}");
-            return false;
-        }
-    };
-    match files.are_apart().and_then(|()| run(cli.command)) {
-        Ok(()) => {
+    let desk = Captured::default();
+    match call(all, &desk) {
+        0 => {
             let text = std::fs::read_to_string(answer).unwrap();
             let mut words = text.split(|c: char| !c.is_alphanumeric());
             // What is said of a picture or a page may be any word.
@@ -330,9 +322,9 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
             );
             true
         }
-        Err(failure) => {
-            let told = visible::lines(&failure.told()).into_owned();
-            assert!((1..=3).contains(&failure.code()) && !told.is_empty() && is_plain(&told), "{line:?}");
+        code => {
+            let told = desk.into_told().messages.concat();
+            assert!((1..=3).contains(&code) && !told.is_empty() && is_plain(&told), "{line:?}\n{told:?}");
             false
         }
     }
@@ -513,12 +505,10 @@ fn whatever_files_are_named_none_is_lost() {
             std::fs::write(path("a"), "old").unwrap();
         }
         let shown = |name: &str| path(name).display().to_string();
-        let line =
-            ["epicyclic", "draw", &shown(NAMES[input].0), "--svg", &shown(svg.0), "--dxf", &shown(dxf.0)];
-        let (cli, files, _) = parsed(line).unwrap();
-        let done = files.are_apart().and_then(|()| run(cli.command));
+        let line = ["draw", &shown(NAMES[input].0), "--svg", &shown(svg.0), "--dxf", &shown(dxf.0)];
+        let code = call(line, &Captured::default());
         let apart = svg.1 != "in.yaml" && dxf.1 != "in.yaml" && svg.1 != dxf.1;
-        prop_assert_eq!(done.is_ok(), apart);
+        prop_assert_eq!(code == 0, apart);
         prop_assert_eq!(std::fs::read_to_string(path("in.yaml")).unwrap(), text);
         prop_assert!(path("link.yaml").is_symlink() && path("to-a").is_symlink());
         let begins = |name: &str| std::fs::read_to_string(path(name)).ok().map(|text| text[..3].to_owned());

@@ -1,5 +1,6 @@
 //! The command `schema`: JSON Schemas of the files that the program reads and of the answers that it gives.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::analyze::combinations::Combinations;
@@ -148,7 +149,7 @@ enum Of {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let schema = match args.of {
         Of::Drive => schema_of_file::<DriveFile>("drive"),
         Of::Gearbox => schema_of_file::<GearboxFile>("gearbox"),
@@ -194,5 +195,5 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerReport => schema::<Report>(),
         Of::AnswerError => schema::<Refused>(),
     };
-    args.target.write(output::json(&schema)?.as_bytes())
+    args.target.write(call, output::json(&schema)?.as_bytes())
 }

@@ -1,5 +1,6 @@
 //! The command `schemes`: the catalogue of two- and three-speed schemes.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
@@ -61,17 +62,17 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let usual = RingToSunRange::USED;
     let span = args.k.within(usual.low()..=usual.high());
     let span = span.map_err(|error| Failure::Range { option: "--k", error })?;
     let range = RingToSunRange::new(*span.start(), *span.end()).map_err(of_option("--k"))?;
     let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(of_option("--efficiency"))?;
-    let Some(name) = &args.scheme else { return args.output.deliver(&schemes::list(range)) };
+    let Some(name) = &args.scheme else { return args.output.deliver(call, &schemes::list(range)) };
     let [k1, k2, ratio1, ratio2] =
         [args.k1, args.k2, args.ratio1, args.ratio2].map(|number| number.map(Number::get));
     let found = schemes::one(name.parse()?, range, Sizes { k1, k2, ratio1, ratio2 }, eta0);
-    args.output.deliver(&found.map_err(refuse)?)
+    args.output.deliver(call, &found.map_err(refuse)?)
 }
 
 /// The scheme with the ring-to-sun ratios or ratios that were given, if any were.

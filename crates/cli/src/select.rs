@@ -3,15 +3,15 @@
 mod nothing;
 mod refused;
 
+use crate::desk::{Call, Content};
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::lists::{List, Numbers, Quantities};
 use crate::options;
-use crate::output::{Format, OutputArgs, complain};
+use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
 use crate::ratios::PlainRatios;
 use crate::teeth::IN_A_SECOND;
-use crate::writing::Content;
 use epicyclic_answers::Error;
 use epicyclic_answers::answer::write_json;
 use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
@@ -281,7 +281,7 @@ struct BoundOptions {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
     let duty = args.duty.duty();
     duty.torque().map_err(|error| refuse(args, error))?;
@@ -289,7 +289,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
     let order = Order::new(&args.order.0).map_err(|error| refuse(args, error.into()))?;
     if args.teeth {
-        return with_teeth(args, requirements, order, duty);
+        return with_teeth(call, args, requirements, order, duty);
     }
     let most = match (args.limit, args.output.format()) {
         (Some(limit), _) => limit,
@@ -302,14 +302,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
     let (found, saved) = found.map_err(|error| refuse(args, error))?;
     let designs = found.accepted + found.rejected;
-    let files = save(args, saved, found.accepted, designs)?;
+    let files = save(call, args, saved, found.accepted, designs)?;
     if args.output.is_page() {
         let best = found.candidates.first().filter(|one| one.accepted);
         let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
-        let sheet = page::selection::sheet(&found, drawn.as_ref(), imprint::command());
-        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
+        let sheet = page::selection::sheet(&found, drawn.as_ref(), imprint::command(call));
+        args.output.deliver_page(call, files, &found, sheet, &args.page.imprint())?;
     } else {
-        args.output.deliver_with(files, &found)?;
+        args.output.deliver_with(call, files, &found)?;
     }
     if found.accepted == 0 { Err(nothing_found(ways_out(&found).first())) } else { Ok(()) }
 }
@@ -328,7 +328,13 @@ impl Speeds {
     }
 }
 
-fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
+fn with_teeth(
+    call: &Call<'_>,
+    args: &Args,
+    requirements: Requirements,
+    order: Order,
+    duty: Duty,
+) -> Result<(), Failure> {
     let nth = args.save.is_some().then_some(args.nth);
     let limit = args.limit.unwrap_or(SHOWN);
     let most = limit.max(nth.unwrap_or(0));
@@ -347,7 +353,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     let space = args.speeds.space();
     let of_one_set = requirements.series.braked().len() == 1;
     let wanted = teeth::Wanted { requirements, order, space, bounds, limits, most, duty };
-    let shown = Progress::new();
+    let shown = Progress::new(call);
     if of_one_set {
         let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
         shown.size(parts, IN_A_SECOND, || {
@@ -369,45 +375,51 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     drop(shown);
     let found = found.map_err(|error| refuse(args, error))?;
     let saved = nth.map(|nth| found.saved(nth)).transpose().map_err(|error| refuse(args, error))?.flatten();
-    let files = save(args, saved, found.shown(), found.shown())?;
+    let files = save(call, args, saved, found.shown(), found.shown())?;
     let (accepted, count) = (found.searched().accepted, found.shown());
     if for_programs {
         // Each design is made when it is written: there may be some hundred thousand of them.
-        let shown = args.output.is_out_of_sight().then(Progress::of_writing);
+        let shown = args.output.is_out_of_sight(call).then(|| Progress::of_writing(call));
         let told = |share: f64| shown.iter().for_each(|shown| shown.at(share));
         if args.output.format() == Format::Json {
             let answer = found.streamed(&told)?;
-            args.output.stream(&files, &mut |out| write_json(&answer, out))?;
+            args.output.stream(call, &files, &mut |out| write_json(&answer, out))?;
         } else {
             let designs = found.designs().zip(1..).map(|(design, no)| {
                 told(f64::from(no) / count as f64);
                 design
             });
             let mut designs = Some(designs);
-            args.output.stream(&files, &mut |out| csv(designs.take().into_iter().flatten(), out))?;
+            args.output.stream(call, &files, &mut |out| csv(designs.take().into_iter().flatten(), out))?;
         }
     } else {
         let answer = found.answer().map_err(|error| refuse(args, error))?;
         if args.output.is_page() {
             let best = answer.designs.first().map(|design| &design.candidate);
             let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
-            let sheet = page::selection::sheet_with_teeth(&answer, drawn.as_ref(), imprint::command());
-            args.output.deliver_page(files, &answer, sheet, &args.page.imprint())?;
+            let sheet = page::selection::sheet_with_teeth(&answer, drawn.as_ref(), imprint::command(call));
+            args.output.deliver_page(call, files, &answer, sheet, &args.page.imprint())?;
         } else {
-            args.output.deliver_with(files, &answer)?;
+            args.output.deliver_with(call, files, &answer)?;
         }
     }
     if accepted == 0 || (count == 0 && most > 0) {
         return Err(nothing_found(with_teeth_more(args).as_ref()));
     }
     if for_programs && count == most {
-        complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
+        call.complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
     }
     Ok(())
 }
 
 /// The file of --save with its content; where there is no design that meets every criterion, none, unless one of the others is asked for.
-fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> Result<Vec<Content>, Failure> {
+fn save(
+    call: &Call<'_>,
+    args: &Args,
+    saved: Option<Saved>,
+    accepted: usize,
+    designs: usize,
+) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
     let Some(saved) = saved else {
         if accepted == 0 {
@@ -428,7 +440,7 @@ fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> R
             return Ok(vec![]);
         }
         let remark = "It was rejected: it does not meet every criterion.";
-        complain(&format!("note: design {} is saved; it does not meet every criterion", args.nth));
+        call.complain(&format!("note: design {} is saved; it does not meet every criterion", args.nth));
         comments.push(remark.to_owned());
     }
     let text = saved.file(&comments).map_err(|error| Failure::Format(error.to_string()))?;

@@ -4,44 +4,40 @@
 //! It is written whole or not at all. The same command goes on from there, and the part it ends with is byte for byte that of a run
 //! that was never ended: what is found in a structure depends on nothing but the question.
 
+use crate::desk::{Call, Hearing, Text};
 use crate::failure::Failure;
-use crate::interrupt::Hearing;
 use crate::options::of_synthesis;
-use crate::output::complain;
 use crate::progress::Progress;
-use crate::writing::write_files;
 use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Tried, Wanted, solve_by, tried};
 use epicyclic_synthesis::asked::{Asked, asked};
 use epicyclic_synthesis::run::go_on;
 use epicyclic_synthesis::work::{Share, Work};
 use epicyclic_tables::merge::{merge, same_question};
 use epicyclic_tables::part::Part;
-use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// How often what is done is kept at most.
-const KEPT_EVERY: Duration = Duration::from_millis(200);
+/// How often what is done is kept at most, in s.
+const KEPT_EVERY: f64 = 0.2;
 
 /// Keeping takes at most one part in so many of the time.
-const KEPT_SHARE: u32 = 20;
+const KEPT_SHARE: f64 = 20.0;
 
 /// Searches a share of all classes that may have to be searched, and writes what it finds. Whether a class has solutions in other
 /// shares is not known here, so all of them are searched.
-pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), Failure> {
+pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path) -> Result<(), Failure> {
     let questions = tried(wanted).map_err(of_synthesis)?;
     let asked = asked_of(&questions);
-    if let Some(part) = read(file)?.filter(|part| part.is_complete() && is_same(part, share, &asked)) {
-        complain(&format!("note: {} is complete already: {}", file.display(), told(&part)));
+    if let Some(part) = read(call, file)?.filter(|part| part.is_complete() && is_same(part, share, &asked)) {
+        call.complain(&format!("note: {} is complete already: {}", file.display(), told(&part)));
         return Ok(());
     }
     let progress = in_work(file);
-    let mut part = match read(&progress)? {
+    let mut part = match read(call, &progress)? {
         Some(part) => {
             let name = progress.display().to_string();
             if part.version != VERSION || part.share != share {
@@ -53,7 +49,7 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
                 return Err(Failure::Option { option: "--shard", message });
             }
             same_question(&name, &part, &asked)?;
-            complain(&format!("note: going on with {name}"));
+            call.complain(&format!("note: going on with {name}"));
             part
         }
         None => {
@@ -61,17 +57,17 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
             Part { version: VERSION.into(), share, searches }
         }
     };
-    let hearing = Hearing::new();
+    let hearing = Hearing::new(call);
     for (number, Tried { searching: Searching { class, .. }, wish, .. }) in questions.iter().enumerate() {
         let before = std::mem::take(&mut part.searches[number].1);
         let at = before.progress();
-        let shown = Progress::from(at.done as f64 / at.of.max(1) as f64);
-        let keeping = Mutex::new(Keeping { part: part.clone(), next: Instant::now(), failed: None });
+        let shown = Progress::from(call, at.done as f64 / at.of.max(1) as f64);
+        let keeping = Mutex::new(Keeping { part: part.clone(), next: call.desk.seconds(), failed: None });
         let work = go_on(*class, wish, share, before, &|work| {
             let at = work.progress();
             shown.at(at.done as f64 / at.of.max(1) as f64);
             let mut keeping = keeping.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            keeping.keep(number, work, &progress);
+            keeping.keep(call, number, work, &progress);
             if keeping.failed.is_some() || hearing.is_asked() {
                 ControlFlow::Break(())
             } else {
@@ -83,7 +79,7 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
             return Err(failed);
         }
         if !part.searches[number].1.is_complete() {
-            write_files(&[(progress.clone(), part.to_parquet()?)])?;
+            call.write(&[(progress.clone(), part.to_parquet()?)])?;
             return Err(Failure::Interrupted(format!(
                 "ended with {}; what is done is kept in {}, and the same command goes on from there",
                 told(&part),
@@ -91,43 +87,44 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
             )));
         }
     }
-    write_files(&[(file.to_owned(), part.to_parquet()?)])?;
-    match fs::remove_file(&progress) {
-        Err(error) if error.kind() != ErrorKind::NotFound => {
-            return Err(Failure::Write { file: progress, source: error });
-        }
-        _ => {}
-    }
-    complain(&format!("note: {} is complete: {}", file.display(), told(&part)));
+    call.write(&[(file.to_owned(), part.to_parquet()?)])?;
+    call.desk.remove(&progress).map_err(|source| Failure::Write { file: progress, source })?;
+    call.complain(&format!("note: {} is complete: {}", file.display(), told(&part)));
     Ok(())
 }
 
 /// Keeps what is done, now and then.
 struct Keeping {
     part: Part,
-    next: Instant,
+    /// When it is kept next, by the clock of the desk.
+    next: f64,
     failed: Option<Failure>,
 }
 
 impl Keeping {
-    fn keep(&mut self, number: usize, work: &Work, file: &Path) {
-        let begun = Instant::now();
+    fn keep(&mut self, call: &Call<'_>, number: usize, work: &Work, file: &Path) {
+        let begun = call.desk.seconds();
         if begun < self.next || self.failed.is_some() {
             return;
         }
         self.part.searches[number].1 = work.clone();
         let written = self.part.to_parquet().map_err(Failure::from);
-        self.failed = written.and_then(|bytes| write_files(&[(file.to_owned(), bytes)])).err();
-        self.next = Instant::now() + KEPT_EVERY.max(KEPT_SHARE * begun.elapsed());
+        self.failed = written.and_then(|bytes| call.write(&[(file.to_owned(), bytes)])).err();
+        let now = call.desk.seconds();
+        self.next = now + KEPT_EVERY.max(KEPT_SHARE * (now - begun));
     }
 }
 
 /// The answer to a question from all parts of its search.
-pub(crate) fn merged(wanted: &Wanted, files: &[PathBuf]) -> Result<(Synthesis, Vec<Kept>), Failure> {
+pub(crate) fn merged(
+    call: &Call<'_>,
+    wanted: &Wanted,
+    files: &[PathBuf],
+) -> Result<(Synthesis, Vec<Kept>), Failure> {
     let asked = asked_of(&tried(wanted).map_err(of_synthesis)?);
     let mut parts = Vec::new();
     for file in files {
-        let part = read(file)?
+        let part = read(call, file)?
             .ok_or_else(|| Failure::Read { file: file.clone(), source: ErrorKind::NotFound.into() })?;
         parts.push((file.display().to_string(), part));
     }
@@ -148,15 +145,16 @@ fn is_same(part: &Part, share: Share, asked: &[Asked]) -> bool {
 }
 
 /// The part in a file, if there is one.
-fn read(file: &Path) -> Result<Option<Part>, Failure> {
-    match fs::read(file) {
-        Ok(bytes) => Part::from_parquet(bytes).map(Some).map_err(|error| {
-            let source = std::io::Error::new(ErrorKind::InvalidData, error.to_string());
-            Failure::Read { file: file.to_owned(), source }
-        }),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(source) => Err(Failure::Read { file: file.to_owned(), source }),
-    }
+fn read(call: &Call<'_>, file: &Path) -> Result<Option<Part>, Failure> {
+    let failed = |source| Failure::Read { file: file.to_owned(), source };
+    let bytes = match call.desk.read(Some(file), u64::MAX) {
+        Ok(Text::Whole(bytes)) => bytes,
+        Ok(Text::TooLarge { .. }) => return Err(failed(ErrorKind::FileTooLarge.into())),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(failed(error)),
+    };
+    let part = Part::from_parquet(bytes);
+    part.map(Some).map_err(|error| failed(io::Error::new(ErrorKind::InvalidData, error.to_string())))
 }
 
 /// Where the work on a part is kept.

@@ -1,6 +1,7 @@
 //! The command `sheet`: data sheets of gears.
 
 use crate::analyze::refuse;
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
@@ -41,12 +42,12 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let document = input::document(&args.file)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
     let answer = answers::answer(&subject, args.set.as_deref()).map_err(|error| match error {
         Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
         error => refuse(error),
     })?;
-    args.output.deliver(&answer)
+    args.output.deliver(call, &answer)
 }

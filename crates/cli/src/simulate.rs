@@ -1,12 +1,11 @@
 //! The command `simulate`: a gearbox in motion, by a scenario.
 
+use crate::desk::{Call, Content, Hearing};
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
-use crate::interrupt::Hearing;
 use crate::output::OutputArgs;
 use crate::progress::Progress;
-use crate::writing::Content;
 use epicyclic_answers::simulate::sweep::{self, Wanted};
 use epicyclic_answers::simulate::{self as answers, Beside, Simulation};
 use epicyclic_formats::scenario::{self, ScenarioFile};
@@ -98,16 +97,16 @@ enum View {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let drawing = args.output.drawing();
     drawing_file::check_dpi(args.dpi, drawing.iter().map(|(_, format)| *format))?;
     if args.view.is_some() && drawing.is_none() {
         let message = "it is for a drawing: let --output end in .svg, .pdf, .png or .dxf".to_owned();
         return Err(Failure::Option { option: "--view", message });
     }
-    let read = Read::of(&args.file)?;
+    let read = Read::of(call, &args.file)?;
     if let Some(range) = &args.sweep {
-        return swept(args, &read, range);
+        return swept(call, args, &read, range);
     }
     let simulation = answers::answer(&read.document, &read.file, &read.beside)?;
     let mut files: Vec<Content> = vec![];
@@ -122,11 +121,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let scene = plot(&simulation, args.view)?;
         files.push((file.to_owned(), drawing_file::content(&scene, format, args.dpi)?));
     }
-    args.output.but_for_drawings().deliver_with(files, &simulation)
+    args.output.but_for_drawings().deliver_with(call, files, &simulation)
 }
 
 /// Runs with several values of a key. The first Ctrl-C keeps what is done.
-fn swept(args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
+fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
     if let Some((file, _)) = args.output.drawing() {
         let message = format!("{}: a sweep has tables; leave --sweep out for a drawing", file.display());
         return Err(Failure::Option { option: "--output", message });
@@ -140,7 +139,7 @@ fn swept(args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
             .then(|| from.unit.symbol.to_owned()),
         steps: args.steps.unwrap_or(11),
     };
-    let (hearing, shown) = (Hearing::new(), Progress::of_runs());
+    let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
     let goes_on = |share: f64| {
         shown.at(share);
         !hearing.is_asked()
@@ -155,7 +154,7 @@ fn swept(args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
         error => error.into(),
     })?;
     let is_whole = found.runs.len() == wanted.steps as usize;
-    args.output.deliver(&found)?;
+    args.output.deliver(call, &found)?;
     if is_whole { Ok(()) } else { Err(Failure::Interrupted("interrupted".to_owned())) }
 }
 
@@ -205,12 +204,12 @@ pub(crate) struct Read {
 
 impl Read {
     /// The scenario of a file, with the files beside it.
-    fn of(path: &Path) -> Result<Self, Failure> {
-        Self::beside(input::document(path)?, path)
+    fn of(call: &Call<'_>, path: &Path) -> Result<Self, Failure> {
+        Self::beside(call, input::document(call, path)?, path)
     }
 
     /// The same of a document that is read already.
-    pub(crate) fn beside(document: Document, path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn beside(call: &Call<'_>, document: Document, path: &Path) -> Result<Self, Failure> {
         let file = scenario::read(&document)?;
         let mut beside = Beside::default();
         // A file of this name, where the name alone would be standard input.
@@ -224,11 +223,12 @@ impl Read {
         };
         if let Some(name) = &file.gearbox_file {
             let place = Place::root().key("gearbox_file");
-            beside.gearbox = Some(input::document(&near(name)).map_err(|failure| refused(&place, failure))?);
+            beside.gearbox =
+                Some(input::document(call, &near(name)).map_err(|failure| refused(&place, failure))?);
         }
         for (name, place) in file.csv_files() {
             let other = near(name);
-            let text = input::text(&other).map_err(|failure| refused(&place, failure))?;
+            let text = input::text(call, &other).map_err(|failure| refused(&place, failure))?;
             beside.texts.insert(name.to_owned(), (other.display().to_string(), text));
         }
         Ok(Self { document, file, beside })

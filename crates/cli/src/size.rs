@@ -1,7 +1,7 @@
 //! How large a search is, told before it begins, and searches that are too large for this machine.
 
+use crate::desk::Call;
 use crate::failure::Failure;
-use crate::output::complain;
 use crate::progress::duration;
 use epicyclic_answers::synthesize::Searching;
 use epicyclic_formats::Physical as _;
@@ -10,7 +10,6 @@ use epicyclic_synthesis::estimate::sample;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use std::ffi::OsString;
-use std::time::Instant;
 use uom::si::f64::Time;
 
 /// Structures times sets of shift elements from which on the size of a search is told.
@@ -26,7 +25,12 @@ const MOST_GB: f64 = 4.0;
 
 /// Tells the size of a search that begins, where it is not small; of a large one also how long it will take, and refuses one that
 /// takes too long.
-pub(crate) fn check(searching: &Searching, wish: &Wish, longest: Option<Time>) -> Result<(), Failure> {
+pub(crate) fn check(
+    call: &Call<'_>,
+    searching: &Searching,
+    wish: &Wish,
+    longest: Option<Time>,
+) -> Result<(), Failure> {
     let class = searching.class;
     let structures = structures(class);
     let space = searching.space(structures as f64);
@@ -38,11 +42,11 @@ pub(crate) fn check(searching: &Searching, wish: &Wish, longest: Option<Time>) -
         searching.shift_elements
     );
     if space < SAMPLED && longest.is_none() {
-        complain(&format!("searching {size}"));
+        call.complain(&format!("searching {size}"));
         return Ok(());
     }
-    let begun = Instant::now();
-    let sampled = sample(class, wish, Share::WHOLE, SAMPLE_S, &|| begun.elapsed().as_secs_f64())
+    let begun = call.desk.seconds();
+    let sampled = sample(class, wish, Share::WHOLE, SAMPLE_S, &|| call.desk.seconds() - begun)
         .map_err(epicyclic_answers::Error::from)?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let seconds = sampled.seconds() / threads as f64;
@@ -53,9 +57,9 @@ pub(crate) fn check(searching: &Searching, wish: &Wish, longest: Option<Time>) -
         None => seconds > LONGEST_S || gigabytes > MOST_GB,
     };
     if refused {
-        return Err(Failure::TooLong(refusal(&size, &about, seconds, std::env::args_os().skip(1))));
+        return Err(Failure::TooLong(refusal(&size, &about, seconds, call.words.iter().cloned())));
     }
-    complain(&format!("searching {size}; {about}"));
+    call.complain(&format!("searching {size}; {about}"));
     Ok(())
 }
 

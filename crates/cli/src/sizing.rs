@@ -1,5 +1,6 @@
 //! The command `size`: module, face width, planets, centre distance and bearing of each set.
 
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::options;
@@ -137,20 +138,20 @@ enum Least {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let document = input::document(&args.file)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let document = input::document(call, &args.file)?;
     let subject = subject(&document)?;
-    let size = answer(&subject, &args.space.wanted()?).map_err(refuse)?;
+    let size = answer(&subject, &args.space.wanted(call)?).map_err(refuse)?;
     let files = match &args.save {
         Some(file) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
         None => vec![],
     };
-    args.output.deliver_with(files, &size)
+    args.output.deliver_with(call, files, &size)
 }
 
 impl Options {
     /// What is sought.
-    pub(crate) fn wanted(&self) -> Result<Wanted, Failure> {
+    pub(crate) fn wanted(&self, call: &Call<'_>) -> Result<Wanted, Failure> {
         let usual = Wanted::default();
         let lengths = |given: &Option<Quantities<Length>>, usual: Vec<Length>| {
             given.as_ref().map_or(usual, Quantities::values)
@@ -163,7 +164,7 @@ impl Options {
         }
         let bearings = match &self.bearings {
             _ if self.no_bearings => vec![],
-            Some(file) => bearings(&input::text(file)?).map_err(refuse)?,
+            Some(file) => bearings(&input::text(call, file)?).map_err(refuse)?,
             None => usual.bearings,
         };
         Ok(Wanted {

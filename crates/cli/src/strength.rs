@@ -1,6 +1,7 @@
 //! The command `strength`: safeties of teeth by ISO 6336.
 
 use crate::analyze::{Load, refuse};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
@@ -65,11 +66,11 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let document = input::document(&args.file)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
     let wanted = Wanted { gear: args.gear.clone(), input: args.load.input(), with_factors: args.factors };
-    args.output.deliver(&answers::answer(&subject, &wanted).map_err(|error| refuse_of(error, args))?)
+    args.output.deliver(call, &answers::answer(&subject, &wanted).map_err(|error| refuse_of(error, args))?)
 }
 
 /// The option that a refusal speaks of.

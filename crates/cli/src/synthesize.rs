@@ -1,17 +1,16 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
+use crate::desk::{Call, Content, Hearing};
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::input;
-use crate::interrupt::Hearing;
 use crate::lists::List;
 use crate::options;
-use crate::output::{Format, OutputArgs, complain};
+use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
 use crate::ratios::Ratios;
 use crate::shards;
 use crate::size;
-use crate::writing::Content;
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::near_miss::near_miss;
 use epicyclic_answers::synthesize::page::drawn;
@@ -311,7 +310,7 @@ enum Class {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page() && args.shard.is_none())?;
     let tolerance = args.tolerance.0.si();
     if !(tolerance > 0.0 && tolerance < 1.0) {
@@ -357,15 +356,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         order: args.order.0.clone(),
         objectives,
         teeth: args.teeth.wanted()?,
-        explain: given(args)?,
+        explain: given(call, args)?,
     };
     if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
-        return shards::search(&wanted, share, file);
+        return shards::search(call, &wanted, share, file);
     }
     let (mut found, kept) = if args.merge.is_empty() {
-        searched(&wanted, args.longest.as_ref().map(|longest| longest.0))?
+        searched(call, &wanted, args.longest.as_ref().map(|longest| longest.0))?
     } else {
-        shards::merged(&wanted, &args.merge)?
+        shards::merged(call, &wanted, &args.merge)?
     };
     if args.merge.is_empty() && found.complete {
         found.near_miss = near_miss(&wanted, &found)?;
@@ -397,23 +396,27 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let files = save(args, &found, &kept)?;
     if args.output.is_page() {
-        let sheet = page::synthesis::sheet(&found, &drawn(&kept, DRAWN)?, imprint::command());
-        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
+        let sheet = page::synthesis::sheet(&found, &drawn(&kept, DRAWN)?, imprint::command(call));
+        args.output.deliver_page(call, files, &found, sheet, &args.page.imprint())?;
     } else {
-        args.output.deliver_with(files, &found)?;
+        args.output.deliver_with(call, files, &found)?;
     }
     if format != Format::Table && found.shown < found.found {
-        complain(&format!("note: {}", epicyclic_views::synthesize::count(&found)));
+        call.complain(&format!("note: {}", epicyclic_views::synthesize::count(&found)));
     }
     if found.complete { Ok(()) } else { Err(ended()) }
 }
 
 /// The search, ended early by Ctrl-C.
-fn searched(wanted: &Wanted, longest: Option<Time>) -> Result<(Synthesis, Vec<Kept>), Failure> {
-    let hearing = Hearing::new();
+fn searched(
+    call: &Call<'_>,
+    wanted: &Wanted,
+    longest: Option<Time>,
+) -> Result<(Synthesis, Vec<Kept>), Failure> {
+    let hearing = Hearing::new(call);
     solve_by(wanted, &mut |searching, wish| {
-        size::check(searching, wish, longest)?;
-        let shown = Progress::new();
+        size::check(call, searching, wish, longest)?;
+        let shown = Progress::new(call);
         search(searching.class, wish, Share::WHOLE, &|at| {
             shown.at(at.done as f64 / at.of.max(1) as f64);
             if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -477,9 +480,9 @@ fn counts(
 }
 
 /// The gearbox of --explain.
-fn given(args: &Args) -> Result<Option<Gearbox>, Failure> {
+fn given(call: &Call<'_>, args: &Args) -> Result<Option<Gearbox>, Failure> {
     let Some(file) = &args.explain else { return Ok(None) };
-    let document = input::document(file)?;
+    let document = input::document(call, file)?;
     let choice = Choice { transmission: args.transmission.clone(), ..Choice::default() };
     Ok(Some(one(&document, &choice)?.gearbox))
 }

@@ -1,10 +1,10 @@
 //! The command `teeth`: every set of tooth numbers for a ratio.
 
+use crate::desk::{Call, Content};
 use crate::failure::Failure;
 use crate::options;
-use crate::output::{Format, OutputArgs, complain};
+use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
-use crate::writing::Content;
 use epicyclic_answers as answers;
 use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, shifted, stages};
 use epicyclic_formats::gearbox::written;
@@ -167,7 +167,7 @@ fn mode(text: &str) -> Result<Mode, String> {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
     let format = args.output.format();
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
@@ -179,7 +179,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         bounds,
         most: limit.max(nth),
     };
-    let shown = Progress::new();
+    let shown = Progress::new(call);
     let parts = wanted.bounds.space(args.double_planet).map_err(refuse)? as f64;
     let gears = if args.double_planet {
         "sun, ring and pairs of planets"
@@ -202,8 +202,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let mut told = found;
         told.tooth_numbers.truncate(limit);
         told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(files, &told)?;
-        note(format, told.found, told.shown);
+        args.output.deliver_with(call, files, &told)?;
+        note(call, format, told.found, told.shown);
     } else if args.double_planet {
         let found = double_planet::answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
         drop(shown);
@@ -213,8 +213,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let mut told = found;
         told.tooth_numbers.truncate(limit);
         told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(files, &told)?;
-        note(format, told.found, told.shown);
+        args.output.deliver_with(call, files, &told)?;
+        note(call, format, told.found, told.shown);
     } else {
         let found = answer(&wanted, |share| shown.at(share)).map_err(|error| refuse_one(error, &wanted))?;
         drop(shown);
@@ -224,16 +224,16 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let mut told = found;
         told.tooth_numbers.truncate(limit);
         told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(files, &told)?;
-        note(format, told.found, told.shown);
+        args.output.deliver_with(call, files, &told)?;
+        note(call, format, told.found, told.shown);
     }
     Ok(())
 }
 
 /// Says beside a list for programs that it is not whole.
-fn note(format: Format, found: u64, shown: usize) {
+fn note(call: &Call<'_>, format: Format, found: u64, shown: usize) {
     if format != Format::Table && (shown as u64) < found {
-        complain(&format!("note: {}", epicyclic_views::teeth::count(found, shown)));
+        call.complain(&format!("note: {}", epicyclic_views::teeth::count(found, shown)));
     }
 }
 

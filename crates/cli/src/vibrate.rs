@@ -1,12 +1,12 @@
 //! The command `vibrate`: natural frequencies, modes and resonances of planet sets.
 
 use crate::analyze::refuse;
+use crate::desk::{Call, Content};
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
 use crate::losses::Range;
 use crate::output::OutputArgs;
-use crate::writing::Content;
 use epicyclic_answers::Error;
 use epicyclic_answers::vibration::{self as answers, Vibration, Wanted};
 use epicyclic_drawing::Scene;
@@ -74,8 +74,8 @@ pub(crate) struct Args {
 }
 
 /// Runs the command.
-pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let document = input::document(&args.file)?;
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
     let speeds = args.speeds.as_ref().map(|range| range.places("--speeds")).transpose()?;
     let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), speeds, harmonics: args.harmonics };
@@ -91,7 +91,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(file) = &args.shapes {
         files.push(drawn(file, "--shapes", &shapes(&answer)?)?);
     }
-    args.output.deliver_with(files, &answer)
+    args.output.deliver_with(call, files, &answer)
 }
 
 /// A picture as a file.

@@ -2,6 +2,7 @@
 
 use super::{Args, View};
 use crate::analyze::{self, Choice};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use crate::named;
@@ -39,16 +40,16 @@ impl Subject {
 }
 
 /// Reads what is named.
-pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, Failure> {
+pub(super) fn read(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Result<Subject, Failure> {
     let named = match document {
         Some(_) => None,
-        None => named::read(&args.gearbox)?,
+        None => named::read(call, &args.gearbox)?,
     };
     let Some(named) = named else {
         let file = Path::new(&args.gearbox);
         return match document {
             Some(document) => from_file(args, file, document),
-            None => from_file(args, file, &input::document(file)?),
+            None => from_file(args, file, &input::document(call, file)?),
         };
     };
     if args.transmission.is_some() {

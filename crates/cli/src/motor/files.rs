@@ -2,10 +2,10 @@
 
 use super::design::refuse;
 use super::{Files, View};
+use crate::desk::Content;
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use crate::writing::Content;
 use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::motor::{Designed, centrodes};
 use epicyclic_drawing::Scene;

@@ -3,9 +3,9 @@
 use super::design::refuse as refuse_motor;
 use super::sought::{Shown, Sought};
 use super::steps::{Stepped, each_once};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::lists::List;
-use crate::output::complain;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::Groups;
@@ -170,7 +170,7 @@ struct Flanks {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<(), Failure> {
+pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let outlet = args.shown.outlet()?;
     let search = search(args)?;
     args.has_what_is_told("--objectives", &args.objectives.0)?;
@@ -184,7 +184,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         most: outlet.most(),
         made: args.flanks.groups(),
     };
-    let shown = Progress::new();
+    let shown = Progress::new(call);
     let searched = answers::motor_forms::search(&wanted, &|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
         if at.pass == 0 {
@@ -202,9 +202,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let searched = searched.map_err(refuse)?;
     let files = outlet.files(|design, angle| searched.motor(design, angle))?;
     let answer = searched.answer();
-    outlet.output.deliver_with(files, &answer)?;
+    outlet.output.deliver_with(call, files, &answer)?;
     if !outlet.is_table() && answer.hidden > 0 {
-        complain(&format!("note: {}", epicyclic_views::motor_forms::count(&answer)));
+        call.complain(&format!("note: {}", epicyclic_views::motor_forms::count(&answer)));
     }
     Ok(())
 }

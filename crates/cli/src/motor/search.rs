@@ -2,8 +2,8 @@
 
 use super::design::refuse;
 use super::sought::{Shown, Sought};
+use crate::desk::Call;
 use crate::failure::Failure;
-use crate::output::complain;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor_search::Wanted;
@@ -67,7 +67,7 @@ enum Order {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args) -> Result<(), Failure> {
+pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let outlet = args.shown.outlet()?;
     let wanted = Wanted {
         search: search(args)?,
@@ -80,7 +80,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         first_of_each_set: outlet.first_of_each_set(),
         most: outlet.most(),
     };
-    let shown = Progress::new();
+    let shown = Progress::new(call);
     let searched = answers::motor_search::search(&wanted, &|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
         if at.pass == 0 {
@@ -97,9 +97,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let searched = searched.map_err(refuse)?;
     let files = outlet.files(|design, angle| searched.motor(design, angle))?;
     let answer = searched.answer();
-    outlet.output.deliver_with(files, &answer)?;
+    outlet.output.deliver_with(call, files, &answer)?;
     if !outlet.is_table() && answer.hidden > 0 {
-        complain(&format!("note: {}", epicyclic_views::motor_search::count(&answer)));
+        call.complain(&format!("note: {}", epicyclic_views::motor_search::count(&answer)));
     }
     Ok(())
 }

@@ -2,10 +2,10 @@
 
 use super::design::refuse;
 use super::{Files, files};
+use crate::desk::Content;
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::{Format, OutputArgs};
-use crate::writing::Content;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::Designed;
 use epicyclic_formats::{Number, Physical, Quantity, Span};

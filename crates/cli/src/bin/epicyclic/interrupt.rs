@@ -1,22 +1,10 @@
 //! Ctrl-C, and a request to end: the program ends at once, its temporary files removed; but a search that can tell what it has is asked
 //! first, and ended at the second.
 
-use std::fs;
+use epicyclic::INTERRUPTED;
+use epicyclic::desk::disk::remove_temporary;
 use std::io::{Write as _, stderr};
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-
-/// The exit code of a program that Ctrl-C ends.
-pub(crate) const INTERRUPTED: u8 = 130;
-
-/// Temporary files of this program.
-static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-/// Temporary files of this program, which go when it is ended.
-pub(crate) fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
-    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 /// Whether a search hears.
 static HEARS: AtomicBool = AtomicBool::new(false);
@@ -40,9 +28,7 @@ pub(crate) fn hear() {
         if HEARS.load(Ordering::SeqCst) && !ASKED.swap(true, Ordering::SeqCst) {
             return;
         }
-        for path in pending().iter() {
-            let _ = fs::remove_file(path);
-        }
+        let _nothing_more_is_written = remove_temporary();
         if SHOWS.load(Ordering::SeqCst) {
             let _ = write!(stderr(), "\r{:WIDTH$}\r", "");
         }
@@ -52,25 +38,15 @@ pub(crate) fn hear() {
     let _ = ctrlc::set_handler(heard);
 }
 
-/// A search that ends early where it is asked to. While this lives, the first Ctrl-C asks it; the second ends the program.
-pub(crate) struct Hearing;
-
-impl Hearing {
-    /// A search that begins.
-    pub(crate) fn new() -> Self {
-        HEARS.store(true, Ordering::SeqCst);
+/// From here, or no more, the first Ctrl-C asks a search to end; the second ends the program.
+pub(crate) fn search_hears(hears: bool) {
+    HEARS.store(hears, Ordering::SeqCst);
+    if hears {
         hear();
-        Self
-    }
-
-    /// Whether it was asked to end.
-    pub(crate) fn is_asked(&self) -> bool {
-        ASKED.load(Ordering::SeqCst)
     }
 }
 
-impl Drop for Hearing {
-    fn drop(&mut self) {
-        HEARS.store(false, Ordering::SeqCst);
-    }
+/// Whether a search was asked to end.
+pub(crate) fn is_asked() -> bool {
+    ASKED.load(Ordering::SeqCst)
 }

@@ -6,31 +6,80 @@
 //! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while its program lives. What
 //! a killed program left behind has no lock any more, and the next call that writes into the folder removes it.
 
-use crate::failure::Failure;
-use crate::interrupt::{hear, pending};
+use super::{Content, NotWritten, Source, Text};
 use std::collections::VecDeque;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher as _, RandomState};
-use std::io::{self, BufWriter, ErrorKind, Write as _};
+use std::io::{self, BufWriter, ErrorKind, Read, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A file that is to be written, and all of its content.
-pub(crate) type Content = (PathBuf, Vec<u8>);
+/// Temporary files of this program.
+static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// What writes a content as it comes.
-pub(crate) type Source<'a> = dyn FnMut(&mut dyn io::Write) -> io::Result<()> + 'a;
-
-/// Writes files: all of them whole, or none.
-pub(crate) fn write_files(files: &[Content]) -> Result<(), Failure> {
-    write_files_and(files, None)
+fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
+    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The same with one more, whose content is never held.
-pub(crate) fn write_files_and(
-    files: &[Content],
-    streamed: Option<(&Path, &mut Source)>,
-) -> Result<(), Failure> {
-    hear();
+/// Removes all temporary files of this program, which ends: nothing is written while the answer of this lives.
+#[must_use]
+pub fn remove_temporary() -> impl Drop {
+    let pending = pending();
+    for path in pending.iter() {
+        let _ = fs::remove_file(path);
+    }
+    pending
+}
+
+/// Reads a file, unless it has more bytes than `most`.
+///
+/// # Errors
+/// Where it cannot be read.
+pub fn read(file: &Path, most: u64) -> io::Result<Text> {
+    let file = File::open(file)?;
+    let metadata = file.metadata()?;
+    let size = metadata.is_file().then_some(metadata.len());
+    if size.is_some_and(|size| size > most) {
+        return Ok(Text::TooLarge { size });
+    }
+    // A file may also have grown since.
+    limited(file, most)
+}
+
+/// Reads no more bytes than the limit: a device may have no end.
+///
+/// # Errors
+/// Where it cannot be read.
+pub fn limited(from: impl Read, most: u64) -> io::Result<Text> {
+    let mut bytes = Vec::new();
+    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok(if bytes.len() as u64 > most { Text::TooLarge { size: None } } else { Text::Whole(bytes) })
+}
+
+/// Makes a folder, where it is not there.
+///
+/// # Errors
+/// Where it cannot be made.
+pub fn make_folder(folder: &Path) -> io::Result<()> {
+    if folder.is_dir() { Ok(()) } else { fs::create_dir(folder) }
+}
+
+/// Removes a file, where it is there.
+///
+/// # Errors
+/// Where it cannot be removed.
+pub fn remove(file: &Path) -> io::Result<()> {
+    match fs::remove_file(file) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Writes files: all of them whole, or none; the last may be written as it comes.
+///
+/// # Errors
+/// The file that cannot be written: then none is.
+pub fn write(files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten> {
     let mut all: Vec<(&Path, Box<Source>)> = vec![];
     for (file, content) in files {
         all.push((file, Box::new(|out| out.write_all(content))));
@@ -60,8 +109,8 @@ pub(crate) fn write_files_and(
     prepared.take_names()
 }
 
-fn failed(file: &Path, source: io::Error) -> Failure {
-    Failure::Write { file: file.to_owned(), source }
+fn failed(file: &Path, why: io::Error) -> NotWritten {
+    NotWritten { file: file.to_owned(), why }
 }
 
 fn write_device(file: &Path, source: &mut Source) -> io::Result<()> {
@@ -173,7 +222,8 @@ fn behind_links(file: &Path) -> io::Result<PathBuf> {
 }
 
 /// Whether two paths mean one file, which may not be there yet. Devices and pipes are never one: nothing in them is replaced.
-pub(crate) fn are_one_file(one: &Path, other: &Path) -> bool {
+#[must_use]
+pub fn are_one_file(one: &Path, other: &Path) -> bool {
     match (fs::metadata(one), fs::metadata(other)) {
         (Ok(one_is), Ok(other_is)) if one_is.is_file() && other_is.is_file() => {
             #[cfg(unix)]
@@ -269,7 +319,7 @@ impl Prepared {
     }
 
     /// From here Ctrl-C waits: all have their names then.
-    fn take_names(&mut self) -> Result<(), Failure> {
+    fn take_names(&mut self) -> Result<(), NotWritten> {
         let mut pending = pending();
         while let Some(next) = self.0.front() {
             fs::rename(&next.path, &next.place).map_err(|error| failed(&next.named, error))?;
@@ -342,14 +392,14 @@ mod tests {
         let [first, second] = ["first", "second"].map(|name| folder.path().join(name));
         fs::write(&first, "old").unwrap();
         fs::create_dir(&second).unwrap();
-        let error = write_files(&[content(&first), content(&second)]).unwrap_err();
+        let error = write(&[content(&first), content(&second)], None).unwrap_err();
         assert_eq!(error.to_string(), format!("{}: cannot be written: is a directory", second.display()));
         assert_eq!(
             (names(folder.path()), fs::read(&first).unwrap()),
             (vec!["first".into(), "second".into()], b"old".to_vec())
         );
         fs::remove_dir(&second).unwrap();
-        write_files(&[content(&first), content(&second)]).unwrap();
+        write(&[content(&first), content(&second)], None).unwrap();
         assert_eq!(
             (fs::read(&first).unwrap(), fs::read(&second).unwrap()),
             (b"new".to_vec(), b"new".to_vec())
@@ -374,7 +424,7 @@ mod tests {
         }
         let file = OpenOptions::new().write(true).open(path(living)).unwrap();
         file.lock().unwrap();
-        write_files(&[content(&path("answer"))]).unwrap();
+        write(&[content(&path("answer"))], None).unwrap();
         let found = names(folder.path());
         assert!(!found.contains(&stale.to_owned()) && found.len() == others.len() + 2, "{found:?}");
         assert!(found.contains(&living.to_owned()), "{found:?}");
@@ -390,15 +440,15 @@ mod tests {
         symlink("other/second", path("first")).unwrap();
         symlink(path("target"), path("other/second")).unwrap();
         for _ in 0..2 {
-            write_files(&[content(&path("first"))]).unwrap();
+            write(&[content(&path("first"))], None).unwrap();
             assert!(path("first").is_symlink() && path("other/second").is_symlink());
             assert_eq!(fs::read(path("target")).unwrap(), b"new");
         }
         symlink("nowhere/file", path("broken")).unwrap();
-        let error = write_files(&[content(&path("broken"))]).unwrap_err().to_string();
+        let error = write(&[content(&path("broken"))], None).unwrap_err().to_string();
         assert!(error.ends_with("/nowhere"), "{error}");
         symlink("round", path("round")).unwrap();
-        assert!(write_files(&[content(&path("round"))]).is_err() && path("round").is_symlink());
+        assert!(write(&[content(&path("round"))], None).is_err() && path("round").is_symlink());
     }
 
     #[cfg(unix)]

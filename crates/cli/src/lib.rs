@@ -1,4 +1,23 @@
-//! The program `epicyclic`: planetary gear mechanisms on the command line.
+//! The program `epicyclic` as a library: planetary gear mechanisms by the words of a command line.
+//!
+//! [`call`] answers one command line. What it reads, writes and prints goes over a [`Desk`]: a terminal for the program, memory for a page
+//! in a browser, both for other languages. The answers are the records of `epicyclic-answers`, with `--format json` as they are.
+//!
+//! ```
+//! use epicyclic::{Memory, call};
+//!
+//! let desk = Memory::default();
+//! assert_eq!(call(["teeth", "6", "--limit", "1", "--format", "json"], &desk), 0);
+//! let answer = String::from_utf8(desk.into_kept().answer).unwrap();
+//! assert!(answer.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));
+//! ```
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `terminal` | the program: progress and Ctrl-C on a terminal, `completions` and `man` |
+//! | `tables` | Parquet tables: `atlas`, and `synthesize` in shards |
+//! | `print` | drawings as PDF and PNG |
+//! | `parallel` | searches on all threads |
 //!
 //! | module | is |
 //! |---|---|
@@ -31,31 +50,33 @@
 //! | [`input`] | files that are read |
 //! | [`imprint`] | what the options say of a page |
 //! | [`output`] | formats of an answer, and where it goes |
-//! | [`writing`] | files written whole, and all of a call or none |
 //! | [`apart`] | that no output is the input or another output |
 //! | [`ratios`] | lists of ratios as people write them |
 //! | [`progress`] | how far a long search is, on a terminal |
-//! | [`interrupt`] | Ctrl-C |
+//! | [`desk`] | what a call needs of the world around it |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: see [`failure`].
 
 mod analyze;
 mod apart;
+#[cfg(feature = "tables")]
 mod atlas;
 mod compare;
+#[cfg(feature = "terminal")]
 mod completions;
 mod design;
+pub mod desk;
 mod draw;
 mod drawing_file;
 mod drive;
 mod failure;
 mod imprint;
 mod input;
-mod interrupt;
 mod lists;
 mod losses;
 mod machine;
+#[cfg(feature = "terminal")]
 mod man;
 mod motor;
 mod named;
@@ -69,6 +90,10 @@ mod robustness;
 mod schema;
 mod schemes;
 mod select;
+#[cfg(feature = "tables")]
+mod shards;
+#[cfg(not(feature = "tables"))]
+#[path = "no_shards.rs"]
 mod shards;
 mod sheet;
 mod simulate;
@@ -78,14 +103,18 @@ mod strength;
 mod synthesize;
 mod teeth;
 mod vibrate;
-mod writing;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use desk::Call;
 use epicyclic_formats::quantity::find_unit;
 use epicyclic_formats::visible::one_line;
 use std::ffi::OsString;
-use std::process::ExitCode;
+
+pub use desk::Desk;
+pub use desk::memory::Memory;
+pub use failure::INTERRUPTED;
+pub use progress::Ended;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]
@@ -110,6 +139,7 @@ enum Command {
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
+    #[cfg(feature = "tables")]
     Atlas(atlas::Args),
     Schemes(schemes::Args),
     Machine(machine::Args),
@@ -117,29 +147,53 @@ enum Command {
     Draw(Box<draw::Args>),
     Report(page::Args),
     Schema(schema::Args),
+    #[cfg(feature = "terminal")]
     Completions(completions::Args),
+    #[cfg(feature = "terminal")]
     Man(man::Args),
 }
 
-fn main() -> ExitCode {
-    let (cli, files, is_json) = match parsed(std::env::args_os()) {
+/// Answers a command line, of which the words after the name of the program are given, over a desk. The answer is the exit code, as the
+/// help tells them.
+///
+/// # Errors
+/// None: what is refused is told over the desk, where JSON is asked for as an answer, too.
+pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &dyn Desk) -> u8 {
+    let call = Call::new(desk, words.into_iter().map(Into::into).collect());
+    let line = std::iter::once(OsString::from("epicyclic")).chain(call.words.iter().cloned());
+    let (cli, files, is_json) = match parsed(line) {
         Ok(parsed) => parsed,
         // Help and version are answers, and may fail to be written like any.
         Err(asked) if !asked.use_stderr() => {
-            return end(asked.print().map_err(failure::Failure::StandardOutput), false);
+            return end(&call, desk.usage(&asked).map_err(failure::Failure::StandardOutput), false);
         }
         Err(wrong) => {
             let unit = loose_unit(&wrong).map(str::to_owned);
-            let _ = shown(wrong).print();
+            let _ = desk.usage(&shown(wrong));
             if let Some(unit) = unit {
-                output::complain(&format!(
+                call.complain(&format!(
                     "\nA quantity is one word: put it in quotes, '2 {unit}', or leave out the blank, 2{unit}."
                 ));
             }
-            return ExitCode::from(failure::WRONG);
+            return failure::WRONG;
         }
     };
-    end(files.are_apart().and_then(|()| run(cli.command)), is_json)
+    end(&call, files.are_apart(&call).and_then(|()| run(&call, cli.command)), is_json)
+}
+
+fn end(call: &Call<'_>, done: Result<(), failure::Failure>, is_json: bool) -> u8 {
+    match done {
+        Ok(()) => 0,
+        Err(failure) => {
+            if is_json {
+                output::in_place_of_an_answer(call, &failure.as_answer());
+            }
+            if !failure.is_quiet() {
+                call.complain(&format!("error: {}", failure.told()));
+            }
+            failure.code()
+        }
+    }
 }
 
 /// The command line, the files that it names, and whether JSON is due on standard output.
@@ -181,44 +235,32 @@ fn loose_unit(error: &clap::Error) -> Option<&str> {
     words.find(|word| find_unit(word).is_some())
 }
 
-fn run(command: Command) -> Result<(), failure::Failure> {
+fn run(call: &Call<'_>, command: Command) -> Result<(), failure::Failure> {
     match command {
-        Command::Teeth(args) => teeth::run(&args),
-        Command::Drive(args) => drive::run(&args),
-        Command::Analyze(args) => analyze::run(&args),
-        Command::Strength(args) => strength::run(&args),
-        Command::Sheet(args) => sheet::run(&args),
-        Command::Size(args) => sizing::run(&args),
-        Command::Design(args) => design::run(&args),
-        Command::Losses(args) => losses::run(&args),
-        Command::Simulate(args) => simulate::run(&args),
-        Command::Vibrate(args) => vibrate::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Select(args) => select::run(&args),
-        Command::Synthesize(args) => synthesize::run(&args),
-        Command::Atlas(args) => atlas::run(&args),
-        Command::Schemes(args) => schemes::run(&args),
-        Command::Machine(args) => machine::run(&args),
-        Command::Motor(args) => motor::run(&args),
-        Command::Draw(args) => draw::run(&args),
-        Command::Report(args) => page::run(&args),
-        Command::Schema(args) => schema::run(&args),
-        Command::Completions(args) => completions::run(&args, Cli::command()),
-        Command::Man(args) => man::run(&args, Cli::command()),
-    }
-}
-
-fn end(done: Result<(), failure::Failure>, is_json: bool) -> ExitCode {
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            if is_json {
-                output::in_place_of_an_answer(&failure.as_answer());
-            }
-            if !failure.is_quiet() {
-                output::complain(&format!("error: {}", failure.told()));
-            }
-            ExitCode::from(failure.code())
-        }
+        Command::Teeth(args) => teeth::run(call, &args),
+        Command::Drive(args) => drive::run(call, &args),
+        Command::Analyze(args) => analyze::run(call, &args),
+        Command::Strength(args) => strength::run(call, &args),
+        Command::Sheet(args) => sheet::run(call, &args),
+        Command::Size(args) => sizing::run(call, &args),
+        Command::Design(args) => design::run(call, &args),
+        Command::Losses(args) => losses::run(call, &args),
+        Command::Simulate(args) => simulate::run(call, &args),
+        Command::Vibrate(args) => vibrate::run(call, &args),
+        Command::Compare(args) => compare::run(call, &args),
+        Command::Select(args) => select::run(call, &args),
+        Command::Synthesize(args) => synthesize::run(call, &args),
+        #[cfg(feature = "tables")]
+        Command::Atlas(args) => atlas::run(call, &args),
+        Command::Schemes(args) => schemes::run(call, &args),
+        Command::Machine(args) => machine::run(call, &args),
+        Command::Motor(args) => motor::run(call, &args),
+        Command::Draw(args) => draw::run(call, &args),
+        Command::Report(args) => page::run(call, &args),
+        Command::Schema(args) => schema::run(call, &args),
+        #[cfg(feature = "terminal")]
+        Command::Completions(args) => completions::run(call, &args, Cli::command()),
+        #[cfg(feature = "terminal")]
+        Command::Man(args) => man::run(call, &args, Cli::command()),
     }
 }

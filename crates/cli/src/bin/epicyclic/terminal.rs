@@ -1,0 +1,107 @@
+//! A terminal and the disk, or what a shell puts in a terminal's place.
+
+use crate::interrupt::{WIDTH, hear, is_asked, line_stands, search_hears};
+use epicyclic::desk::{Content, Desk, NotWritten, Source, Text, disk};
+use std::io::{self, BufWriter, IsTerminal as _, Write as _, stderr};
+use std::path::Path;
+use std::time::Instant;
+use terminal_size::terminal_size_of;
+
+/// The desk of the program.
+pub(crate) struct Terminal {
+    begun: Instant,
+}
+
+impl Terminal {
+    pub(crate) fn new() -> Self {
+        Self { begun: Instant::now() }
+    }
+}
+
+impl Desk for Terminal {
+    fn read(&self, file: Option<&Path>, most: u64) -> io::Result<Text> {
+        match file {
+            Some(file) => disk::read(file, most),
+            None => disk::limited(io::stdin().lock(), most),
+        }
+    }
+
+    fn exists(&self, file: &Path) -> bool {
+        file.exists()
+    }
+
+    fn are_one_file(&self, one: &Path, other: &Path) -> bool {
+        disk::are_one_file(one, other)
+    }
+
+    fn write(&self, files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten> {
+        hear();
+        disk::write(files, streamed)
+    }
+
+    fn make_folder(&self, folder: &Path) -> io::Result<()> {
+        disk::make_folder(folder)
+    }
+
+    fn remove(&self, file: &Path) -> io::Result<()> {
+        disk::remove(file)
+    }
+
+    fn answer(&self, source: &mut Source) -> io::Result<()> {
+        let mut out = BufWriter::new(io::stdout().lock());
+        source(&mut out)?;
+        out.flush()
+    }
+
+    /// Nothing can be done where that fails.
+    fn message(&self, text: &str) {
+        let _ = writeln!(stderr(), "{}", text);
+    }
+
+    fn usage(&self, usage: &clap::Error) -> io::Result<()> {
+        usage.print()
+    }
+
+    fn is_seen(&self) -> bool {
+        io::stdout().is_terminal()
+    }
+
+    /// As many as the terminal has, or `COLUMNS` says where the answer goes to a pipe.
+    fn columns(&self) -> Option<usize> {
+        let out = io::stdout();
+        let terminal = out.is_terminal().then(|| terminal_size_of(&out)).flatten();
+        let columns = || std::env::var("COLUMNS").ok()?.trim().parse::<usize>().ok();
+        // A terminal that does not know its size says 0.
+        terminal.map(|(width, _)| usize::from(width.0)).or_else(columns).filter(|columns| *columns > 0)
+    }
+
+    fn shows_progress(&self) -> bool {
+        let shows = stderr().is_terminal();
+        if shows {
+            // Whoever ends it is not left with the line.
+            hear();
+            line_stands(true);
+        }
+        shows
+    }
+
+    fn progress(&self, told: Option<(&str, Option<f64>)>) {
+        let _ = match told {
+            Some((line, _)) => write!(stderr(), "\r{line:WIDTH$}"),
+            None => write!(stderr(), "\r{:WIDTH$}\r", ""),
+        };
+        line_stands(told.is_some());
+    }
+
+    fn hears(&self, hears: bool) {
+        search_hears(hears);
+    }
+
+    fn is_asked(&self) -> bool {
+        is_asked()
+    }
+
+    fn seconds(&self) -> f64 {
+        self.begun.elapsed().as_secs_f64()
+    }
+}

@@ -1,0 +1,217 @@
+//! What a call needs of the world around it: files, a place for its answer and for messages, a clock, somebody who may end it.
+//!
+//! The program has a terminal and the disk for it, a page in a browser keeps files in memory, and other languages mix both. No command
+//! reads, writes or prints but through its [`Call`], so that all of them answer alike.
+//!
+//! | desk | is |
+//! |---|---|
+//! | [`disk`] | files of the disk, written whole and of one call all or none |
+//! | [`captured`] | these, with the answer and the messages kept in memory |
+//! | [`memory`] | files, answer and messages kept in memory |
+
+#[cfg(not(target_arch = "wasm32"))]
+pub mod captured;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod disk;
+pub mod memory;
+
+use crate::failure::Failure;
+use epicyclic_formats::visible;
+use std::ffi::OsString;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A file that is to be written, and all of its content.
+pub type Content = (PathBuf, Vec<u8>);
+
+/// What writes a content as it comes.
+pub type Source<'a> = dyn FnMut(&mut dyn io::Write) -> io::Result<()> + 'a;
+
+/// What is read of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Text {
+    /// All of it.
+    Whole(Vec<u8>),
+    /// More than is allowed, with its size in bytes; a device or pipe does not say how many.
+    TooLarge {
+        /// Its size in bytes.
+        size: Option<u64>,
+    },
+}
+
+/// A file that cannot be written, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: cannot be written: {why}", file.display())]
+pub struct NotWritten {
+    /// The file as it was named.
+    pub file: PathBuf,
+    /// Why.
+    #[source]
+    pub why: io::Error,
+}
+
+/// What a call needs of the world around it. Progress comes from any thread, everything else from the thread of the call.
+pub trait Desk: Sync {
+    /// The content of a file, or of standard input where no file is named, unless it has more bytes than `most`.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    fn read(&self, file: Option<&Path>, most: u64) -> io::Result<Text>;
+
+    /// Whether there is a file or anything else of this name.
+    fn exists(&self, file: &Path) -> bool;
+
+    /// Whether two paths mean one file, which may not be there yet. Nothing in a device or pipe is replaced, so these are never one.
+    fn are_one_file(&self, one: &Path, other: &Path) -> bool;
+
+    /// Writes files, each whole, and all of them or none; the last may be written as it comes.
+    ///
+    /// # Errors
+    /// The file that cannot be written: then none is.
+    fn write(&self, files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten>;
+
+    /// Makes a folder, where it is not there.
+    ///
+    /// # Errors
+    /// Where it cannot be made.
+    fn make_folder(&self, folder: &Path) -> io::Result<()>;
+
+    /// Removes a file, where it is there.
+    ///
+    /// # Errors
+    /// Where it cannot be removed.
+    fn remove(&self, file: &Path) -> io::Result<()>;
+
+    /// Takes the answer, or a part of it.
+    ///
+    /// # Errors
+    /// Where its reader takes no more.
+    fn answer(&self, source: &mut Source) -> io::Result<()>;
+
+    /// Takes a message: a warning, a note, or why there is no answer.
+    fn message(&self, text: &str);
+
+    /// Takes help, which is an answer, or what is wrong with the words of a call. By default without colours.
+    ///
+    /// # Errors
+    /// Where its reader takes no more.
+    fn usage(&self, usage: &clap::Error) -> io::Result<()> {
+        let text = usage.render().to_string();
+        if usage.use_stderr() {
+            self.message(text.trim_end());
+            return Ok(());
+        }
+        self.answer(&mut |out| out.write_all(text.as_bytes()))
+    }
+
+    /// Whether the answer goes before the eyes of somebody, who sees what a terminal can show.
+    fn is_seen(&self) -> bool {
+        false
+    }
+
+    /// Columns of the lines of tables; 80 where nothing is known of them.
+    fn columns(&self) -> Option<usize> {
+        None
+    }
+
+    /// Whether the progress of a search is to be told.
+    fn shows_progress(&self) -> bool {
+        false
+    }
+
+    /// Takes the progress of a search: a line for people, and the share that is done where it is known. `None` when it is over.
+    fn progress(&self, told: Option<(&str, Option<f64>)>) {
+        let _ = told;
+    }
+
+    /// From here on, or no more, a search ends by itself where [`Desk::is_asked`] says so, with what it has.
+    fn hears(&self, hears: bool) {
+        let _ = hears;
+    }
+
+    /// Whether a search that hears is to end with what it has.
+    fn is_asked(&self) -> bool {
+        false
+    }
+
+    /// Whether any search is to end at once: its call unwinds from the next progress it makes, and has no answer.
+    fn must_end(&self) -> bool {
+        false
+    }
+
+    /// Seconds since any one moment.
+    fn seconds(&self) -> f64;
+}
+
+/// One call: its desk, its words, and whether it has answered.
+pub(crate) struct Call<'d> {
+    pub(crate) desk: &'d dyn Desk,
+    /// Without the name of the program.
+    pub(crate) words: Vec<OsString>,
+    has_answered: AtomicBool,
+}
+
+impl<'d> Call<'d> {
+    pub(crate) fn new(desk: &'d dyn Desk, words: Vec<OsString>) -> Self {
+        Self { desk, words, has_answered: AtomicBool::new(false) }
+    }
+
+    /// Whether anything was answered: then there is an answer, whatever fails later.
+    pub(crate) fn has_answered(&self) -> bool {
+        self.has_answered.load(Ordering::Relaxed)
+    }
+
+    /// Writes to standard output.
+    pub(crate) fn answer(&self, source: &mut Source) -> Result<(), Failure> {
+        self.has_answered.store(true, Ordering::Relaxed);
+        self.desk.answer(source).map_err(Failure::StandardOutput)
+    }
+
+    /// The same of a text.
+    pub(crate) fn say(&self, text: &str) -> Result<(), Failure> {
+        self.answer(&mut |out| out.write_all(text.as_bytes()))
+    }
+
+    /// A line, or lines, beside the answer.
+    pub(crate) fn complain(&self, text: &str) {
+        self.desk.message(&visible::lines(text));
+    }
+
+    /// Writes files: all of them whole, or none.
+    pub(crate) fn write(&self, files: &[Content]) -> Result<(), Failure> {
+        self.write_and(files, None)
+    }
+
+    /// The same with one more, whose content is never held.
+    pub(crate) fn write_and(
+        &self,
+        files: &[Content],
+        streamed: Option<(&Path, &mut Source)>,
+    ) -> Result<(), Failure> {
+        let written = self.desk.write(files, streamed);
+        written.map_err(|NotWritten { file, why }| Failure::Write { file, source: why })
+    }
+}
+
+/// A search that ends early, with what it has, where it is asked to.
+pub(crate) struct Hearing<'d>(&'d dyn Desk);
+
+impl<'d> Hearing<'d> {
+    /// A search that begins.
+    pub(crate) fn new(call: &Call<'d>) -> Self {
+        call.desk.hears(true);
+        Self(call.desk)
+    }
+
+    /// Whether it was asked to end.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.0.is_asked()
+    }
+}
+
+impl Drop for Hearing<'_> {
+    fn drop(&mut self) {
+        self.0.hears(false);
+    }
+}
