@@ -84,8 +84,9 @@ export class ChoosePage {
     this.progress.removeAttribute('value');
     const line = this.line();
     try {
-      const called = await core.call([...line, '--format', 'json'], {}, (done, whole) => {
-        this.progress.value = done / whole;
+      const called = await core.call([...line, '--format', 'json'], {}, (share, told) => {
+        if (share >= 0) this.progress.value = share;
+        this.words.textContent = told;
       });
       const answer = JSON.parse(called.answer || '{}');
       if (called.code !== 0 || answer.answer === 'error') {

@@ -55,10 +55,13 @@ export class Failure extends Error {
 /** Somebody has asked the same again before this was answered. */
 export class Overtaken extends Error {}
 
+/** Takes the share of a search that is done, below 0 where it is not known, and a line that says so. */
+type Progress = (share: number, line: string) => void;
+
 interface Waiting {
   resolve: (reply: unknown) => void;
   reject: (error: Error) => void;
-  progress?: ((done: number, whole: number) => void) | undefined;
+  progress?: Progress | undefined;
 }
 
 /** A worker with the core. */
@@ -160,7 +163,7 @@ export const core = {
   moving: (file: string, frames: number) =>
     newest('moving', () => live.ask<string>('moving', [file, frames])).then(read<MotorMoving>),
   /** A command line, in a worker of its own that `cancel` ends. */
-  call: (line: string[], files: Record<string, string>, progress?: (done: number, whole: number) => void) =>
+  call: (line: string[], files: Record<string, string>, progress?: Progress) =>
     (searching ??= new Worked()).ask<Called>('call', [line, files], progress),
   cancel: () => searching?.cancel(),
 };

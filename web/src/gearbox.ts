@@ -362,8 +362,12 @@ export class GearboxPage {
 /** A picture in its place, or the words that stand for it. */
 export function drawn(place: HTMLElement, picture: Picture | undefined): void {
   place.classList.remove('waiting');
-  if (picture?.svg !== undefined) place.innerHTML = picture.svg.replaceAll(/ id="layer-[^"]*"/g, '');
-  else place.replaceChildren(h('p', { class: 'note' }, picture?.message ?? ''));
+  if (picture?.svg !== undefined) {
+    place.innerHTML = picture.svg.replaceAll(/ id="layer-[^"]*"/g, '');
+    // Letters of 2.5 mm are then a little larger than those of the page.
+    const svg = place.querySelector('svg')!;
+    svg.style.maxWidth = `${5 * parseFloat(svg.getAttribute('width')!)}px`;
+  } else place.replaceChildren(h('p', { class: 'note' }, picture?.message ?? ''));
 }
 
 /** Tables in their place; those that can be scrolled can be reached by the keyboard. */

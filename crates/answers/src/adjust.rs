@@ -110,11 +110,8 @@ mod tests {
     fn a_changed_number_is_read_back_and_nothing_else_changes() {
         let before = numbers(FILE);
         let kinds: Vec<_> = before.iter().map(|number| (number.set.as_str(), number.of)).collect();
-        let expected = [
-            ("P", AdjustableKind::K),
-            ("Q", AdjustableKind::SunTeeth),
-            ("Q", AdjustableKind::RingTeeth),
-        ];
+        let expected =
+            [("P", AdjustableKind::K), ("Q", AdjustableKind::SunTeeth), ("Q", AdjustableKind::RingTeeth)];
         assert_eq!(kinds, expected);
         let text = changed(FILE, &before[0], "3.1").unwrap();
         assert_eq!(text, FILE.replace("2.940", "3.1"));

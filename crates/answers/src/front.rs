@@ -269,10 +269,8 @@ mod tests {
 
     #[test]
     fn sets_of_other_kinds_are_named() {
-        let front = front_of(
-            "  - { id: P, kind: double_planet, sun: D, ring: T, carrier: B, k: 2.5 }",
-            Some("1"),
-        );
+        let front =
+            front_of("  - { id: P, kind: double_planet, sun: D, ring: T, carrier: B, k: 2.5 }", Some("1"));
         assert_eq!((front.sets.len(), front.left_out), (0, vec!["P".to_owned()]));
     }
 }

@@ -92,7 +92,8 @@ fn with<T>(
     done: impl FnOnce(&Subject<'_>) -> Result<T, Failure>,
     several: impl FnOnce(&transmissions::Transmissions) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
-    let document = Document::parse_one("gearbox.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
+    let document =
+        Document::parse_one("gearbox.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
     match read(&document, &question.choice()?).map_err(refused)? {
         Content::One(subject) => done(&subject),
         Content::Several(all) => several(&transmissions::answer(&all)),
@@ -108,11 +109,10 @@ pub(crate) fn look(file: &str, question: &str) -> Result<String, Failure> {
 
 fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure> {
     let overview = analyze::overview::answer(subject, question.input(), None).map_err(refused)?;
-    let mut parts = vec![
-        ("analyze", json(&overview)?),
-        ("adjust", json(&adjust::answer(subject))?),
-    ];
-    if question.list && let Content::Several(all) = all_of(subject)? {
+    let mut parts = vec![("analyze", json(&overview)?), ("adjust", json(&adjust::answer(subject))?)];
+    if question.list
+        && let Content::Several(all) = all_of(subject)?
+    {
         parts.push(("transmissions", json(&transmissions::answer(&all))?));
     }
     if question.tables {
@@ -135,7 +135,8 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
         }
     }
     let gearbox = &subject.gearbox;
-    let gear = question.gear.as_deref().map(|gear| analyze::analysis(gearbox, gear)).transpose().map_err(refused)?;
+    let gear =
+        question.gear.as_deref().map(|gear| analyze::analysis(gearbox, gear)).transpose().map_err(refused)?;
     let pictures: Vec<(&str, String)> = question
         .pictures
         .iter()
@@ -155,7 +156,8 @@ fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
 
 /// A picture as SVG, or in words why there is none.
 fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> String {
-    let scene = scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));
+    let scene =
+        scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));
     match scene {
         Ok(svg) => object(&[("svg", text(&svg))]),
         Err(message) => object(&[("message", text(&message))]),

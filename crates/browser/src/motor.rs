@@ -6,7 +6,8 @@ use epicyclic_formats::Document;
 use epicyclic_views::AsReport as _;
 
 fn designed(file: &str) -> Result<Designed, Failure> {
-    let document = Document::parse_one("motor.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
+    let document =
+        Document::parse_one("motor.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
     Ok(of_file(&document).map_err(refused)?.1)
 }
 

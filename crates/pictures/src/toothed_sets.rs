@@ -82,9 +82,9 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use epicyclic_gears::ToothCount;
     use crate::units::of_mm;
     use epicyclic_drawing::text::overlaps;
+    use epicyclic_gears::ToothCount;
     use epicyclic_gears::involute::closing::Closing;
 
     #[test]

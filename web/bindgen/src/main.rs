@@ -1,18 +1,18 @@
-//! Makes `core.js`, `core.d.ts` and `core_bg.wasm` for a browser from the WebAssembly that Cargo built.
+//! Makes `NAME.js`, `NAME.d.ts` and `NAME_bg.wasm` for a browser from the WebAssembly that Cargo built.
 //!
-//! `epicyclic-bindgen INPUT.wasm DIRECTORY`
+//! `epicyclic-bindgen INPUT.wasm DIRECTORY NAME`
 
 use std::process::ExitCode;
 use wasm_bindgen_cli_support::Bindgen;
 
 fn main() -> ExitCode {
-    let [input, directory] = &std::env::args().skip(1).collect::<Vec<_>>()[..] else {
-        eprintln!("usage: epicyclic-bindgen INPUT.wasm DIRECTORY");
+    let [input, directory, name] = &std::env::args().skip(1).collect::<Vec<_>>()[..] else {
+        eprintln!("usage: epicyclic-bindgen INPUT.wasm DIRECTORY NAME");
         return ExitCode::from(2);
     };
     let mut bindgen = Bindgen::new();
     bindgen.remove_name_section(true).remove_producers_section(true);
-    let made = bindgen.input_path(input).out_name("core").typescript(true).web(true);
+    let made = bindgen.input_path(input).out_name(name).typescript(true).web(true);
     match made.and_then(|made| made.generate(directory)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

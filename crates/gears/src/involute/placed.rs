@@ -12,8 +12,8 @@
 
 use super::curve::{Shaper, ToothCurve};
 use super::set::PlanetSet;
-use crate::{Error, ToothCount};
 use crate::units::radians;
+use crate::{Error, ToothCount};
 use std::f64::consts::PI;
 
 /// Teeth of the shaper that cuts a ring, or half of the ring's teeth where that is less.
@@ -41,11 +41,7 @@ impl PlanetSet {
         let teeth = ToothCount::new(SHAPER_TEETH.min(ring.teeth().get() / 2).max(1))?;
         let [addendum, tip_radius] = SHAPER_TIP;
         let shaper = Shaper { teeth, shift: 0.0, addendum, tip_radius };
-        Ok([
-            ToothCurve::by_rack(*sun)?,
-            ToothCurve::by_rack(*planet)?,
-            ToothCurve::by_shaper(*ring, shaper)?,
-        ])
+        Ok([ToothCurve::by_rack(*sun)?, ToothCurve::by_rack(*planet)?, ToothCurve::by_shaper(*ring, shaper)?])
     }
 
     /// The planets in mesh with a sun that has a tooth along the first axis.
