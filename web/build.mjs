@@ -4,7 +4,7 @@ import { copyFile, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promi
 import { build } from 'esbuild';
 import { brotliCompressSync, constants } from 'node:zlib';
 
-const out = process.argv[2] ?? '../target/web';
+const out = process.argv[2] ?? '../target/app';
 const here = (path) => new URL(path, import.meta.url);
 
 await rm(out, { recursive: true, force: true });

@@ -8,7 +8,14 @@ const TYPES: Record<string, string> = { svg: 'image/svg+xml', dxf: 'image/vnd.dx
 export async function download(line: string[], file: string, name: string, isAnswer = false): Promise<void> {
   const input = line[1] ?? 'gearbox.yaml';
   const words = isAnswer ? line : [...line, '--output', name];
-  const called = await core.call(words, { [input]: file });
+  tell(`${name} is being made …`);
+  let called;
+  try {
+    called = await core.call(words, { [input]: file });
+  } catch (error) {
+    tell(error instanceof Error ? error.message : String(error));
+    return;
+  }
   const content = isAnswer ? called.answer : called.files[name];
   if (called.code !== 0 || content === undefined) {
     tell(called.messages || `No ${name}.`);

@@ -7,7 +7,7 @@ import { download } from './download.js';
 import { Turning } from './turning.js';
 import type { GearboxState } from './state.js';
 
-const SCHEMES = ['I', 'II', 'III', 'I-1', 'I-2', 'I-3', 'II-1', 'II-2', 'II-3', 'II-4', 'II-5', 'III-1', 'III-2', 'III-3'];
+const SCHEMES = ['I', 'II', 'III', 'I-1', 'I-2', 'I-3', 'I-4', 'II-1', 'II-2', 'II-3', 'II-4', 'III-1', 'III-2', 'III-3'];
 const KINDS: Record<AdjustableNumber['of'], string> = { k: 'k', sun_teeth: 'teeth of the sun', ring_teeth: 'teeth of the ring' };
 
 interface View {
@@ -374,6 +374,8 @@ export function drawn(place: HTMLElement, picture: Picture | undefined): void {
 export function tabled(place: HTMLElement, html: string): void {
   place.innerHTML = html;
   for (const table of place.querySelectorAll('.table')) {
+    // A column whose cells say by themselves what they are has no heading.
+    for (const empty of table.querySelectorAll('th')) if (!empty.textContent?.trim()) empty.replaceWith(h('td'));
     table.setAttribute('tabindex', '0');
     table.setAttribute('role', 'group');
     table.setAttribute('aria-label', table.previousElementSibling?.textContent ?? 'Table');

@@ -130,6 +130,7 @@ export class MotorPage {
 
   private fill(): void {
     this.element.querySelector<HTMLTextAreaElement>('#motor-text')!.value = this.file;
+    this.element.querySelector<HTMLSelectElement>('#motor-pick')!.value = examples.find(({ text }) => text === this.file)?.file ?? '';
     this.fields();
   }
 
@@ -174,6 +175,8 @@ export class MotorPage {
     const mm = (points: number[][]) => `M${points.map(([x, y]) => `${(x! * 1000).toFixed(3)} ${(y! * 1000).toFixed(3)}`).join('L')}Z`;
     const reach = 1000 * Math.max(...moving.stator_m.map(([x, y]) => Math.hypot(x!, y!)));
     const wall = reach * 1.09;
+    const outside = 0.99 * wall;
+    const ring = `M${outside} 0A${outside} ${outside} 0 1 0 ${-outside} 0A${outside} ${outside} 0 1 0 ${outside} 0Z`;
     const rotor = s('g', {}, s('path', { class: 'c-steel g-edge', d: mm(moving.rotor_m) }), s('circle', { class: 'g-mark', cx: 0.72 * 1000 * Math.min(...moving.rotor_m.map(([x, y]) => Math.hypot(x!, y!))), cy: 0, r: 0.018 * reach }), s('circle', { class: 'g-hole g-edge', r: 0.16 * reach }));
     const first = moving.frames[0]!;
     const satellites = first.satellites.map(() => s('g', {}, s('path', { class: 'c-steel g-edge', d: mm(moving.satellite_m) }), s('circle', { class: 'g-mark', cx: 0.6 * 1000 * Math.max(...moving.satellite_m.map(([x, y]) => Math.hypot(x!, y!))), cy: 0, r: 0.012 * reach })));
@@ -182,7 +185,7 @@ export class MotorPage {
     const svg = s(
       'svg',
       { viewBox: `${-wall} ${-wall} ${2 * wall} ${2 * wall}`, role: 'img', 'aria-label': 'The hydromotor with its chambers, coloured by pressure' },
-      s('g', { transform: 'scale(1 -1)' }, s('circle', { class: 'g-ring g-edge', r: wall * 0.99 }), s('path', { class: 'g-hole g-edge', d: mm(moving.stator_m) }), ...chambers, rotor, ...satellites),
+      s('g', { transform: 'scale(1 -1)' }, s('path', { class: 'g-hole', d: mm(moving.stator_m) }), ...chambers, s('path', { class: 'g-ring g-edge', 'fill-rule': 'evenodd', d: `${mm(moving.stator_m)}${ring}` }), rotor, ...satellites),
     );
     const count = moving.frames.length;
     const lobes = Math.round((2 * Math.PI) / (moving.step_rad * count));
