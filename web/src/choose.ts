@@ -6,7 +6,7 @@ import { drawn } from './gearbox.js';
 
 const CRITERIA: Record<string, string> = {
   ratio_error: 'ratio', ring_to_sun_ratio: 'k', efficiency: 'efficiency', link_speed: 'speed of a link', planet_speed: 'speed of a planet',
-  clutch_slip: 'slip of the clutch', circulation: 'circulating power', same_direction: 'one direction', drawable: 'drawable', planet_gap: 'room for planets',
+  clutch_slip: 'slip of the clutch', circulation: 'circulating power', same_direction: 'the output reverses', drawable: 'lines would cross', planet_gap: 'room for planets',
 };
 
 type Candidate = Select['candidates'][number];
@@ -144,7 +144,7 @@ export class ChoosePage {
           fact('Least efficiency', shown(objectives.efficiency)),
           fact('Greatest speed', `${shown(objectives.speed_of_input, 3)} of the input’s`),
         ),
-        h('p', { class: 'note' }, against.length ? `Against it: ${against.map(({ criterion, value }) => `${CRITERIA[criterion] ?? criterion.replaceAll('_', ' ')} (${shown(value ?? null, 3)})`).join(', ')}.` : 'Nothing speaks against it.'),
+        h('p', { class: 'note' }, against.length ? `Against it: ${against.map(({ criterion, value }) => `${CRITERIA[criterion] ?? criterion.replaceAll('_', ' ')}${['same_direction', 'drawable'].includes(criterion) ? '' : ` (${shown(value ?? null, 3)})`}`).join(', ')}.` : 'Nothing speaks against it.'),
         h('button', { type: 'button', onclick: () => void save(), 'aria-label': `Open candidate ${candidate.no}` }, 'Open as gearbox'),
       ),
     );

@@ -34,11 +34,11 @@ export function at<T extends Element = HTMLElement>(id: string): T {
   return found as unknown as T;
 }
 
-/** A number as people read it, with so many digits. */
-export function shown(value: number | null | undefined, digits = 4): string {
+/** A number as people read it: four decimals, as the program's tables have them, or so many digits. */
+export function shown(value: number | null | undefined, digits?: number): string {
   if (value === null || value === undefined) return '–';
-  const text = Math.abs(value) < 5e-7 ? '0' : Number(value.toPrecision(digits)).toString();
-  return text.replace('-', '−');
+  const text = Number(digits === undefined ? value.toFixed(4) : value.toPrecision(digits)).toString();
+  return text.replace('-', '−').replace(/^−0$/, '0');
 }
 
 /** Gives a file to the reader. */

@@ -37,7 +37,7 @@ export class GearboxPage {
   ) {
     this.turning = new Turning();
     this.element = h('div', { class: 'page', id: 'gearbox' }, this.side(), this.results());
-    const seen = new IntersectionObserver((entries) => this.seen(entries), { rootMargin: '200px' });
+    const seen = new IntersectionObserver((entries) => this.seen(entries), { rootMargin: '20px' });
     for (const card of this.element.querySelectorAll('[data-view]')) seen.observe(card);
     this.fill();
   }
@@ -214,9 +214,12 @@ export class GearboxPage {
         const first = look.analyze?.gears.find((gear) => gear.state === 'driven');
         if (first) return this.gear(first.gear);
       }
-      void this.turning.show(this.state.file, question);
+      // Outlines of gears and long tables follow when the numbers stand still.
       clearTimeout(this.tableTimer);
-      if (this.tablesSeen.all || this.tablesSeen.gear) this.tableTimer = setTimeout(() => void this.tabulate(), 60);
+      this.tableTimer = setTimeout(() => {
+        void this.turning.show(this.state.file, question);
+        if (this.tablesSeen.all || this.tablesSeen.gear) void this.tabulate();
+      }, 80);
     } catch (error) {
       this.refuse(error);
     }

@@ -164,10 +164,10 @@ export class MotorPage {
     this.key.replaceChildren(
       ...fact('Satellites', String(numbers.satellites)),
       ...fact('Ripple of the flow', `${shown(100 * work.ripple, 3)} %`),
-      ...(work.displacement_m3 ? fact('Displacement', `${shown(work.displacement_m3 * 1e6)} cm³/rev`) : []),
-      ...(work.torque_n_m ? fact('Torque, mean', `${shown(work.torque_n_m)} N·m`) : []),
-      ...(work.flow_m3_s ? fact('Flow, mean', `${shown(work.flow_m3_s * 60000)} l/min`) : []),
-      ...(work.power_w ? fact('Power', `${shown(work.power_w / 1000)} kW`) : []),
+      ...(work.displacement_m3 ? fact('Displacement', `${shown(work.displacement_m3 * 1e6, 4)} cm³/rev`) : []),
+      ...(work.torque_n_m ? fact('Torque, mean', `${shown(work.torque_n_m, 4)} N·m`) : []),
+      ...(work.flow_m3_s ? fact('Flow, mean', `${shown(work.flow_m3_s * 60000, 4)} l/min`) : []),
+      ...(work.power_w ? fact('Power', `${shown(work.power_w / 1000, 4)} kW`) : []),
     );
   }
 

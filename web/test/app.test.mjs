@@ -193,6 +193,7 @@ on('speeds give candidates, and one of them is opened', async (page) => {
 on('a long search tells its progress and is ended', async (page) => {
   await page.click('#to-choose');
   await page.getByLabel('Ratios of the braked gears').fill('1.465, 2.56');
+  await page.getByLabel('Gearboxes').selectOption('all');
   await page.getByLabel('Tooth numbers').selectOption('teeth');
   await page.getByRole('button', { name: 'Find gearboxes' }).click();
   await page.waitForFunction(() => /%|of/.test(document.getElementById('found').textContent) && !document.querySelector('progress').hidden);
