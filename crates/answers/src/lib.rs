@@ -70,6 +70,7 @@ pub mod gearbox;
 pub mod losses;
 pub mod machine;
 pub mod motor;
+mod motor_designs;
 pub mod motor_forms;
 pub mod motor_search;
 pub mod number;

@@ -7,7 +7,7 @@ pub use choices::{Crest, Family, Objective};
 pub use funnel::{Funnel, Reason, Refused};
 
 use crate::motor::{Designed, GoverningLimit, Groups};
-use crate::motor_search::{Drawn, nearest_half};
+use crate::motor_designs::{Drawn, Listed, nearest_half, nth};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
@@ -16,7 +16,6 @@ use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, F
 use epicyclic_hydromotor::search::forms::{Progress, Watch};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::collections::HashSet;
 use uom::si::f64::{Angle, Pressure};
 
 /// What is wanted.
@@ -231,11 +230,8 @@ impl Searched {
     #[must_use]
     pub fn answer(&self) -> MotorForms {
         let Self { wanted, found } = self;
-        let mut seen = HashSet::new();
-        let numbered = found.designs.iter().enumerate();
-        let listed: Vec<_> =
-            numbered.filter(|(_, design)| !wanted.first_of_each_set || seen.insert(design.numbers)).collect();
-        let shown = &listed[..wanted.most.min(listed.len())];
+        let listed =
+            Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
         MotorForms {
             displacement_m3: si(wanted.search.requirements.displacement),
             objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
@@ -243,8 +239,8 @@ impl Searched {
             resolution: wanted.search.resolution.map(plain),
             found: found.designs.len(),
             first_of_each_set: wanted.first_of_each_set,
-            hidden: listed.len() - shown.len(),
-            designs: shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect(),
+            hidden: listed.hidden,
+            designs: listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect(),
             funnel: Funnel::of(found),
         }
     }
@@ -254,12 +250,7 @@ impl Searched {
     /// # Errors
     /// [`Error::NoSuchDesign`].
     pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
-        let designs = &self.found.designs;
-        let none = Error::NoSuchDesign { design, designs: designs.len() };
-        let Some(design) = design.checked_sub(1).and_then(|place| designs.get(place)) else {
-            return Err(none);
-        };
-        let Some(size) = shown_size(design) else { return Err(none) };
+        let (design, size) = nth(&self.found.designs, design, shown_size)?;
         let motor = design.motor(size.module)?;
         Drawn { motor, form: design.form, width: size.width, angle, made: &self.wanted.made }
             .designed(&self.wanted.search.requirements)

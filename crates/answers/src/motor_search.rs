@@ -4,18 +4,16 @@ pub(crate) mod funnel;
 
 pub use funnel::{Funnel, Reason, Refused};
 
-use crate::motor::{Chosen, Designed, Groups, Made, Point, Subject};
+use crate::motor::{Designed, Groups, Subject};
+use crate::motor_designs::{Drawn, Listed, nearest_half, nth};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
-use epicyclic_hydromotor::Motor;
-use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search, Requirements};
+use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::collections::HashSet;
-use uom::si::f64::{Angle, Length};
+use uom::si::f64::Angle;
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -217,19 +215,17 @@ impl Searched {
     #[must_use]
     pub fn answer(&self) -> MotorSearch {
         let Self { wanted, found, apart } = self;
-        let mut seen = HashSet::new();
-        let numbered = found.designs.iter().enumerate();
-        let listed: Vec<_> =
-            numbered.filter(|(_, design)| !wanted.first_of_each_set || seen.insert(design.numbers)).collect();
-        let shown = &listed[..wanted.most.min(listed.len())];
-        let designs = shown.iter().filter_map(|&(place, design)| Design::of(place, design, found)).collect();
+        let listed =
+            Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
+        let designs =
+            listed.shown.iter().filter_map(|&(place, design)| Design::of(place, design, found)).collect();
         MotorSearch {
             displacement_m3: si(wanted.search.requirements.displacement),
             order: wanted.order,
             with_teeth: wanted.with_teeth,
             found: found.designs.len(),
             first_of_each_set: wanted.first_of_each_set,
-            hidden: listed.len() - shown.len(),
+            hidden: listed.hidden,
             designs,
             funnel: Funnel::of(found, *apart),
             spacing_error: SpacingError::of(found.spacing_error),
@@ -242,60 +238,16 @@ impl Searched {
     /// # Errors
     /// [`Error::NoSuchDesign`].
     pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
-        let designs = &self.found.designs;
-        let none = Error::NoSuchDesign { design, designs: designs.len() };
-        let Some(design) = design.checked_sub(1).and_then(|place| designs.get(place)) else {
-            return Err(none);
-        };
-        let Some(size) = shown_size(design) else { return Err(none) };
+        let (design, size) = nth(&self.found.designs, design, shown_size)?;
         let motor = design.motor(size.module)?;
         let (form, made) = (ToothForm::default(), &Groups::default());
         Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
     }
 }
 
-/// The motor of a design, for drawings.
-pub(crate) struct Drawn<'a> {
-    pub(crate) motor: Motor,
-    pub(crate) form: ToothForm,
-    pub(crate) width: Length,
-    pub(crate) angle: Angle,
-    pub(crate) made: &'a Groups,
-}
-
-impl Drawn<'_> {
-    /// With what is wanted of it.
-    pub(crate) fn designed(self, requirements: &Requirements) -> Result<Designed, Error> {
-        let Self { motor, form, angle, made, .. } = self;
-        let (width, pressure, speed) = (Some(self.width), requirements.pressure_drop, requirements.speed);
-        let family = motor.arcs().map(|_| Family::new(motor.numbers(), motor.module())).transpose()?;
-        Ok(Designed {
-            made: Made::of(&motor, made, Point { form, width, pressure, speed })?,
-            profile: Profile::new(&motor, form),
-            family,
-            motor,
-            chosen: Chosen::Given,
-            form,
-            width,
-            pressure,
-            speed,
-            angle,
-        })
-    }
-}
-
 /// The size that is shown of a design.
 fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
     nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
-}
-
-/// Of sizes with their width and diameter the one whose width is nearest to half its diameter.
-pub(crate) fn nearest_half<T>(sizes: &[T], of: impl Fn(&T) -> [Length; 2]) -> Option<&T> {
-    let off = |size: &&T| {
-        let [width, diameter] = of(size).map(si);
-        (width / diameter - 0.5).abs()
-    };
-    sizes.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
 }
 
 impl Design {

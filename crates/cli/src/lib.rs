@@ -7,7 +7,7 @@
 //! use epicyclic::{Memory, call};
 //!
 //! let desk = Memory::default();
-//! assert_eq!(call(["teeth", "6", "--limit", "1", "--format", "json"], &desk), 0);
+//! assert_eq!(call(["teeth", "--ratio", "6", "--limit", "1", "--format", "json"], &desk), 0);
 //! let answer = String::from_utf8(desk.into_kept().answer).unwrap();
 //! assert!(answer.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));
 //! ```

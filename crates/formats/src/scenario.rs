@@ -26,7 +26,7 @@ mod torques;
 pub use change::{changed, path_of};
 pub use elements::{CapacityEntry, ElementEntry, OverSlipEntry, PressureEntry, ShiftEntry};
 pub use joints::{ConverterEntry, DogEntry, ShaftEntry};
-pub use tables::{Points, TableFault, Texts, read_csv};
+pub use tables::{Points, TableFault, Texts, pairs, read_csv};
 pub use torques::{
     ConstantPowerEntry, HarmonicEntry, KlossEntry, LinearEntry, OverSpeedEntry, OverTimeEntry,
     ResistingEntry, ThrottleEntry, TorqueEntry,

@@ -22,6 +22,7 @@ pub mod figure;
 pub mod losses;
 pub mod machine;
 pub mod motor;
+mod motor_designs;
 pub mod motor_forms;
 pub mod motor_search;
 pub mod page;

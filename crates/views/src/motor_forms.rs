@@ -2,12 +2,14 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, count as many};
-use crate::motor_search::{hidden, of_set};
+use crate::motor_designs::{
+    Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
+};
 use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, Text, View};
 use epicyclic_answers::motor::GoverningLimit;
 use epicyclic_answers::motor_forms::{Crest, Design, Family, Flanks, Funnel, MotorForms};
-use epicyclic_formats::Dimension::{Angle, Length, Power, Pressure, Torque, Volume, VolumeRate};
+use epicyclic_formats::Dimension::{Angle, Length, Pressure, Volume};
 
 impl AsReport for MotorForms {
     fn report(&self) -> Report {
@@ -37,7 +39,7 @@ impl AsReport for MotorForms {
 /// How many were found, how many shown.
 #[must_use]
 pub fn count(search: &MotorForms) -> String {
-    format!("{} designs found, {} shown", search.found, search.designs.len())
+    found_and_shown(search.found, search.designs.len())
 }
 
 /// What the answer claims of the points that are not listed.
@@ -57,15 +59,8 @@ fn completeness(search: &MotorForms) -> String {
 }
 
 fn records(search: &MotorForms) -> Records {
-    let columns = vec![
-        Column::number("design", "no"),
-        Column::words("lobes", "N×n").for_people(),
-        Column::number("stator_lobes", "N"),
-        Column::number("rotor_lobes", "n"),
-        Column::words("teeth", "Z₃/Z₁/Z_s").for_people(),
-        Column::number("stator_teeth", "Z₃"),
-        Column::number("rotor_teeth", "Z₁"),
-        Column::number("satellite_teeth", "Z_s"),
+    let mut columns = number_columns();
+    columns.extend([
         Column::words("family", "family"),
         Column::words("place", "place").for_people(),
         Column::number("l_over_module", "l/m"),
@@ -94,14 +89,8 @@ fn records(search: &MotorForms) -> Records {
         Column::headed("width", "b, mm", Length),
         Column::headed("outer_diameter", "Ø, mm", Length),
         Column::headed("l", "l, mm", Length),
-        Column::headed("displacement", "q, cm³", Volume),
-        Column::headed("torque", "M, N·m", Torque),
-        Column::headed("least_torque", "least", Torque),
-        Column::headed("flow", "l/min", VolumeRate),
-        Column::headed("power", "kW", Power),
-        Column::headed("modules", "all m, mm", Length),
-        Column::words("all_modules", "all m, mm").for_people(),
-    ];
+    ]);
+    columns.extend(duty_columns());
     Records {
         name: "designs",
         columns,
@@ -170,11 +159,16 @@ fn views(search: &MotorForms) -> Vec<View> {
         ),
         ..View::new("Flanks under load", &of_flanks)
     };
+    let sizes = size_columns(
+        &["design", "module", "width", "outer_diameter", "l", "displacement"],
+        search.designs.first().map(duty).as_ref(),
+        search.designs.iter().any(|design| design.modules_m.len() > 1),
+    );
     let sizes = View {
         note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's centrode; teeth \
                and housing come on top. Torque and power without losses."
             .to_owned(),
-        ..View::new("Sizes", &size_columns(search))
+        ..View::new("Sizes", &sizes)
     };
     vec![shapes, forms, flanks, sizes]
 }
@@ -194,24 +188,16 @@ fn flank_columns(search: &MotorForms) -> Vec<&'static str> {
     columns
 }
 
-/// As many columns as fit a table.
-fn size_columns(search: &MotorForms) -> Vec<&'static str> {
-    let mut columns = vec!["design", "module", "width", "outer_diameter", "l", "displacement"];
-    let first = search.designs.first().map(|design| &design.size);
-    if first.is_some_and(|size| size.torque_n_m.is_some()) {
-        columns.extend(["torque", "least_torque"]);
+fn duty(design: &Design) -> Duty<'_> {
+    let size = &design.size;
+    Duty {
+        displacement_m3: size.displacement_m3,
+        torque_n_m: size.torque_n_m,
+        least_torque_n_m: size.least_torque_n_m,
+        flow_m3_s: size.flow_m3_s,
+        power_w: size.power_w,
+        modules_m: &design.modules_m,
     }
-    if first.is_some_and(|size| size.flow_m3_s.is_some()) {
-        columns.push("flow");
-    }
-    if first.is_some_and(|size| size.power_w.is_some()) {
-        columns.push("power");
-    }
-    let several = search.designs.iter().any(|design| design.modules_m.len() > 1);
-    if several && columns.len() < 9 {
-        columns.push("all_modules");
-    }
-    columns
 }
 
 fn row(design: &Design) -> Vec<Figure> {
@@ -220,17 +206,12 @@ fn row(design: &Design) -> Vec<Figure> {
     let allowed = flanks.and_then(|flanks| flanks.allowed.as_ref());
     let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
     let share = |value: Option<f64>| value.map_or(Figure::None, Figure::Share);
-    let all_modules: Vec<String> =
-        design.modules_m.iter().map(|module| column(Length, Some(*module)).table()).collect();
-    vec![
-        many(design.design),
-        Figure::Text(format!("{}×{}", design.stator_lobes, design.rotor_lobes)),
-        Figure::Count(design.stator_lobes),
-        Figure::Count(design.rotor_lobes),
-        Figure::Text(format!("{}/{}/{}", design.stator_teeth, design.rotor_teeth, design.satellite_teeth)),
-        Figure::Count(design.stator_teeth),
-        Figure::Count(design.rotor_teeth),
-        Figure::Count(design.satellite_teeth),
+    let mut row = numbers(
+        design.design,
+        [design.stator_lobes, design.rotor_lobes],
+        [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
+    );
+    row.extend([
         Figure::choice(design.family, family(design.family)),
         match design.family {
             Family::Arcs => number(design.l_over_module),
@@ -267,14 +248,9 @@ fn row(design: &Design) -> Vec<Figure> {
         column(Length, Some(size.width_m)),
         column(Length, Some(size.outer_diameter_m)),
         column(Length, size.l_m),
-        column(Volume, Some(size.displacement_m3)),
-        column(Torque, size.torque_n_m),
-        column(Torque, size.least_torque_n_m),
-        column(VolumeRate, size.flow_m3_s),
-        column(Power, size.power_w),
-        Figure::List { si: design.modules_m.clone(), dimension: Length },
-        Figure::Text(all_modules.join(" ")),
-    ]
+    ]);
+    row.extend(duty(design).figures());
+    row
 }
 
 const fn family(family: Family) -> &'static str {

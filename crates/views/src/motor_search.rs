@@ -1,13 +1,16 @@
 //! The designs of a search for hydromotors, as tables.
 
 use crate::AsReport;
-use crate::figure::Figure;
+use crate::figure::{Figure, count as many};
 use crate::motor::subject;
+use crate::motor_designs::{
+    Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
+};
 use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_answers::motor::Subject;
 use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLimits};
-use epicyclic_formats::Dimension::{Length, Power, Torque, Volume, VolumeRate};
+use epicyclic_formats::Dimension::{Length, Volume};
 
 /// The objectives, of which the error is stated.
 const OBJECTIVES: &[(&str, &str)] =
@@ -50,34 +53,12 @@ impl AsReport for MotorSearch {
 /// How many were found, how many shown.
 #[must_use]
 pub fn count(search: &MotorSearch) -> String {
-    format!("{} designs found, {} shown", search.found, search.designs.len())
+    found_and_shown(search.found, search.designs.len())
 }
 
 fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row {
     let values = [error.displacement_by_volume, error.ripple, error.least_radius];
     Row::new(name, label, "", values.map(Figure::Share))
-}
-
-fn many(count: usize) -> Figure {
-    Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
-}
-
-/// How to see the rest.
-pub(crate) fn hidden(designs: usize) -> String {
-    match designs {
-        0 => String::new(),
-        1 => " 1 more: --limit shows it.".to_owned(),
-        hidden => format!(" {hidden} more: --limit shows them."),
-    }
-}
-
-/// What the count of designs of a set means.
-pub(crate) const fn of_set(first_of_each_set: bool) -> &'static str {
-    if first_of_each_set {
-        " Of set: designs of these numbers, of which the first is shown unless --every is given."
-    } else {
-        " Of set: designs of these numbers."
-    }
 }
 
 fn records(search: &MotorSearch) -> Records {
@@ -103,21 +84,19 @@ fn records(search: &MotorSearch) -> Records {
             ],
         )
     };
+    let sizes = size_columns(
+        &["design", "module", "width", "outer_diameter", "l", "a"],
+        search.designs.first().map(duty).as_ref(),
+        search.designs.iter().any(|design| design.modules_m.len() > 1),
+    );
     let sizes = View {
         note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's \
                centrode; teeth and housing come on top. Torque and power without losses."
             .to_owned(),
-        ..View::new("Sizes", &size_columns(search))
+        ..View::new("Sizes", &sizes)
     };
-    let columns = vec![
-        Column::number("design", "no"),
-        Column::words("lobes", "N×n").for_people(),
-        Column::number("stator_lobes", "N"),
-        Column::number("rotor_lobes", "n"),
-        Column::words("teeth", "Z₃/Z₁/Z_s").for_people(),
-        Column::number("stator_teeth", "Z₃"),
-        Column::number("rotor_teeth", "Z₁"),
-        Column::number("satellite_teeth", "Z_s"),
+    let mut columns = number_columns();
+    columns.extend([
         Column::number("l_over_module", "l/m"),
         Column::number("displacement_by_volume", "q/V"),
         Column::number("ripple", "ripple"),
@@ -137,14 +116,8 @@ fn records(search: &MotorSearch) -> Records {
         Column::headed("a", "a, mm", Length),
         Column::headed("r1", "R₁, mm", Length),
         Column::headed("r2", "R₂, mm", Length),
-        Column::headed("displacement", "q, cm³", Volume),
-        Column::headed("torque", "M, N·m", Torque),
-        Column::headed("least_torque", "least", Torque),
-        Column::headed("flow", "l/min", VolumeRate),
-        Column::headed("power", "kW", Power),
-        Column::headed("modules", "all m, mm", Length),
-        Column::words("all_modules", "all m, mm").for_people(),
-    ];
+    ]);
+    columns.extend(duty_columns());
     Records {
         name: "designs",
         columns,
@@ -154,39 +127,26 @@ fn records(search: &MotorSearch) -> Records {
     }
 }
 
-/// As many columns as fit a table.
-fn size_columns(search: &MotorSearch) -> Vec<&'static str> {
-    let mut columns = vec!["design", "module", "width", "outer_diameter", "l", "a"];
-    let first = search.designs.first().map(|design| &design.size);
-    if first.is_some_and(|size| size.torque_n_m.is_some()) {
-        columns.extend(["torque", "least_torque"]);
+fn duty(design: &Design) -> Duty<'_> {
+    let size = &design.size;
+    Duty {
+        displacement_m3: size.displacement_m3,
+        torque_n_m: size.torque_n_m,
+        least_torque_n_m: size.least_torque_n_m,
+        flow_m3_s: size.flow_m3_s,
+        power_w: size.power_w,
+        modules_m: &design.modules_m,
     }
-    if first.is_some_and(|size| size.flow_m3_s.is_some()) {
-        columns.push("flow");
-    }
-    if first.is_some_and(|size| size.power_w.is_some()) {
-        columns.push("power");
-    }
-    let several = search.designs.iter().any(|design| design.modules_m.len() > 1);
-    if several && columns.len() < 9 {
-        columns.push("all_modules");
-    }
-    columns
 }
 
 fn row(design: &Design) -> Vec<Figure> {
     let size = &design.size;
-    let all_modules: Vec<String> =
-        design.modules_m.iter().map(|module| column(Length, Some(*module)).table()).collect();
-    vec![
-        many(design.design),
-        Figure::Text(format!("{}×{}", design.stator_lobes, design.rotor_lobes)),
-        Figure::Count(design.stator_lobes),
-        Figure::Count(design.rotor_lobes),
-        Figure::Text(format!("{}/{}/{}", design.stator_teeth, design.rotor_teeth, design.satellite_teeth)),
-        Figure::Count(design.stator_teeth),
-        Figure::Count(design.rotor_teeth),
-        Figure::Count(design.satellite_teeth),
+    let mut row = numbers(
+        design.design,
+        [design.stator_lobes, design.rotor_lobes],
+        [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
+    );
+    row.extend([
         Figure::Multiple(design.l_over_module),
         Figure::Multiple(design.displacement_by_volume),
         Figure::Share(design.ripple),
@@ -210,14 +170,9 @@ fn row(design: &Design) -> Vec<Figure> {
         column(Length, Some(size.a_m)),
         column(Length, Some(size.r1_m)),
         column(Length, Some(size.r2_m)),
-        column(Volume, Some(size.displacement_m3)),
-        column(Torque, size.torque_n_m),
-        column(Torque, size.least_torque_n_m),
-        column(VolumeRate, size.flow_m3_s),
-        column(Power, size.power_w),
-        Figure::List { si: design.modules_m.clone(), dimension: Length },
-        Figure::Text(all_modules.join(" ")),
-    ]
+    ]);
+    row.extend(duty(design).figures());
+    row
 }
 
 const fn short(check: Subject) -> &'static str {

@@ -8,7 +8,7 @@ use crate::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
 use epicyclic_formats::scenario::{
     DogEntry, ElementEntry, OverSpeedEntry, PlanetsEntry, PressureEntry, StartEntry, TableFault,
-    ThrottleEntry, TorqueEntry,
+    ThrottleEntry, TorqueEntry, pairs,
 };
 use epicyclic_formats::{Number, Path, Physical, Quantity};
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
@@ -200,16 +200,10 @@ impl Scenario<'_> {
             table.points(self.texts).map_err(|fault| self.of_table(&path.clone().key(key), fault))
         };
         let (closed, full) = (curve("closed", &law.closed)?, curve("full", &law.full)?);
-        if law.times.len() != law.openings.len() {
-            let message = format!(
-                "{} times and {} openings: each has one of the other",
-                law.times.len(),
-                law.openings.len()
-            );
-            return Err(refused(self.document, path, &message));
-        }
-        let openings = law.openings.iter().map(|opening| opening.get());
-        let openings: Vec<(Time, f64)> = law.times.iter().map(|time| time.0).zip(openings).collect();
+        let openings = pairs(("times", &law.times), ("openings", &law.openings))
+            .map_err(|message| refused(self.document, path, &message))?;
+        let openings: Vec<(Time, f64)> =
+            openings.into_iter().map(|(time, opening)| (time.0, opening.get())).collect();
         TorqueLaw::map(&closed, &full, &openings).map_err(|why| placed(self.document, path, why))
     }
 
@@ -292,16 +286,9 @@ impl Scenario<'_> {
         })?;
         if let Some(curve) = &entry.friction_over_slip {
             let path = path.key("friction_over_slip");
-            if curve.speeds.len() != curve.factors.len() {
-                let message = format!(
-                    "{} speeds and {} factors: each has one of the other",
-                    curve.speeds.len(),
-                    curve.factors.len()
-                );
-                return Err(refused(document, &path, &message));
-            }
-            let factors = curve.factors.iter().map(|factor| factor.get());
-            let points: Vec<_> = curve.speeds.iter().map(|speed| speed.0).zip(factors).collect();
+            let points = pairs(("speeds", &curve.speeds), ("factors", &curve.factors))
+                .map_err(|message| refused(document, &path, &message))?;
+            let points: Vec<_> = points.into_iter().map(|(speed, factor)| (speed.0, factor.get())).collect();
             model.friction_over_slip(&entry.id, &points).map_err(|why| placed(document, &path, why))?;
         }
         let kind = if found.is_brake() { ElementKind::Brake } else { ElementKind::Clutch };

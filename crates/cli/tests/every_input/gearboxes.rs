@@ -1,20 +1,13 @@
 //! Every key of a gearbox's file and of a list of transmissions.
 
 use super::common::{examples, here, output, text};
-use super::{replaced, schema};
-use std::collections::{BTreeMap, BTreeSet};
+use super::keys::{self, Changes, paths, replaced};
+use super::schema;
 use std::fs;
 use std::path::Path;
 
-/// A key with another value, and what shows it: the overview, or a gear at a speed and a torque.
-struct Key {
-    path: &'static str,
-    /// Changes that make the key matter.
-    first: &'static [(&'static str, &'static str)],
-    from: &'static str,
-    to: &'static str,
-    seen: &'static [&'static str],
-}
+/// A key with another value, and what shows it: the options of a command.
+type Key = keys::Key<&'static [&'static str]>;
 
 const OVERVIEW: &[&str] = &[];
 /// First gear at a speed and a torque, for forces on planets and what their bearings bear.
@@ -46,19 +39,18 @@ ties: [[ring, shaft], [wheels, turbine]]
 gears: [{ name: only }]
 ";
 /// The auxiliary set with its sun held, or its carrier, in place of its ring.
-const SUN_HELD: &[(&str, &str)] =
-    &[("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine")];
-const CARRIER_HELD: &[(&str, &str)] =
+const SUN_HELD: Changes = &[("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine")];
+const CARRIER_HELD: Changes =
     &[("    ring: ground\n    carrier: auxiliary", "    ring: auxiliary\n    carrier: ground")];
-const WITH_WINCH: &[(&str, &str)] =
+const WITH_WINCH: Changes =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
-const fn key(path: &'static str, from: &'static str, to: &'static str, seen: &'static [&'static str]) -> Key {
-    Key { path, first: &[], from, to, seen }
+const fn key(path: &'static str, from: &'static str, to: &'static str, look: &'static [&'static str]) -> Key {
+    Key { path, first: &[], from, to, look }
 }
 
 const fn of_winch(path: &'static str, from: &'static str, to: &'static str) -> Key {
-    Key { path, first: WITH_WINCH, from, to, seen: WINCH }
+    Key { path, first: WITH_WINCH, from, to, look: WINCH }
 }
 
 const GEARBOX: &[Key] = &[
@@ -68,7 +60,7 @@ const GEARBOX: &[Key] = &[
         first: &[("links: [turbine]", "links: [turbine, engine]")],
         from: "\ninput: engine",
         to: "\ninput: shaft",
-        seen: OVERVIEW,
+        look: OVERVIEW,
     },
     key("output", "\noutput: wheels", "\noutput: sun_3", OVERVIEW),
     key("links", "links: [turbine]", "links: [turbine, spare]", FIRST),
@@ -78,7 +70,7 @@ const GEARBOX: &[Key] = &[
         first: &[("links: [turbine]", "links: [turbine, eccentric]")],
         from: "carrier: eccentric",
         to: "carrier: turbine",
-        seen: FIRST,
+        look: FIRST,
     },
     key("compound_sets.suns", "small_sun: 30", "small_sun: 24", OVERVIEW),
     key("compound_sets.rings", "rings: { ring: 72 }", "rings: { ring: 78 }", OVERVIEW),
@@ -123,7 +115,7 @@ const GEARBOX: &[Key] = &[
         first: &[("links: [turbine]", "links: [turbine, drum]")],
         from: "ring: drum",
         to: "ring: engine",
-        seen: OVERVIEW,
+        look: OVERVIEW,
     },
     of_winch("sets.carrier", "carrier: ground", "carrier: shaft"),
     key("sets.teeth", "teeth: [40, 44]", "teeth: [40, 45]", OVERVIEW),
@@ -158,14 +150,14 @@ const GEARBOX: &[Key] = &[
         first: &[("inertia: 18 kg·cm²", "rotary_mass: 2 kg")],
         from: "rotary_mass: 2 kg",
         to: "rotary_mass: 2.1 kg",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     Key {
         path: "sets.vibration.sun.bore",
         first: &[("mass: 2.1 kg, inertia: 18 kg·cm²", "bore: 20 mm")],
         from: "sun: { bore: 20 mm",
         to: "sun: { bore: 22 mm",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     key("sets.vibration.sun.support", "support: 30 N/µm", "support: 31 N/µm", VIBRATE),
     Key {
@@ -173,28 +165,28 @@ const GEARBOX: &[Key] = &[
         first: SUN_HELD,
         from: "tangential_support: 110 N/µm",
         to: "tangential_support: 120 N/µm",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     Key {
         path: "sets.vibration.ring.mass",
         first: &[("outside_diameter: 440 mm", "mass: 30 kg, inertia: 1 kg·m²")],
         from: "mass: 30 kg",
         to: "mass: 31 kg",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     Key {
         path: "sets.vibration.ring.inertia",
         first: &[("outside_diameter: 440 mm", "mass: 30 kg, inertia: 1 kg·m²")],
         from: "inertia: 1 kg·m²",
         to: "inertia: 1.1 kg·m²",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     Key {
         path: "sets.vibration.ring.rotary_mass",
         first: &[("outside_diameter: 440 mm", "mass: 30 kg, rotary_mass: 25 kg")],
         from: "rotary_mass: 25 kg",
         to: "rotary_mass: 26 kg",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     key("sets.vibration.ring.outside_diameter", "diameter: 440 mm", "diameter: 445 mm", VIBRATE),
     key("sets.vibration.ring.support", "support: 900 N/µm", "support: 910 N/µm", VIBRATE),
@@ -211,7 +203,7 @@ const GEARBOX: &[Key] = &[
         first: &[("inertia: 0.6 kg·m²", "rotary_mass: 45 kg")],
         from: "rotary_mass: 45 kg",
         to: "rotary_mass: 46 kg",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     key("sets.vibration.carrier.support", "support: 300 N/µm", "support: 310 N/µm", VIBRATE),
     Key {
@@ -219,7 +211,7 @@ const GEARBOX: &[Key] = &[
         first: CARRIER_HELD,
         from: "tangential_support: 510 N/µm",
         to: "tangential_support: 520 N/µm",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     key("sets.vibration.planet.rotary_mass", "rotary_mass: 6 kg", "rotary_mass: 6.1 kg", VIBRATE),
     Key {
@@ -227,7 +219,7 @@ const GEARBOX: &[Key] = &[
         first: &[("rotary_mass: 6 kg", "inertia: 0.03 kg·m²")],
         from: "inertia: 0.03 kg·m²",
         to: "inertia: 0.031 kg·m²",
-        seen: VIBRATE,
+        look: VIBRATE,
     },
     key("sets.friction", "friction: [0.037", "friction: [0.05", OVERVIEW),
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
@@ -258,7 +250,7 @@ const GEARBOX: &[Key] = &[
         first: &[("addendum: 1 #", "addendum: 1.25 #")],
         from: "accuracy_grade: 5",
         to: "accuracy_grade: 4",
-        seen: STRENGTH,
+        look: STRENGTH,
     },
     key("sets.strength.pitting_allowed", "pitting_allowed: false", "pitting_allowed: true", STRENGTH),
     key("sets.strength.long_life_factor", "long_life_factor: 0.9", "long_life_factor: 0.95", STRENGTH),
@@ -268,7 +260,7 @@ const GEARBOX: &[Key] = &[
         first: &[("    friction: [0.037, 0.029]", "   ")],
         from: "\nfriction: 0.05",
         to: "\nfriction: 0.06",
-        seen: OVERVIEW,
+        look: OVERVIEW,
     },
     key("drags.id", "id: seal", "id: another", LOSSES),
     key("drags.between", "between: [engine, ground]", "between: [wheels, ground]", LOSSES),
@@ -313,7 +305,7 @@ const GEARBOX: &[Key] = &[
         first: &[("share: 40 %", "share: 0.4")],
         from: "share: 60 %, torque: 4 kN·m, speed: 100 rpm }\n  - { gear: \"1\", share: 0.4",
         to: "share: 50 %, torque: 4 kN·m, speed: 100 rpm }\n  - { gear: \"1\", share: 0.5",
-        seen: OVER_DUTY,
+        look: OVER_DUTY,
     },
     key("overload.gear", "gear: auxiliary drive, torque: 9", "gear: \"1\", torque: 9", OVER_DUTY),
     key("overload.torque", "torque: 9 kN·m", "torque: 10 kN·m", OVER_DUTY),
@@ -338,7 +330,7 @@ const GEARBOX: &[Key] = &[
         first: &[("{ id: LR, link: carrier }", "{ id: LR, link: carrier }\n  - { id: B3, link: ring }")],
         from: "id: B3",
         to: "id: B4",
-        seen: FIRST,
+        look: FIRST,
     },
     key("brakes.link", "{ id: LR, link: carrier }", "{ id: LR, link: ring }", OVERVIEW),
     key("clutches.id", "id: PTO", "id: other", FIRST),
@@ -470,7 +462,7 @@ const TRANSMISSION: &[Key] = &[
         ],
         from: "\n    module: 3 mm",
         to: "\n    module: 5 mm",
-        seen: LISTED,
+        look: LISTED,
     },
     key("transmissions.compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", LISTED),
     key(
@@ -551,22 +543,7 @@ fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
 /// Each key changes what is seen of it, each remark changes nothing, and every path of the schema is among them.
 fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
     let folder = here();
-    let mut before = BTreeMap::new();
-    let mut faults = vec![];
-    for key in keys {
-        let changed =
-            |file: &str| key.first.iter().fold(file.to_owned(), |file, (from, to)| replaced(&file, from, to));
-        let plain = changed(file);
-        let after = seen(folder.path(), &replaced(&plain, key.from, key.to), key.seen);
-        let before =
-            before.entry((plain.clone(), key.seen)).or_insert_with(|| seen(folder.path(), &plain, key.seen));
-        match (before, after) {
-            (Ok(before), Ok(after)) if *before != after => {}
-            (Ok(_), Ok(_)) => faults.push(format!("{} changes nothing: {} → {}", key.path, key.from, key.to)),
-            (Err(error), _) => faults.push(format!("{}: before {}: {error}", key.path, key.to)),
-            (_, Err(error)) => faults.push(format!("{}: {}: {error}", key.path, key.to)),
-        }
-    }
+    keys::check(file, keys, |file, look| seen(folder.path(), file, look));
     let gears: &[&[&str]] =
         if of == "gearbox" { &[OVERVIEW, FIRST, CURVE] } else { &[OVERVIEW, LISTED, FOURTH] };
     for (path, from, to) in notes {
@@ -578,9 +555,9 @@ fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
             );
         }
     }
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    let tried = keys.iter().map(|key| key.path).chain(notes.iter().map(|(path, ..)| *path));
-    assert_eq!(tried.map(str::to_owned).collect::<BTreeSet<_>>(), schema(of));
+    let mut tried = paths(keys);
+    tried.extend(notes.iter().map(|(path, ..)| (*path).to_owned()));
+    assert_eq!(tried, schema(of));
 }
 
 #[test]

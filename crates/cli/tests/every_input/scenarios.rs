@@ -1,62 +1,46 @@
 //! Every key of a scenario.
 
 use super::common::{examples, here, output, text};
-use super::{replaced, schema};
+use super::keys::{Changes, Key, after, check, key, paths, replaced};
+use super::schema;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// A key with another value; the file is changed first where the key asks for it.
-struct Key {
-    path: &'static str,
-    first: &'static [(&'static str, &'static str)],
-    from: &'static str,
-    to: &'static str,
-}
-
-const fn key(path: &'static str, from: &'static str, to: &'static str) -> Key {
-    Key { path, first: &[], from, to }
-}
-
 /// A gearbox of its own file: that of the example, and then with other teeth.
-const BESIDE: &[(&str, &str)] = &[("\ngearbox: #", "\ngearbox_file: box.yaml\nno: #")];
-const OF_LIST: &[(&str, &str)] = &[("\ngearbox: #", "\ngearbox_file: list.yaml\ntransmission: small\nno: #")];
+const BESIDE: Changes = &[("\ngearbox: #", "\ngearbox_file: box.yaml\nno: #")];
+const OF_LIST: Changes = &[("\ngearbox: #", "\ngearbox_file: list.yaml\ntransmission: small\nno: #")];
 
 const KEYS: &[Key] = &[
     key("scenario", "scenario: every", "scenario: each"),
-    Key {
-        path: "gearbox_file",
-        first: BESIDE,
-        from: "gearbox_file: box.yaml",
-        to: "gearbox_file: other.yaml",
-    },
-    Key { path: "transmission", first: OF_LIST, from: "transmission: small", to: "transmission: large" },
+    after(BESIDE, "gearbox_file", "gearbox_file: box.yaml", "gearbox_file: other.yaml"),
+    after(OF_LIST, "transmission", "transmission: small", "transmission: large"),
     key("efficiency", "efficiency: 97 %", "efficiency: 95 %"),
     key("inertias", "fan: 0.3 kg·m²", "fan: 0.4 kg·m²"),
-    Key {
-        path: "planets.set",
-        first: &[(
+    after(
+        &[(
             "planets: 3 }",
             "planets: 3 }\n    - { id: Q, sun: in, ring: sun_2, carrier: out, teeth: [20, 70], planet_teeth: [25] }",
         )],
-        from: "set: P",
-        to: "set: Q",
-    },
+        "planets.set",
+        "set: P",
+        "set: Q",
+    ),
     key("bodies", "wheel: 3 kg·m²", "wheel: 4 kg·m²"),
     key("planets.count", "count: 3", "count: 4"),
     key("planets.each.inertia", "inertia: 1e-4 kg·m²", "inertia: 2e-3 kg·m²"),
     key("planets.each.mass", "mass: 0.3 kg", "mass: 0.9 kg"),
     key("planets.each.radius", "radius: 45 mm", "radius: 55 mm"),
-    Key {
-        path: "engaged",
-        first: &[(
+    after(
+        &[(
             "{ id: PTO, links: [out, pto] }",
             "{ id: PTO, links: [out, pto] }\n    - { id: OTP, links: [in, pto] }",
         )],
-        from: "engaged: [PTO]",
-        to: "engaged: [OTP]",
-    },
-    Key { path: "gear", first: &[("to: \"2\"", "to: \"free\"")], from: "gear: \"1\"", to: "gear: \"2\"" },
+        "engaged",
+        "engaged: [PTO]",
+        "engaged: [OTP]",
+    ),
+    after(&[("to: \"2\"", "to: \"free\"")], "gear", "gear: \"1\"", "gear: \"2\""),
     key("start.input_speed", "input_speed: 1500 rpm", "input_speed: 1400 rpm"),
     key("start.speeds", "fan: 0 rpm", "fan: 20 rpm"),
     key("duration", "duration: 2 s", "duration: 1.9 s"),
@@ -66,30 +50,30 @@ const KEYS: &[Key] = &[
     key("torques.constant", "constant: -5 N·m", "constant: -6 N·m"),
     key("torques.over_time.times", "times: [0 s, 0.4 s, 0.6 s]", "times: [0 s, 0.3 s, 0.6 s]"),
     key("torques.over_time.torques", "-260 N·m", "-270 N·m"),
-    Key {
-        path: "torques.over_time.csv",
-        first: &[(
+    after(
+        &[(
             "over_time: { times: [0 s, 0.4 s, 0.6 s], torques: [-200 N·m, -200 N·m, -260 N·m] }",
             "over_time: { csv: grade.csv }",
         )],
-        from: "grade.csv",
-        to: "steeper.csv",
-    },
+        "torques.over_time.csv",
+        "grade.csv",
+        "steeper.csv",
+    ),
     key(
         "torques.over_speed.speeds",
         "speeds: [0 rpm, 1500 rpm, 3000 rpm]",
         "speeds: [0 rpm, 1600 rpm, 3000 rpm]",
     ),
     key("torques.over_speed.torques", "180 N·m, 0 N·m", "190 N·m, 0 N·m"),
-    Key {
-        path: "torques.over_speed.csv",
-        first: &[(
+    after(
+        &[(
             "over_speed: { speeds: [0 rpm, 1500 rpm, 3000 rpm], torques: [150 N·m, 180 N·m, 0 N·m] }",
             "over_speed: { csv: engine.csv }",
         )],
-        from: "engine.csv",
-        to: "stronger.csv",
-    },
+        "torques.over_speed.csv",
+        "engine.csv",
+        "stronger.csv",
+    ),
     key("torques.linear.at_rest", "at_rest: 20 N·m", "at_rest: 25 N·m"),
     key("torques.linear.no_load", "no_load: 2000 rpm", "no_load: 1900 rpm"),
     key("torques.viscous.torque", "viscous: { torque: 2 N·m", "viscous: { torque: 3 N·m"),
@@ -117,36 +101,33 @@ const KEYS: &[Key] = &[
         "full: { speeds: [0 rpm, 2900 rpm]",
     ),
     key("torques.throttle.full.torques", "[30 N·m, 10 N·m]", "[30 N·m, 12 N·m]"),
-    Key {
-        path: "torques.throttle.closed.csv",
-        first: &[(
+    after(
+        &[(
             "closed: { speeds: [0 rpm, 3000 rpm], torques: [0 N·m, -10 N·m] }",
             "closed: { csv: engine.csv }",
         )],
-        from: "engine.csv",
-        to: "stronger.csv",
-    },
-    Key {
-        path: "torques.throttle.full.csv",
-        first: &[(
-            "full: { speeds: [0 rpm, 3000 rpm], torques: [30 N·m, 10 N·m] }",
-            "full: { csv: engine.csv }",
-        )],
-        from: "engine.csv",
-        to: "stronger.csv",
-    },
+        "torques.throttle.closed.csv",
+        "engine.csv",
+        "stronger.csv",
+    ),
+    after(
+        &[("full: { speeds: [0 rpm, 3000 rpm], torques: [30 N·m, 10 N·m] }", "full: { csv: engine.csv }")],
+        "torques.throttle.full.csv",
+        "engine.csv",
+        "stronger.csv",
+    ),
     key("torques.throttle.times", "times: [0 s, 1 s]\n      openings", "times: [0 s, 0.8 s]\n      openings"),
     key("torques.throttle.openings", "openings: [0, 0.8]", "openings: [0, 0.7]"),
     key("torques.resistance", "resistance: 12 N·m", "resistance: 13 N·m"),
-    Key {
-        path: "elements.id",
-        first: &[(
+    after(
+        &[(
             "{ id: W, links: [pto, winch] }",
             "{ id: W, links: [pto, winch] }\n    - { id: X, links: [out, fan] }",
         )],
-        from: "id: F\n",
-        to: "id: X\n",
-    },
+        "elements.id",
+        "id: F\n",
+        "id: X\n",
+    ),
     key("elements.holding", "holding: 400 N·m", "holding: 420 N·m"),
     key("elements.friction_over_slip.speeds", "speeds: [0 rpm, 300 rpm]", "speeds: [0 rpm, 400 rpm]"),
     key("elements.friction_over_slip.factors", "factors: [1, 0.9]", "factors: [1, 0.8]"),
@@ -155,26 +136,23 @@ const KEYS: &[Key] = &[
     key("elements.dog.largest_slip", "largest_slip: 400 rpm", "largest_slip: 395 rpm"),
     key("elements.capacity.times", "times: [0 s, 1 s]", "times: [0 s, 0.9 s]"),
     key("elements.capacity.torques", "torques: [0 N·m, 30 N·m]", "torques: [0 N·m, 35 N·m]"),
-    Key {
-        path: "elements.capacity.csv",
-        first: &[(
-            "capacity: { times: [0 s, 1 s], torques: [0 N·m, 30 N·m] }",
-            "capacity: { csv: capacity.csv }",
-        )],
-        from: "capacity.csv",
-        to: "more.csv",
-    },
+    after(
+        &[("capacity: { times: [0 s, 1 s], torques: [0 N·m, 30 N·m] }", "capacity: { csv: capacity.csv }")],
+        "elements.capacity.csv",
+        "capacity.csv",
+        "more.csv",
+    ),
     key("elements.pressure.times", "times: [0.1 s, 0.2 s, 0.6 s]", "times: [0.1 s, 0.2 s, 0.7 s]"),
     key("elements.pressure.pressures", "1 bar, 5 bar", "1 bar, 6 bar"),
-    Key {
-        path: "elements.pressure.csv",
-        first: &[
+    after(
+        &[
             ("times: [0.1 s, 0.2 s, 0.6 s] # or", "csv: pressure.csv # or"),
             ("      pressures: [4 bar, 1 bar, 5 bar]\n", ""),
         ],
-        from: "csv: pressure.csv",
-        to: "csv: higher.csv",
-    },
+        "elements.pressure.csv",
+        "csv: pressure.csv",
+        "csv: higher.csv",
+    ),
     key("elements.pressure.fill_time", "fill_time: 50 ms", "fill_time: 60 ms"),
     key("elements.pressure.kiss_point", "kiss_point: 0.8 bar", "kiss_point: 0.9 bar"),
     key("elements.pressure.piston_area", "piston_area: 40 cm²", "piston_area: 41 cm²"),
@@ -274,25 +252,12 @@ fn every_key_of_a_scenario_changes_its_answer() {
     let example = fs::read_to_string(examples().join("every-scenario-key.yaml")).unwrap();
     let folder = here();
     with_files(folder.path(), &example);
-    let mut faults = vec![];
-    for key in KEYS {
-        let plain = key.first.iter().fold(example.clone(), |file, (from, to)| replaced(&file, from, to));
-        let before = seen(folder.path(), &plain);
-        let after = seen(folder.path(), &replaced(&plain, key.from, key.to));
-        match (before, after) {
-            (Ok(before), Ok(after)) if before != after => {}
-            (Ok(_), Ok(_)) => faults.push(format!("{} changes nothing: {} → {}", key.path, key.from, key.to)),
-            (Err(error), _) => faults.push(format!("{}: before {}: {error}", key.path, key.to)),
-            (_, Err(error)) => faults.push(format!("{}: {}: {error}", key.path, key.to)),
-        }
-    }
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    check(&example, KEYS, |file, ()| seen(folder.path(), file));
 }
 
 #[test]
 fn no_key_of_a_scenario_is_left_out() {
-    let tried: BTreeSet<String> = KEYS.iter().map(|key| key.path.to_owned()).collect();
     // The keys of the gearbox are those of its own file.
     let all = schema("scenario").into_iter().filter(|path| !path.starts_with("gearbox."));
-    assert_eq!(tried, all.collect::<BTreeSet<_>>());
+    assert_eq!(paths(KEYS), all.collect::<BTreeSet<_>>());
 }

@@ -43,14 +43,8 @@ impl Column {
             if xs.is_empty() && ys.is_empty() {
                 return fault(format!("a table is due: {across} and {up}, or csv"));
             }
-            if xs.len() != ys.len() {
-                return fault(format!(
-                    "{} {across} and {} {up}: each has one of the other",
-                    xs.len(),
-                    ys.len()
-                ));
-            }
-            return Ok(xs.iter().zip(ys).map(|(x, y)| (x.0, y.0)).collect());
+            let points = pairs((across, xs), (up, ys)).map_err(TableFault::Entry)?;
+            return Ok(points.into_iter().map(|(x, y)| (x.0, y.0)).collect());
         };
         if !xs.is_empty() || !ys.is_empty() {
             return fault(format!("give either {across} and {up}, or csv"));
@@ -60,6 +54,20 @@ impl Column {
         };
         read_csv(name, text).map_err(TableFault::Csv)
     }
+}
+
+/// The points of two lists with the names of their keys.
+///
+/// # Errors
+/// Why they are none: lists of different lengths.
+pub fn pairs<X: Copy, Y: Copy>(
+    (across, xs): (&str, &[X]),
+    (up, ys): (&str, &[Y]),
+) -> Result<Points<X, Y>, String> {
+    if xs.len() != ys.len() {
+        return Err(format!("{} {across} and {} {up}: each has one of the other", xs.len(), ys.len()));
+    }
+    Ok(xs.iter().copied().zip(ys.iter().copied()).collect())
 }
 
 /// The points in a CSV file: two columns, their units in the first line.

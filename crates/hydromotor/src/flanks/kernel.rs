@@ -270,3 +270,11 @@ pub(super) fn windings(place: f64, period: f64, [from, to]: [f64; 2]) -> impl It
     let count = ((to - first) / period).floor();
     (0..=count.max(-1.0) as i64).map(move |k| first + period * k as f64).filter(move |&x| x <= to)
 }
+
+/// The arc length of a wheel.
+pub(super) fn arc(side: Side) -> By {
+    match side {
+        Side::Stator => By::StatorArc,
+        Side::Rotor => By::RotorArc,
+    }
+}

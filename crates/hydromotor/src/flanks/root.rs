@@ -20,8 +20,8 @@
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
-use super::kernel::{flank_number, greatest_of, pressure_angle};
-use super::stress::{LoadedPath, Places, Stretch, arc, parted};
+use super::kernel::{arc, flank_number, greatest_of, pressure_angle};
+use super::stress::{LoadedPath, Places, Stretch, parted};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::{Conjugate, Contact};

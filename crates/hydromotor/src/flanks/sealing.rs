@@ -31,12 +31,12 @@
 
 use uom::si::f64::{Angle, Area, Length};
 
-use super::kernel::windings;
+use super::kernel::{arc, windings};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::flow::Ripple;
 use crate::motor::Motor;
-use crate::profile::{FlankPath, Profile, Side};
+use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
 use crate::roots::bracketed;
 use crate::tolerance::WITHIN;
@@ -101,10 +101,7 @@ struct Row {
 
 impl Row {
     fn new(profile: &Profile, side: Side, sigma: f64, rule: SealingContact) -> Self {
-        let sign = match side {
-            Side::Stator => sigma,
-            Side::Rotor => -sigma,
-        };
+        let sign = side.carrying(sigma);
         let cos = profile.teeth().cos;
         let lobe = profile.lobe_length(side);
         let paths = profile.paths(side, sign);
@@ -116,24 +113,13 @@ impl Row {
                 SealingContact::Nearest => middle,
                 SealingContact::NearestInMesh => {
                     // Arc lengths at which this flank begins and the one before ends its path.
-                    let ends = |path: FlankPath| {
-                        let [one, other] = [path.from, path.to].map(|e| path.pitch + sign * e / cos);
-                        (one.min(other), one.max(other))
-                    };
-                    let (enters, leaves) = (ends(here).0, ends(before).1 - shift);
+                    let (enters, leaves) = (here.arcs(sign, cos)[0], before.arcs(sign, cos)[1] - shift);
                     if enters <= leaves { middle.clamp(enters, leaves) } else { middle }
                 }
             };
             (start, here.pitch)
         };
         Self { side, sign, lobe, turns: (0..paths.len()).map(turn).collect() }
-    }
-
-    fn arc(&self) -> By {
-        match self.side {
-            Side::Stator => By::StatorArc,
-            Side::Rotor => By::RotorArc,
-        }
     }
 
     /// The contact that seals at an arc length.
@@ -147,9 +133,10 @@ impl Row {
 
     /// Places between two contacts at which the sealing contact changes, by a quantity.
     fn changes(&self, motor: &Motor, by: By, ends: &[Contact; 2]) -> Vec<f64> {
-        let [from, to] = [0, 1].map(|i| ends[i].get(self.arc()));
+        let own = arc(self.side);
+        let [from, to] = [0, 1].map(|i| ends[i].get(own));
         let places = self.turns.iter().flat_map(|turn| windings(turn.0, self.lobe, [from, to]));
-        let at = |s: f64| if by == self.arc() { s } else { motor.shape.at(self.arc(), s).get(by) };
+        let at = |s: f64| if by == own { s } else { motor.shape.at(own, s).get(by) };
         places.map(at).collect()
     }
 }

@@ -22,7 +22,7 @@
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
-use super::kernel::{flank_number, greatest_of, pressure_angle, windings};
+use super::kernel::{arc, flank_number, greatest_of, pressure_angle, windings};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
@@ -239,18 +239,12 @@ impl Motor {
 impl Profile {
     /// The stretches of all flanks of a wheel that carry satellites pushed by `sigma`, by a crest or by a trough.
     pub(super) fn stretches(&self, side: Side, sigma: f64, crest: bool) -> Vec<Stretch> {
-        let sign = match side {
-            Side::Stator => sigma,
-            Side::Rotor => -sigma,
-        };
+        let sign = side.carrying(sigma);
         let (cos, lobe, motor) = (self.teeth().cos, self.lobe_length(side), self.motor());
         let arc = arc(side);
         let [from, to] = motor.loaded(crest).map(|phase| motor.shape.at(By::Phase, phase).get(arc));
         let paths = self.paths(side, sign);
-        let ends = |path: &FlankPath| {
-            let [one, other] = [path.from, path.to].map(|e| path.pitch + sign * e / cos);
-            [one.min(other), one.max(other)]
-        };
+        let ends = |path: &FlankPath| path.arcs(sign, cos);
         let count = paths.len();
         let mut stretches = Vec::new();
         for (i, path) in paths.iter().enumerate() {
@@ -382,13 +376,6 @@ impl Profile {
             }
         }
         Ok(greatest)
-    }
-}
-
-pub(super) fn arc(side: Side) -> By {
-    match side {
-        Side::Stator => By::StatorArc,
-        Side::Rotor => By::RotorArc,
     }
 }
 

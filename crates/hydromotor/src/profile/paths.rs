@@ -17,6 +17,24 @@ pub(crate) struct FlankPath {
     pub(crate) to: f64,
 }
 
+impl FlankPath {
+    /// Arc lengths of the centrode at which contact begins and ends on a flank at the front of its space, for a `sign` of 1, or at its back.
+    pub(crate) fn arcs(&self, sign: f64, cos: f64) -> [f64; 2] {
+        let [one, other] = [self.from, self.to].map(|e| self.pitch + sign * e / cos);
+        [one.min(other), one.max(other)]
+    }
+}
+
+impl Side {
+    /// The side of their spaces on which a wheel's flanks carry satellites that are pushed forward, for a `sigma` of 1, or back: `1` at the front.
+    pub(crate) fn carrying(self, sigma: f64) -> f64 {
+        match self {
+            Self::Stator => sigma,
+            Self::Rotor => -sigma,
+        }
+    }
+}
+
 impl Profile {
     /// The paths of all flanks of a lobe on one side of their spaces, in order along the track: at their front for a `sign` of 1.
     pub(crate) fn paths(&self, side: Side, sign: f64) -> Vec<FlankPath> {
