@@ -369,7 +369,7 @@ export function drawn(place: HTMLElement, picture: Picture | undefined): void {
     place.innerHTML = picture.svg.replaceAll(/ id="layer-[^"]*"/g, '');
     // Letters of 2.5 mm are then a little larger than those of the page.
     const svg = place.querySelector('svg')!;
-    svg.style.maxWidth = `${5 * parseFloat(svg.getAttribute('width')!)}px`;
+    svg.style.setProperty('--natural', `${5 * parseFloat(svg.getAttribute('width')!)}px`);
   } else place.replaceChildren(h('p', { class: 'note' }, picture?.message ?? ''));
 }
 

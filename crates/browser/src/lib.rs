@@ -3,10 +3,10 @@
 //! | module | answers |
 //! |---|---|
 //! | `call` | any command line of the program, with the feature `calls` |
-//! | [`gearbox`] | a gearbox looked at: answers, tables and pictures of a file and a gear |
-//! | [`layouts`] | layouts of schemes, found once for each structure |
-//! | [`motor`] | a hydromotor looked at, and as it turns |
-//! | [`reply`] | what goes back: JSON of answers, or why there is none |
+//! | `gearbox` | a gearbox looked at: answers, tables and pictures of a file and a gear |
+//! | `layouts` | layouts of schemes, found once for each structure |
+//! | `motor` | a hydromotor looked at, and as it turns |
+//! | `reply` | what goes back: JSON of answers, or why there is none |
 //!
 //! A question and its reply are texts in JSON. The answers within are those of the program, key by key.
 
