@@ -70,12 +70,12 @@ impl Picture {
 
 impl Question {
     fn read(question: &str) -> Result<Self, Failure> {
-        serde_json::from_str(question).map_err(|error| refuse("question", error))
+        serde_json::from_str(question).map_err(|error| refuse("question", error.to_string()))
     }
 
     fn choice(&self) -> Result<Choice, Failure> {
         let efficiency = self.efficiency.map(|efficiency| MeshEfficiency::new(efficiency.0.value));
-        let efficiency = efficiency.transpose().map_err(|error| refuse("efficiency", error))?;
+        let efficiency = efficiency.transpose().map_err(|error| refuse("efficiency", error.to_string()))?;
         Ok(Choice { transmission: self.transmission.clone(), efficiency })
     }
 
@@ -228,11 +228,12 @@ fn several() -> Failure {
 
 /// The file of a scheme of the catalogue.
 pub(crate) fn scheme(name: &str, k1: f64, k2: f64) -> Result<String, Failure> {
-    let scheme: Scheme = name.parse().map_err(|error: epicyclic_schemes::Error| refuse("scheme", error))?;
+    let scheme: Scheme =
+        name.parse().map_err(|error: epicyclic_schemes::Error| refuse("scheme", error.to_string()))?;
     let k2 = matches!(scheme, Scheme::Three(_)).then_some(k2);
     let sizes = epicyclic_answers::schemes::Sizes { k1: Some(k1), k2, ..Default::default() };
     let found = epicyclic_answers::schemes::sized(scheme, sizes, MeshEfficiency::IDEAL).map_err(refused)?;
     let found = found.ok_or_else(|| refuse("scheme", "its sizes are missing"))?;
-    let file = written(&found.gearbox, &[]).map_err(|error| refuse("scheme", error))?;
+    let file = written(&found.gearbox, &[]).map_err(|error| refuse("scheme", error.to_string()))?;
     Ok(object(&[("file", text(&file))]))
 }

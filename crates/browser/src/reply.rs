@@ -29,12 +29,13 @@ pub(crate) fn text(text: &str) -> String {
 }
 
 /// A refusal of the answers.
+#[allow(clippy::needless_pass_by_value)] // `map_err` hands it over.
 pub(crate) fn refused(error: Error) -> Failure {
     let place = Place::of_answer(&error);
     Box::new(Refused { name: error.name(), message: error.to_string(), exit_code: 2, option: None, place })
 }
 
 /// A refusal in words of its own.
-pub(crate) fn refuse(name: &'static str, message: impl ToString) -> Failure {
-    Box::new(Refused { name, message: message.to_string(), exit_code: 2, option: None, place: None })
+pub(crate) fn refuse(name: &'static str, message: impl Into<String>) -> Failure {
+    Box::new(Refused { name, message: message.into(), exit_code: 2, option: None, place: None })
 }
