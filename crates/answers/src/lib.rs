@@ -6,8 +6,10 @@
 //!
 //! | module | answers |
 //! |---|---|
+//! | [`adjust`] | the numbers of a file that can be changed while one looks on |
 //! | [`gearbox`] | reads the gearbox of a file |
 //! | [`analyze`] | what a gearbox does in its gears |
+//! | [`front`] | the sets of a gearbox seen from the front, as they turn in a gear |
 //! | [`losses`] | what a gearbox loses at work, mesh by mesh and drag by drag |
 //! | [`compare`] | gearboxes side by side |
 //! | [`sweep`] | states, ratios and efficiencies of a gearbox for many basic ratios, as columns |
@@ -53,6 +55,7 @@
 //! # }
 //! ```
 
+pub mod adjust;
 pub mod analyze;
 pub mod answer;
 pub mod catalogue;
@@ -63,6 +66,7 @@ pub mod drawability;
 pub mod drive;
 pub mod error;
 pub mod finite;
+pub mod front;
 pub mod gearbox;
 pub mod losses;
 pub mod machine;

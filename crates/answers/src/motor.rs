@@ -4,6 +4,7 @@ mod centrodes;
 mod design;
 mod flanks;
 mod made;
+mod moving;
 mod over_angle;
 mod shape;
 mod teeth;
@@ -19,6 +20,7 @@ pub use made::ports::{
     ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
 };
 pub use made::{Groups, Made};
+pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use shape::{Arcs, CosineLaw, FamilyLimit, HarmonicRange, Interval, Rotor};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
@@ -538,14 +540,18 @@ fn checks(designed: &Designed, warnings: &mut Vec<Warning>) -> Result<Vec<Check>
     Ok(found)
 }
 
+fn state_of(chamber: &hydromotor::chambers::Chamber, all: &[hydromotor::chambers::Chamber]) -> ChamberState {
+    match Phase::of(chamber, all) {
+        Phase::Filling => ChamberState::Filling,
+        Phase::Emptying => ChamberState::Emptying,
+        Phase::AtExtreme => ChamberState::ChangingOver,
+    }
+}
+
 fn chambers(designed: &Designed) -> Result<Vec<Chamber>, Error> {
     let chambers = designed.motor.chambers(designed.angle)?;
     let record = |chamber: &hydromotor::chambers::Chamber| {
-        let state = match Phase::of(chamber, &chambers) {
-            Phase::Filling => ChamberState::Filling,
-            Phase::Emptying => ChamberState::Emptying,
-            Phase::AtExtreme => ChamberState::ChangingOver,
-        };
+        let state = state_of(chamber, &chambers);
         let growth = if state == ChamberState::ChangingOver { 0.0 } else { si(chamber.growth) };
         Chamber { chamber: chamber.index, area_m2: si(chamber.area), growth_per_radian_m2: growth, state }
     };

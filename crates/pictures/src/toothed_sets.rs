@@ -3,9 +3,8 @@
 use crate::Error;
 use crate::units::mm;
 use epicyclic_drawing::{Align, Color, Point, Scene, Shape, Style, Text};
-use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::PlanetSet;
-use epicyclic_gears::involute::curve::{Shaper, ToothCurve};
+use epicyclic_gears::involute::curve::ToothCurve;
 use uom::si::f64::Length;
 
 /// A set to draw.
@@ -22,12 +21,6 @@ pub struct ToothedSet {
 /// How far the sides of an outline may leave the curve, modules.
 const DEVIATION: f64 = 1e-3;
 
-/// Teeth of the shaper that cuts a ring, or half of the ring's teeth where that is less.
-const SHAPER_TEETH: u32 = 30;
-
-/// Addendum of that shaper, and the radius of its tips, modules.
-const SHAPER_TIP: [f64; 2] = [1.25, 0.2];
-
 /// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a shaper does.
 ///
 /// # Errors
@@ -42,11 +35,7 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
     let mut left = 0.0;
     for ToothedSet { name, set, module } in sets {
         let m = mm(*module);
-        let [sun, planet, ring] = set.gears();
-        let [sun, planet] = [ToothCurve::by_rack(*sun)?, ToothCurve::by_rack(*planet)?];
-        let teeth = ToothCount::new(SHAPER_TEETH.min(ring.teeth().get() / 2).max(1))?;
-        let [addendum, tip_radius] = SHAPER_TIP;
-        let ring = ToothCurve::by_shaper(*ring, Shaper { teeth, shift: 0.0, addendum, tip_radius })?;
+        let [sun, planet, ring] = set.tooth_curves()?;
         // A rim of some modules about the roots; letters keep their proportion to the set.
         let rim = m * (ring.root_radius() + 3.0);
         let letter = rim / 22.0;
@@ -95,6 +84,7 @@ mod tests {
     use super::*;
     use crate::units::of_mm;
     use epicyclic_drawing::text::overlaps;
+    use epicyclic_gears::ToothCount;
     use epicyclic_gears::involute::closing::Closing;
 
     #[test]

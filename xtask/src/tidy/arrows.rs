@@ -39,6 +39,10 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ),
     ("views", &["answers", "pictures", "drawing", "formats"]),
     (
+        "browser",
+        &["cli", "views", "answers", "pictures", "drawing", "formats", "layout", "schemes", "train", "gears"],
+    ),
+    (
         "cli",
         &[
             "views",

@@ -10,10 +10,17 @@
 //! and the ring, whose spaces take the teeth of the first planet, by `(π − π/z_p)·z_p/z_r + π/z_r`. At the assembly positions,
 //! `θ_j = 2π·p_j/(z_s + z_r)`, this fits all planets.
 
+use super::curve::{Shaper, ToothCurve};
 use super::set::PlanetSet;
-use crate::ToothCount;
 use crate::units::radians;
+use crate::{Error, ToothCount};
 use std::f64::consts::PI;
+
+/// Teeth of the shaper that cuts a ring, or half of the ring's teeth where that is less.
+const SHAPER_TEETH: u32 = 30;
+
+/// Addendum of that shaper, and the radius of its tips, modules.
+const SHAPER_TIP: [f64; 2] = [1.25, 0.2];
 
 /// Where a planet stands, and how it is turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +32,18 @@ pub struct PlacedPlanet {
 }
 
 impl PlanetSet {
+    /// The teeth of sun, planet and ring as they are drawn: sun and planets as a hob leaves them, rings as a shaper does.
+    ///
+    /// # Errors
+    /// Those of [`ToothCurve`] for gears that the tools do not cut.
+    pub fn tooth_curves(&self) -> Result<[ToothCurve; 3], Error> {
+        let [sun, planet, ring] = self.gears();
+        let teeth = ToothCount::new(SHAPER_TEETH.min(ring.teeth().get() / 2).max(1))?;
+        let [addendum, tip_radius] = SHAPER_TIP;
+        let shaper = Shaper { teeth, shift: 0.0, addendum, tip_radius };
+        Ok([ToothCurve::by_rack(*sun)?, ToothCurve::by_rack(*planet)?, ToothCurve::by_shaper(*ring, shaper)?])
+    }
+
     /// The planets in mesh with a sun that has a tooth along the first axis.
     #[must_use]
     pub fn placed_planets(&self) -> Vec<PlacedPlanet> {
@@ -46,7 +65,6 @@ impl PlanetSet {
 mod tests {
     use super::*;
     use crate::involute::closing::Closing;
-    use crate::involute::curve::{Shaper, ToothCurve};
     use proptest::prelude::*;
     use std::f64::consts::TAU;
 

@@ -1,0 +1,239 @@
+//! A gearbox looked at: answers, tables and pictures of a file and a gear.
+
+use crate::layouts;
+use crate::reply::{Failure, json, object, refuse, refused, text};
+use epicyclic_answers::analyze::{self, Input};
+use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
+use epicyclic_answers::{adjust, front as from_the_front, transmissions};
+use epicyclic_drawing::{Scene, svg};
+use epicyclic_formats::gearbox::written;
+use epicyclic_formats::{Document, Quantity};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_layout::Verdict;
+use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
+use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_train::{Analysis, Gearbox, InputLoad};
+use epicyclic_views::{AsReport as _, drawability};
+use serde::Deserialize;
+use uom::si::f64::{AngularVelocity, Ratio, Torque};
+
+/// What is asked of a file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Question {
+    /// One transmission of a list.
+    transmission: Option<String>,
+    /// One gear in full; the pictures are of it.
+    gear: Option<String>,
+    /// Speed of the input.
+    speed: Option<Quantity<AngularVelocity>>,
+    /// Torque on the input.
+    torque: Option<Quantity<Torque>>,
+    /// Efficiency of sets for which the file states no losses.
+    efficiency: Option<Quantity<Ratio>>,
+    /// The pictures that are shown.
+    #[serde(default)]
+    pictures: Vec<Picture>,
+    /// Whether tables are shown.
+    #[serde(default)]
+    tables: bool,
+    /// Whether the transmissions of a list are named beside the one that is meant.
+    #[serde(default)]
+    list: bool,
+    /// The gears in tables, too.
+    #[serde(default)]
+    gear_tables: bool,
+}
+
+/// A picture of a gearbox.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Picture {
+    Scheme,
+    Power,
+    Speeds,
+    Levers,
+    Ladder,
+}
+
+impl Picture {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Scheme => "scheme",
+            Self::Power => "power",
+            Self::Speeds => "speeds",
+            Self::Levers => "levers",
+            Self::Ladder => "ladder",
+        }
+    }
+}
+
+impl Question {
+    fn read(question: &str) -> Result<Self, Failure> {
+        serde_json::from_str(question).map_err(|error| refuse("question", error.to_string()))
+    }
+
+    fn choice(&self) -> Result<Choice, Failure> {
+        let efficiency = self.efficiency.map(|efficiency| MeshEfficiency::new(efficiency.0.value));
+        let efficiency = efficiency.transpose().map_err(|error| refuse("efficiency", error.to_string()))?;
+        Ok(Choice { transmission: self.transmission.clone(), efficiency })
+    }
+
+    fn input(&self) -> Input {
+        let load = self.torque.map(|torque| InputLoad::Torque(torque.0));
+        Input { speed: self.speed.map(|speed| speed.0), load }
+    }
+}
+
+/// What the file says of the gearbox that is meant: done with it, or a list of transmissions.
+fn with<T>(
+    file: &str,
+    question: &Question,
+    done: impl FnOnce(&Subject<'_>) -> Result<T, Failure>,
+    several: impl FnOnce(&transmissions::Transmissions) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let document =
+        Document::parse_one("gearbox.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
+    match read(&document, &question.choice()?).map_err(refused)? {
+        Content::One(subject) => done(&subject),
+        Content::Several(all) => several(&transmissions::answer(&all)),
+    }
+}
+
+/// Answers, tables and pictures.
+pub(crate) fn look(file: &str, question: &str) -> Result<String, Failure> {
+    let question = Question::read(question)?;
+    let several = |all: &transmissions::Transmissions| Ok(object(&[("transmissions", json(all)?)]));
+    with(file, &question, |subject| of_one(subject, &question), several)
+}
+
+fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure> {
+    let overview = analyze::overview::answer(subject, question.input(), None).map_err(refused)?;
+    let mut parts = vec![("analyze", json(&overview)?), ("adjust", json(&adjust::answer(subject))?)];
+    if question.list
+        && let Content::Several(all) = all_of(subject)?
+    {
+        parts.push(("transmissions", json(&transmissions::answer(&all))?));
+    }
+    if question.tables {
+        parts.push(("tables", text(&overview.report().html())));
+    }
+    if let Some(gear) = &question.gear {
+        if subject.has_inputs(gear) {
+            let wanted = analyze::inputs::Wanted::default();
+            let answer = analyze::inputs::answer(subject, gear, &wanted).map_err(refused)?;
+            parts.push(("inputs", json(&answer)?));
+            if question.gear_tables {
+                parts.push(("gear_tables", text(&answer.report().html())));
+            }
+        } else {
+            let answer = analyze::gear::answer(subject, gear, question.input()).map_err(refused)?;
+            parts.push(("gear", json(&answer)?));
+            if question.gear_tables {
+                parts.push(("gear_tables", text(&answer.report().html())));
+            }
+        }
+    }
+    let gearbox = &subject.gearbox;
+    let gear =
+        question.gear.as_deref().map(|gear| analyze::analysis(gearbox, gear)).transpose().map_err(refused)?;
+    let pictures: Vec<(&str, String)> = question
+        .pictures
+        .iter()
+        .map(|&picture| (picture.name(), drawn(picture, gearbox, gear.as_ref())))
+        .collect();
+    parts.push(("pictures", object(&pictures)));
+    Ok(object(&parts))
+}
+
+/// The transmissions of a list; of another file the one gearbox.
+fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
+    if subject.document.value().get("transmissions").is_none() {
+        return Ok(Content::Several(vec![]));
+    }
+    read(subject.document, &Choice::default()).map_err(refused)
+}
+
+/// A picture as SVG, or in words why there is none.
+fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> String {
+    let scene =
+        scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));
+    match scene {
+        Ok(svg) => object(&[("svg", text(&svg))]),
+        Err(message) => object(&[("message", text(&message))]),
+    }
+}
+
+fn scene(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> Result<Scene, String> {
+    let drawn = match picture {
+        Picture::Scheme | Picture::Power => {
+            let verdict = layouts::of(gearbox);
+            let layout = match &*verdict {
+                Verdict::Drawable(layout) => layout,
+                Verdict::SelfCrossing(witness) => {
+                    let conflict = epicyclic_answers::drawability::Conflict::of(gearbox, witness);
+                    return Err(format!(
+                        "{} {}",
+                        drawability::together(&conflict),
+                        drawability::shut_in(&conflict)
+                    ));
+                }
+            };
+            let show = match gear {
+                None => schemes::Show::Structure,
+                Some(gear) if picture == Picture::Power => schemes::Show::Power(gear),
+                Some(gear) => schemes::Show::Gear(gear),
+            };
+            let options = schemes::Options { gearing: true, ..schemes::Options::default() };
+            schemes::scene(gearbox, layout, show, &options)
+        }
+        Picture::Speeds => match gear {
+            Some(gear) => speeds::scene(gearbox, gear, None),
+            None => return Err("A speed diagram shows one gear: choose one.".to_owned()),
+        },
+        Picture::Levers => levers::scene(gearbox, gear, None),
+        Picture::Ladder => {
+            let gears: Result<Vec<_>, _> =
+                gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect();
+            ladder::scene(gearbox, &gears.map_err(|error| error.to_string())?, None)
+        }
+    };
+    drawn.map_err(|error| error.to_string())
+}
+
+/// The sets from the front.
+pub(crate) fn front(file: &str, question: &str) -> Result<String, Failure> {
+    let question = Question::read(question)?;
+    let one = |subject: &Subject<'_>| {
+        json(&from_the_front::answer(subject, question.gear.as_deref()).map_err(refused)?)
+    };
+    with(file, &question, one, |_| Err(several()))
+}
+
+/// The file with another number at one of the places that can be changed.
+pub(crate) fn changed(file: &str, question: &str, place: usize, to: &str) -> Result<String, Failure> {
+    let question = Question::read(question)?;
+    let one = |subject: &Subject<'_>| {
+        let numbers = adjust::answer(subject).numbers;
+        let number = numbers.get(place).ok_or_else(|| refuse("place", "there is no such number"))?;
+        let file = adjust::changed(file, number, to).ok_or_else(|| refuse("place", "it stands elsewhere"))?;
+        Ok(object(&[("file", text(&file))]))
+    };
+    with(file, &question, one, |_| Err(several()))
+}
+
+fn several() -> Failure {
+    refuse("several-transmissions", "the file has several transmissions; choose one")
+}
+
+/// The file of a scheme of the catalogue.
+pub(crate) fn scheme(name: &str, k1: f64, k2: f64) -> Result<String, Failure> {
+    let scheme: Scheme =
+        name.parse().map_err(|error: epicyclic_schemes::Error| refuse("scheme", error.to_string()))?;
+    let k2 = matches!(scheme, Scheme::Three(_)).then_some(k2);
+    let sizes = epicyclic_answers::schemes::Sizes { k1: Some(k1), k2, ..Default::default() };
+    let found = epicyclic_answers::schemes::sized(scheme, sizes, MeshEfficiency::IDEAL).map_err(refused)?;
+    let found = found.ok_or_else(|| refuse("scheme", "its sizes are missing"))?;
+    let file = written(&found.gearbox, &[]).map_err(|error| refuse("scheme", error.to_string()))?;
+    Ok(object(&[("file", text(&file))]))
+}

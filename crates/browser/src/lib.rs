@@ -1,0 +1,87 @@
+//! What the app in a browser asks of the libraries.
+//!
+//! | module | answers |
+//! |---|---|
+//! | `call` | any command line of the program, with the feature `calls` |
+//! | `gearbox` | a gearbox looked at: answers, tables and pictures of a file and a gear |
+//! | `layouts` | layouts of schemes, found once for each structure |
+//! | `motor` | a hydromotor looked at, and as it turns |
+//! | `reply` | what goes back: JSON of answers, or why there is none |
+//!
+//! A question and its reply are texts in JSON. The answers within are those of the program, key by key.
+
+#[cfg(feature = "calls")]
+pub mod call;
+mod gearbox;
+mod layouts;
+mod motor;
+mod reply;
+
+use epicyclic_answers::answer::schema;
+use reply::object;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A gearbox as its file, a gear and an input make it.
+#[wasm_bindgen]
+#[must_use]
+pub fn look(file: &str, question: &str) -> String {
+    reply::told(gearbox::look(file, question))
+}
+
+/// The sets of a gearbox from the front, in a gear or at rest.
+#[wasm_bindgen]
+#[must_use]
+pub fn front(file: &str, question: &str) -> String {
+    reply::told(gearbox::front(file, question))
+}
+
+/// The text of a file with another number at a place that `look` has named.
+#[wasm_bindgen]
+#[must_use]
+pub fn changed(file: &str, question: &str, place: usize, to: &str) -> String {
+    reply::told(gearbox::changed(file, question, place, to))
+}
+
+/// The file of a scheme of the catalogue with these `k`.
+#[wasm_bindgen]
+#[must_use]
+pub fn scheme(name: &str, k1: f64, k2: f64) -> String {
+    reply::told(gearbox::scheme(name, k1, k2))
+}
+
+/// A hydromotor as its file describes it.
+#[wasm_bindgen]
+#[must_use]
+pub fn motor(file: &str) -> String {
+    reply::told(motor::look(file))
+}
+
+/// The same as it turns, in so many frames over a lobe of its rotor.
+#[wasm_bindgen]
+#[must_use]
+pub fn moving(file: &str, frames: u32) -> String {
+    reply::told(motor::moving(file, frames))
+}
+
+/// JSON Schemas of the answers, by name: the types of the app are made from them.
+#[wasm_bindgen]
+#[must_use]
+pub fn schemas() -> String {
+    use epicyclic_answers as of;
+    let all = [
+        ("analyze", schema::<of::analyze::overview::Overview>()),
+        ("analyze-gear", schema::<of::analyze::gear::OneGear>()),
+        ("analyze-inputs", schema::<of::analyze::inputs::Inputs>()),
+        ("transmissions", schema::<of::transmissions::Transmissions>()),
+        ("adjust", schema::<of::adjust::Adjustable>()),
+        ("front", schema::<of::front::Front>()),
+        ("motor", schema::<of::motor::Motor>()),
+        ("motor-moving", schema::<of::motor::Moving>()),
+        ("select", schema::<of::select::Select>()),
+        ("schemes", schema::<of::schemes::Schemes>()),
+        ("error", schema::<of::refused::Refused>()),
+    ];
+    let parts: Vec<_> =
+        all.iter().map(|(name, schema)| (*name, serde_json::to_string(schema).unwrap_or_default())).collect();
+    object(&parts)
+}

@@ -1,0 +1,23 @@
+//! A hydromotor looked at, and as it turns.
+
+use crate::reply::{Failure, json, object, refused, text};
+use epicyclic_answers::motor::{self, Designed, of_file};
+use epicyclic_formats::Document;
+use epicyclic_views::AsReport as _;
+
+fn designed(file: &str) -> Result<Designed, Failure> {
+    let document =
+        Document::parse_one("motor.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
+    Ok(of_file(&document).map_err(refused)?.1)
+}
+
+/// The answer and its tables.
+pub(crate) fn look(file: &str) -> Result<String, Failure> {
+    let answer = motor::answer(&designed(file)?).map_err(refused)?;
+    Ok(object(&[("motor", json(&answer)?), ("tables", text(&answer.report().html()))]))
+}
+
+/// The motor as it turns.
+pub(crate) fn moving(file: &str, frames: u32) -> Result<String, Failure> {
+    json(&motor::moving(&designed(file)?, frames).map_err(refused)?)
+}

@@ -1,0 +1,41 @@
+//! What goes back: JSON of answers, or why there is none.
+
+use epicyclic_answers::answer::to_json;
+use epicyclic_answers::refused::{Place, Refused};
+use epicyclic_answers::{Answer, Error};
+
+/// Why there is no answer.
+pub(crate) type Failure = Box<Refused>;
+
+/// The reply, or the refusal as the program writes it.
+pub(crate) fn told(reply: Result<String, Failure>) -> String {
+    reply.unwrap_or_else(|refused| to_json(&*refused).unwrap_or_default())
+}
+
+/// JSON of an answer.
+pub(crate) fn json<A: Answer>(answer: &A) -> Result<String, Failure> {
+    to_json(answer).map_err(refused)
+}
+
+/// A JSON object of parts that are JSON.
+pub(crate) fn object(parts: &[(&str, String)]) -> String {
+    let parts: Vec<String> = parts.iter().map(|(key, value)| format!("{}:{value}", text(key))).collect();
+    format!("{{{}}}", parts.join(","))
+}
+
+/// A text in JSON.
+pub(crate) fn text(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// A refusal of the answers.
+#[allow(clippy::needless_pass_by_value)] // `map_err` hands it over.
+pub(crate) fn refused(error: Error) -> Failure {
+    let place = Place::of_answer(&error);
+    Box::new(Refused { name: error.name(), message: error.to_string(), exit_code: 2, option: None, place })
+}
+
+/// A refusal in words of its own.
+pub(crate) fn refuse(name: &'static str, message: impl Into<String>) -> Failure {
+    Box::new(Refused { name, message: message.into(), exit_code: 2, option: None, place: None })
+}

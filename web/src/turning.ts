@@ -1,0 +1,134 @@
+// The sets from the front, turning at the speeds of the gear. Outlines and speeds come from the core; here groups are turned.
+import { core, Overtaken, type Question } from './core.js';
+import { h, s, shown } from './dom.js';
+import type { Front } from './generated/answers.js';
+
+/** A group, and how it stands after an angle of the input. */
+interface Part {
+  group: SVGGElement;
+  at: (input: number) => string;
+}
+
+const degrees = (radians: number) => (radians * 180) / Math.PI;
+
+/** The card of the turning gears. */
+export class Turning {
+  readonly element: HTMLElement;
+  /** Whether it is on the screen. */
+  isSeen = false;
+  private sets = h('div', { class: 'turning' });
+  private note = h('p', { class: 'note' });
+  private play: HTMLButtonElement;
+  private speed: HTMLInputElement;
+  private angle: HTMLInputElement;
+  private parts: Part[] = [];
+  private input = 0;
+  private last: number | null = null;
+  private isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  constructor() {
+    this.play = h('button', { type: 'button', onclick: () => this.toggle() }, this.isPlaying ? 'Pause' : 'Play');
+    this.speed = h('input', { type: 'range', min: '0.005', max: '0.5', step: '0.005', value: '0.06', 'aria-label': 'Turns of the input in a second' });
+    this.angle = h('input', { type: 'range', min: '0', max: '360', step: '1', value: '0', 'aria-label': 'Angle of the input in degrees', oninput: () => this.stand() });
+    this.element = h(
+      'section',
+      { class: 'card', 'data-view': 'turning', 'aria-label': 'Gears from the front' },
+      h('div', { class: 'head' }, h('h2', {}, 'Gears from the front'), h('div', { class: 'tools' }, this.play, h('label', {}, 'speed ', this.speed), h('label', {}, 'angle ', this.angle))),
+      this.sets,
+      this.note,
+    );
+    const step = (now: number) => {
+      if (this.isPlaying && this.isSeen && this.last !== null) {
+        this.input += ((now - this.last) / 1000) * Number(this.speed.value) * 2 * Math.PI;
+        this.place();
+      }
+      this.last = now;
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  private toggle(): void {
+    this.isPlaying = !this.isPlaying;
+    this.play.textContent = this.isPlaying ? 'Pause' : 'Play';
+  }
+
+  private stand(): void {
+    if (this.isPlaying) this.toggle();
+    this.input = (Number(this.angle.value) * Math.PI) / 180;
+    this.place();
+  }
+
+  private place(): void {
+    for (const { group, at } of this.parts) group.setAttribute('transform', at(this.input));
+    if (this.isPlaying) this.angle.value = String(Math.round(degrees(this.input)) % 360);
+  }
+
+  /** The gears of a file in a gear. */
+  async show(file: string, question: Question): Promise<void> {
+    if (!this.isSeen) return;
+    try {
+      const { transmission, gear, efficiency } = question;
+      const front = await core.front(file, { transmission, gear, efficiency, speed: null, torque: null });
+      this.draw(front);
+    } catch (error) {
+      if (error instanceof Overtaken) return;
+      this.parts = [];
+      this.sets.replaceChildren();
+      this.note.textContent = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  private draw(front: Front): void {
+    this.parts = [];
+    this.sets.replaceChildren(...front.sets.map((set) => this.set(set)));
+    const words = [];
+    if (front.gear === null || front.gear === undefined) words.push('Choose a gear to see it turn.');
+    else words.push('Speeds are multiples of the input’s; counter-clockwise is positive.');
+    if (front.sets.some((set) => !set.has_teeth)) words.push('Circles are pitch circles, where the file has k and no teeth.');
+    if (front.sets.some((set) => !set.planets_are_given)) words.push('Where the file does not say how many planets there are, three are shown.');
+    if (front.left_out.length) words.push(`Not shown, as they are no simple sets: ${front.left_out.join(', ')}.`);
+    this.note.textContent = words.join(' ');
+    this.place();
+  }
+
+  private set(set: Front['sets'][number]): HTMLElement {
+    const [sun, planet, ring] = set.gears as [Front['sets'][number]['gears'][number], Front['sets'][number]['gears'][number], Front['sets'][number]['gears'][number]];
+    const rim = set.rim_radius * 1.02;
+    const path = (points: number[][]) => `M${points.map(([x, y]) => `${x!.toFixed(3)} ${y!.toFixed(3)}`).join('L')}Z`;
+    const body = (gear: typeof sun, kind: string) =>
+      gear.outline.length ? s('path', { class: `${kind} g-edge`, d: path(gear.outline as number[][]) }) : s('circle', { class: `${kind} g-edge`, r: gear.pitch_radius });
+    const mark = (radius: number, at: number) => s('circle', { class: 'g-mark', cx: at, cy: 0, r: radius });
+    const dot = 0.02 * rim;
+    const turning = (group: SVGGElement, speed: number | null | undefined, turn: number) => {
+      this.parts.push({ group, at: (input) => `rotate(${degrees((speed ?? 0) * input + turn)})` });
+      return group;
+    };
+    const ringGroup = turning(
+      s('g', {}, s('circle', { class: 'g-ring g-edge', r: set.rim_radius }), body(ring, 'g-hole'), mark(dot, 0.97 * set.rim_radius - dot)),
+      ring.speed_of_input,
+      ring.turn_rad,
+    );
+    const carrier = set.carrier_of_input ?? 0;
+    const arms = set.planets.map(({ angle_rad }) => s('line', { x2: set.centre_distance * Math.cos(angle_rad), y2: set.centre_distance * Math.sin(angle_rad), 'stroke-width': 0.05 * rim }));
+    const carrierGroup = turning(s('g', { class: 'g-carrier' }, ...arms), carrier, 0);
+    const planets = set.planets.map(({ angle_rad, turn_rad }) => {
+      const group = s('g', {}, body(planet, 'g-planet'), mark(dot, 0.6 * planet.pitch_radius), s('circle', { class: 'g-hole g-edge', r: 0.14 * planet.pitch_radius }));
+      const own = planet.speed_of_input ?? 0;
+      this.parts.push({
+        group,
+        at: (input) => {
+          const angle = angle_rad + carrier * input;
+          const [x, y] = [set.centre_distance * Math.cos(angle), set.centre_distance * Math.sin(angle)];
+          return `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${degrees(own * input + turn_rad).toFixed(3)})`;
+        },
+      });
+      return group;
+    });
+    const sunGroup = turning(s('g', {}, body(sun, 'g-sun'), mark(dot, 0.7 * sun.pitch_radius), s('circle', { class: 'g-hole g-edge', r: 0.25 * sun.pitch_radius })), sun.speed_of_input, sun.turn_rad);
+    const words = `sun ${shown(sun.speed_of_input)}, carrier ${shown(set.carrier_of_input)}, ring ${shown(ring.speed_of_input)}, planets ${shown(planet.speed_of_input)}`;
+    const picture = s('svg', { viewBox: `${-rim} ${-rim} ${2 * rim} ${2 * rim}`, role: 'img', 'aria-label': `Set ${set.set} from the front. Speeds: ${words}` }, s('g', { transform: 'scale(1 -1)' }, ringGroup, ...planets, carrierGroup, sunGroup));
+    const teeth = set.has_teeth ? ` ${sun.teeth}/${planet.teeth}/${ring.teeth}` : '';
+    return h('figure', {}, picture, h('figcaption', {}, h('b', {}, `${set.set}${teeth}`), h('br'), words));
+  }
+}

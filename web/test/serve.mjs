@@ -1,0 +1,43 @@
+// A server of the built app on the loopback, and a browser of the system.
+import http from 'node:http';
+import { readFile } from 'node:fs/promises';
+import { extname, join, normalize } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.webmanifest': 'application/manifest+json' };
+
+/** Serves a folder; returns its address and what ends it. */
+export async function serve(folder) {
+  const server = http.createServer(async (request, response) => {
+    const asked = normalize(new URL(request.url, 'http://localhost').pathname);
+    const path = asked === '/' ? 'index.html' : asked;
+    try {
+      const body = await readFile(join(folder, path));
+      response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return { url: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+}
+
+/** The browser. */
+export async function browser() {
+  if (!process.env.CHROMIUM) throw new Error('there is no Chromium: install it, or name it in CHROMIUM');
+  return chromium.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox'] });
+}
+
+/** A page with the app, ready; what goes wrong in it, and what it asks of other hosts, is kept. */
+export async function open(context, url, hash = '') {
+  const page = await context.newPage();
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) faults.push(`asked ${request.url()}`);
+  });
+  await page.goto(url + hash);
+  await page.waitForSelector('body[data-ready]');
+  return { page, faults };
+}
