@@ -3,7 +3,7 @@
 use super::{Breach, source::Source};
 
 /// Crates that are no libraries.
-const PROGRAMS: [&str; 1] = ["cli"];
+const PROGRAMS: [&str; 2] = ["browser", "cli"];
 
 /// What a manifest says besides its name.
 const KEYS: [&str; 4] = ["description", "readme", "keywords", "categories"];
