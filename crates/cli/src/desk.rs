@@ -1,7 +1,7 @@
 //! What a call needs of the world around it: files, a place for its answer and for messages, a clock, somebody who may end it.
 //!
 //! The program has a terminal and the disk for it, a page in a browser keeps files in memory, and other languages mix both. No command
-//! reads, writes or prints but through its [`Call`], so that all of them answer alike.
+//! reads, writes or prints but through its `Call`, so that all of them answer alike.
 //!
 //! | desk | is |
 //! |---|---|

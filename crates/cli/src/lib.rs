@@ -21,42 +21,42 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`teeth`] | the command `teeth`: tooth numbers for a ratio |
-//! | [`drive`] | the command `drive`: a whole planetary drive from a file |
-//! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
-//! | [`compare`] | the command `compare`: gearboxes side by side |
-//! | [`select`] | the command `select`: the gearbox for given speeds |
-//! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
-//! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
-//! | [`atlas`] | the command `atlas`: all gearboxes of two and three sets as tables |
-//! | [`size`] | how large a synthesis is, and which are refused |
-//! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
-//! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
-//! | [`drawing_file`] | a drawing as SVG, DXF, PDF or PNG |
-//! | [`machine`] | the command `machine`: speeds of mining machines |
-//! | [`page`] | the command `report`: a page about a file |
-//! | [`design`] | the command `design`: from speeds and power to a gearbox whose sizes hold |
-//! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
-//! | [`sheet`] | the command `sheet`: data sheets of gears |
-//! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
-//! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
-//! | [`simulate`] | the command `simulate`: a gearbox in motion, by a scenario |
-//! | [`vibrate`] | the command `vibrate`: natural frequencies, modes and resonances of sets |
-//! | [`schema`] | the command `schema`: JSON Schemas of the files |
-//! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
-//! | [`motor`] | the command `motor`: a hydromotor and its drawings |
-//! | [`lists`] | options that take several values |
-//! | [`options`] | the option that a refusal speaks of |
-//! | [`input`] | files that are read |
-//! | [`imprint`] | what the options say of a page |
-//! | [`output`] | formats of an answer, and where it goes |
-//! | [`apart`] | that no output is the input or another output |
-//! | [`ratios`] | lists of ratios as people write them |
-//! | [`progress`] | how far a long search is, on a terminal |
+//! | `teeth` | the command `teeth`: tooth numbers for a ratio |
+//! | `drive` | the command `drive`: a whole planetary drive from a file |
+//! | `analyze` | the command `analyze`: every gear of any planetary gearbox |
+//! | `compare` | the command `compare`: gearboxes side by side |
+//! | `select` | the command `select`: the gearbox for given speeds |
+//! | `synthesize` | the command `synthesize`: every gearbox that has a list of ratios |
+//! | `shards` | `synthesize` in parts on many machines, and all parts together |
+//! | `atlas` | the command `atlas`: all gearboxes of two and three sets as tables |
+//! | `size` | how large a synthesis is, and which are refused |
+//! | `schemes` | the command `schemes`: the catalogue of two and three speeds |
+//! | `draw` | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
+//! | `drawing_file` | a drawing as SVG, DXF, PDF or PNG |
+//! | `machine` | the command `machine`: speeds of mining machines |
+//! | `page` | the command `report`: a page about a file |
+//! | `design` | the command `design`: from speeds and power to a gearbox whose sizes hold |
+//! | `strength` | the command `strength`: safeties of teeth by ISO 6336 |
+//! | `sheet` | the command `sheet`: data sheets of gears |
+//! | `sizing` | the command `size`: sizes of sets that hold over a duty |
+//! | `losses` | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
+//! | `simulate` | the command `simulate`: a gearbox in motion, by a scenario |
+//! | `vibrate` | the command `vibrate`: natural frequencies, modes and resonances of sets |
+//! | `schema` | the command `schema`: JSON Schemas of the files |
+//! | `completions`, `man` | the commands of these names, for shells and `man` |
+//! | `motor` | the command `motor`: a hydromotor and its drawings |
+//! | `lists` | options that take several values |
+//! | `options` | the option that a refusal speaks of |
+//! | `input` | files that are read |
+//! | `imprint` | what the options say of a page |
+//! | `output` | formats of an answer, and where it goes |
+//! | `apart` | that no output is the input or another output |
+//! | `ratios` | lists of ratios as people write them |
+//! | `progress` | how far a long search is, on a terminal |
 //! | [`desk`] | what a call needs of the world around it |
-//! | [`failure`] | what ends the program, and with which exit code |
+//! | `failure` | what ends the program, and with which exit code |
 //!
-//! Exit codes: see [`failure`].
+//! Exit codes: see `failure`.
 
 mod analyze;
 mod apart;

@@ -2,10 +2,10 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`call`] | a call of the command line: the same words, the same answer |
-//! | [`commands`] | the commands and their options as data |
-//! | [`sweep`] | many variants or operating points of a gearbox in one call, as arrays |
-//! | [`work`] | long work: without Python's lock, with progress and Ctrl-C |
+//! | `call` | a call of the command line: the same words, the same answer |
+//! | `commands` | the commands and their options as data |
+//! | `sweep` | many variants or operating points of a gearbox in one call, as arrays |
+//! | `work` | long work: without Python's lock, with progress and Ctrl-C |
 //!
 //! It only carries: what is asked goes to the library of the program or to `answers`, and what is answered comes back as JSON or arrays. The
 //! classes that people use are in Python, in `python/epicyclic`.
