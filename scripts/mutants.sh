@@ -25,7 +25,7 @@ while read -r crate count; do
     mkdir -p "target/mutants/$crate"
     # Exit code 2 says that some were missed: that is the answer, not a failure.
     cargo mutants --package "epicyclic-$crate" --shard "$((seed % shares))/$shares" --sharding round-robin \
-        --profile mutants --timeout 300 --no-shuffle --colors never \
+        --timeout 300 --no-shuffle --colors never \
         --output "target/mutants/$crate" || [ $? -eq 2 ]
 done <<<"$sample"
 
