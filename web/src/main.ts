@@ -18,6 +18,20 @@ const shared = location.hash.startsWith('#s=') ? await unpacked(location.hash.sl
 if (location.hash.startsWith('#s=') && !shared) tell('The link is damaged; this is the first example.');
 const state: State = { ...first, ...shared, gearbox: { ...first.gearbox, ...shared?.gearbox } };
 
+const isMotor = (text: string) => /^(stator|rotor):/m.test(text);
+
+/** The file that `epicyclic serve` was given. */
+async function served(): Promise<void> {
+  const reply = await fetch('opened');
+  if (!reply.ok) return tell('There is no file to open here; this is the first example.');
+  const file = await reply.text();
+  if (isMotor(file)) {
+    state.page = 'motor';
+    state.motor = file;
+  } else state.gearbox = { ...first.gearbox, file, name: '', transmission: null, gear: null };
+}
+if (location.hash === '#open') await served();
+
 let timer: ReturnType<typeof setTimeout> | undefined;
 function changed(): void {
   state.gearbox = gearbox.state;
@@ -59,9 +73,8 @@ at<HTMLInputElement>('file').addEventListener('change', async (event) => {
   if (!file) return;
   const text = await file.text();
   input.value = '';
-  const isMotor = /^(stator|rotor):/m.test(text);
-  show(isMotor ? 'motor' : 'gearbox');
-  if (isMotor) motor.load(text);
+  show(isMotor(text) ? 'motor' : 'gearbox');
+  if (isMotor(text)) motor.load(text);
   else await gearbox.open(text, '');
   tell(`${file.name} is open.`);
 });

@@ -3,6 +3,8 @@ import { core, Overtaken, type Question } from './core.js';
 import { h, s, shown } from './dom.js';
 import type { Front } from './generated/answers.js';
 
+type FrontGear = Front['sets'][number]['gears'][number];
+
 /** A group, and how it stands after an angle of the input. */
 interface Part {
   group: SVGGElement;
@@ -87,48 +89,58 @@ export class Turning {
     else words.push('Speeds are multiples of the input’s; counter-clockwise is positive.');
     if (front.sets.some((set) => !set.has_teeth)) words.push('Circles are pitch circles, where the file has k and no teeth.');
     if (front.sets.some((set) => !set.planets_are_given)) words.push('Where the file does not say how many planets there are, three are shown.');
-    if (front.left_out.length) words.push(`Not shown, as they are no simple sets: ${front.left_out.join(', ')}.`);
+    if (front.left_out.length) words.push(`Not shown, since they stand on fixed axes, have bevel gears, or do not say their teeth: ${front.left_out.join(', ')}.`);
     this.note.textContent = words.join(' ');
     this.place();
   }
 
   private set(set: Front['sets'][number]): HTMLElement {
-    const [sun, planet, ring] = set.gears as [Front['sets'][number]['gears'][number], Front['sets'][number]['gears'][number], Front['sets'][number]['gears'][number]];
-    const rim = set.rim_radius * 1.02;
-    const path = (points: number[][]) => `M${points.map(([x, y]) => `${x!.toFixed(3)} ${y!.toFixed(3)}`).join('L')}Z`;
-    const body = (gear: typeof sun, kind: string) =>
-      gear.outline.length ? s('path', { class: `${kind} g-edge`, d: path(gear.outline as number[][]) }) : s('circle', { class: `${kind} g-edge`, r: gear.pitch_radius });
-    const mark = (radius: number, at: number) => s('circle', { class: 'g-mark', cx: at, cy: 0, r: radius });
+    const rim = set.reach * 1.02;
     const dot = 0.02 * rim;
+    const carrier = set.carrier_of_input ?? 0;
+    const path = ({ outline }: FrontGear) => `M${outline.map(([x, y]) => `${x!.toFixed(3)} ${y!.toFixed(3)}`).join('L')}Z`;
+    const around = (r: number) => `M${r} 0A${r} ${r} 0 1 0 ${-r} 0A${r} ${r} 0 1 0 ${r} 0Z`;
+    const body = (gear: FrontGear) => (gear.outline.length ? path(gear) : around(gear.pitch_radius));
+    const mark = (at: number) => s('circle', { class: 'g-mark', cx: at, cy: 0, r: dot });
+    const bore = (radius: number) => s('circle', { class: 'g-hole g-edge', r: radius });
+    // Large gears lie behind small ones.
+    const sorted = (part: FrontGear['part']) => set.gears.filter((gear) => gear.part === part).sort((one, other) => other.rim_radius - one.rim_radius);
     const turning = (group: SVGGElement, speed: number | null | undefined, turn: number) => {
       this.parts.push({ group, at: (input) => `rotate(${degrees((speed ?? 0) * input + turn)})` });
       return group;
     };
-    const ringGroup = turning(
-      s('g', {}, s('circle', { class: 'g-ring g-edge', r: set.rim_radius }), body(ring, 'g-hole'), mark(dot, 0.97 * set.rim_radius - dot)),
-      ring.speed_of_input,
-      ring.turn_rad,
+    const rings = sorted('ring').map((ring) =>
+      turning(s('g', {}, s('path', { class: 'g-ring g-edge', 'fill-rule': 'evenodd', d: around(ring.rim_radius) + body(ring) }), mark(0.97 * ring.rim_radius - dot)), ring.speed_of_input, ring.turn_rad),
     );
-    const carrier = set.carrier_of_input ?? 0;
-    const arms = set.planets.map(({ angle_rad }) => s('line', { x2: set.centre_distance * Math.cos(angle_rad), y2: set.centre_distance * Math.sin(angle_rad), 'stroke-width': 0.05 * rim }));
-    const carrierGroup = turning(s('g', { class: 'g-carrier' }, ...arms), carrier, 0);
-    const planets = set.planets.map(({ angle_rad, turn_rad }) => {
-      const group = s('g', {}, body(planet, 'g-planet'), mark(dot, 0.6 * planet.pitch_radius), s('circle', { class: 'g-hole g-edge', r: 0.14 * planet.pitch_radius }));
-      const own = planet.speed_of_input ?? 0;
+    const suns = sorted('sun').map((sun, place, all) =>
+      turning(s('g', {}, s('path', { class: 'g-sun g-edge', d: body(sun) }), mark(0.7 * sun.pitch_radius), ...(place === all.length - 1 ? [bore(0.25 * sun.pitch_radius)] : [])), sun.speed_of_input, sun.turn_rad),
+    );
+    const standing = set.planets.flatMap((at) => at.gears.map((own) => ({ at, own, gear: set.gears[own.gear]! })));
+    standing.sort((one, other) => other.gear.rim_radius - one.gear.rim_radius);
+    const planets = standing.map(({ at, own, gear }) => {
+      const group = s('g', {}, s('path', { class: 'g-planet g-edge', d: body(gear) }), mark(0.6 * gear.pitch_radius), bore(0.14 * gear.pitch_radius));
+      const speed = gear.speed_of_input ?? 0;
       this.parts.push({
         group,
         at: (input) => {
-          const angle = angle_rad + carrier * input;
-          const [x, y] = [set.centre_distance * Math.cos(angle), set.centre_distance * Math.sin(angle)];
-          return `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${degrees(own * input + turn_rad).toFixed(3)})`;
+          const angle = at.angle_rad + carrier * input;
+          const [x, y] = [at.centre_distance * Math.cos(angle), at.centre_distance * Math.sin(angle)];
+          return `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${degrees(speed * input + own.turn_rad).toFixed(3)})`;
         },
       });
       return group;
     });
-    const sunGroup = turning(s('g', {}, body(sun, 'g-sun'), mark(dot, 0.7 * sun.pitch_radius), s('circle', { class: 'g-hole g-edge', r: 0.25 * sun.pitch_radius })), sun.speed_of_input, sun.turn_rad);
-    const words = `sun ${shown(sun.speed_of_input)}, carrier ${shown(set.carrier_of_input)}, ring ${shown(ring.speed_of_input)}, planets ${shown(planet.speed_of_input)}`;
-    const picture = s('svg', { viewBox: `${-rim} ${-rim} ${2 * rim} ${2 * rim}`, role: 'img', 'aria-label': `Set ${set.set} from the front. Speeds: ${words}` }, s('g', { transform: 'scale(1 -1)' }, ringGroup, ...planets, carrierGroup, sunGroup));
-    const teeth = set.has_teeth ? ` ${sun.teeth}/${planet.teeth}/${ring.teeth}` : '';
+    const arms = set.planets.map(({ angle_rad, centre_distance }) => s('line', { x2: centre_distance * Math.cos(angle_rad), y2: centre_distance * Math.sin(angle_rad), 'stroke-width': 0.05 * rim }));
+    const carrierGroup = turning(s('g', { class: 'g-carrier' }, ...arms), carrier, 0);
+    const centrals = set.gears.filter(({ part }) => part !== 'planet');
+    const speeds = [
+      ...centrals.map(({ name, speed_of_input }) => `${name} ${shown(speed_of_input)}`),
+      `carrier ${shown(set.carrier_of_input)}`,
+      ...set.gears.filter(({ part }) => part === 'planet').map(({ name, speed_of_input }) => `${name} ${shown(speed_of_input)}`),
+    ];
+    const words = speeds.join(', ');
+    const picture = s('svg', { viewBox: `${-rim} ${-rim} ${2 * rim} ${2 * rim}`, role: 'img', 'aria-label': `Set ${set.set} from the front. Speeds: ${words}` }, s('g', { transform: 'scale(1 -1)' }, ...rings, ...planets, carrierGroup, ...suns));
+    const teeth = set.has_teeth ? ` ${set.gears.map(({ teeth }) => teeth).join('/')}` : '';
     return h('figure', {}, picture, h('figcaption', {}, h('b', {}, `${set.set}${teeth}`), h('br'), words));
   }
 }

@@ -243,10 +243,11 @@ fn limit_that_admits(
             let (low, high) = (one.k.iter().any(|k| *k < least), one.k.iter().any(|k| *k > greatest));
             let k = verdict.value;
             // Planets in such a set would run into each other.
-            let collide =
-                (k + 1.0) * (std::f64::consts::PI / f64::from(requirements.rating.planets)).sin() <= k - 1.0;
+            let collide = (k + 1.0)
+                * libm::sin(std::f64::consts::PI / f64::from(requirements.rating.planets))
+                <= k - 1.0;
             (k > 1.0 && low != high && !collide)
-                .then(|| (Some(k), (k / if low { least } else { greatest }).ln().abs()))
+                .then(|| (Some(k), libm::log(k / if low { least } else { greatest }).abs()))
         }
         _ => {
             let limit = verdict.limits[usize::from(verdict.value > verdict.limits[1])];

@@ -193,7 +193,7 @@ fn balls(
 
 /// The next size of two digits.
 fn rounded_up(size: f64) -> f64 {
-    let unit = 10_f64.powf(size.log10().floor() - 1.0);
+    let unit = libm::pow(10_f64, libm::log10(size).floor() - 1.0);
     // A size of two digits that division leaves a little above stays what it is.
     (size / unit - crate::tolerance::SAME).ceil() * unit
 }

@@ -144,7 +144,7 @@ pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
         true => Some(Mode::new(Member::Sun, Member::Carrier)?),
     };
     for sets in 2..=MOST_STAGES {
-        let of_each = ratio.abs().powf(1.0 / f64::from(sets));
+        let of_each = libm::pow(ratio.abs(), 1.0 / f64::from(sets));
         let has = |ratio: f64, mode: Mode| match bounds.first_for_ratio(
             ratio,
             mode,

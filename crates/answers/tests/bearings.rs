@@ -45,9 +45,9 @@ fn bearing(text: &str) -> BearingOverDuty {
 fn forces_and_lives_are_those_by_hand() {
     let told = bearing(STAGE);
     let alpha = 20.0_f64.to_radians();
-    let inv = |angle: f64| angle.tan() - angle;
+    let inv = |angle: f64| libm::tan(angle) - angle;
     let working = |shifts: f64, teeth: f64| {
-        let due = inv(alpha) + 2.0 * shifts / teeth * alpha.tan();
+        let due = inv(alpha) + 2.0 * shifts / teeth * libm::tan(alpha);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..200 {
             let middle = f64::midpoint(low, high);
@@ -56,8 +56,8 @@ fn forces_and_lives_are_those_by_hand() {
         low
     };
     let a_1 = working(0.389 + 0.5039, 54.0);
-    let centre = 4e-3 * 54.0 / 2.0 * alpha.cos() / a_1.cos();
-    let a_2 = (4e-3 * 57.0 / 2.0 * alpha.cos() / centre).acos();
+    let centre = 4e-3 * 54.0 / 2.0 * libm::cos(alpha) / libm::cos(a_1);
+    let a_2 = libm::acos(4e-3 * 57.0 / 2.0 * libm::cos(alpha) / centre);
     let sharing = 1.2;
     let force = |torque: f64, rpm: f64| {
         let carrier = torque.abs() * (1.0 + 93.0 / 18.0);
@@ -65,8 +65,8 @@ fn forces_and_lives_are_those_by_hand() {
         let tangential = carrier / (4.0 * centre);
         let ring = tangential - sun;
         let omega = rpm * PI / 30.0 / (1.0 + 93.0 / 18.0);
-        let radial = sharing * (sun * a_1.tan() - ring * a_2.tan()) + 2.0 * centre * omega * omega;
-        (sharing * tangential).hypot(radial)
+        let radial = sharing * (sun * libm::tan(a_1) - ring * libm::tan(a_2)) + 2.0 * centre * omega * omega;
+        libm::hypot(sharing * tangential, radial)
     };
     let steps = [(900.0, 1500.0, 0.4), (400.0, 600.0, 0.5)];
     let (mut basic, mut modified) = (0.0, 0.0);
@@ -75,14 +75,14 @@ fn forces_and_lives_are_those_by_hand() {
         assert!((step.force_n / load - 1.0).abs() < 1e-9, "{} {load}", step.force_n);
         let turning = rpm * (1.0 - 1.0 / (1.0 + 93.0 / 18.0)) * 18.0 / 36.0;
         assert!((step.speed_rad_s * 30.0 / PI / turning - 1.0).abs() < 1e-12);
-        let needed = 45_000.0 * turning.powf(-0.83) / 60.0_f64.sqrt();
+        let needed = 45_000.0 * libm::pow(turning, -0.83) / 60.0_f64.sqrt();
         let kappa = 60.0 / needed;
         assert!((step.viscosity_ratio.unwrap() / kappa - 1.0).abs() < 1e-12);
-        let film = if kappa < 1.0 { kappa.powf(0.19087) } else { kappa.powf(0.071_739) };
+        let film = if kappa < 1.0 { libm::pow(kappa, 0.19087) } else { libm::pow(kappa, 0.071_739) };
         let dirt: f64 = 0.5 * 7000.0 / load;
-        let life = 0.1 * (1.0 - (1.5859 - 1.2348 / film) * dirt.powf(0.4)).powf(-9.185);
+        let life = 0.1 * libm::pow(1.0 - (1.5859 - 1.2348 / film) * libm::pow(dirt, 0.4), -9.185);
         assert!((step.modification.unwrap() / life - 1.0).abs() < 1e-9);
-        let hours = (60e3 / load).powf(10.0 / 3.0) * 1e6 / (60.0 * turning);
+        let hours = libm::pow(60e3 / load, 10.0 / 3.0) * 1e6 / (60.0 * turning);
         basic += share / hours;
         modified += share / (hours * 0.64 * life);
     }

@@ -112,6 +112,7 @@ mod tests {
             "drive <FILE>",
             "losses <FILE>",
             "report <FILE>",
+            "serve [FILE]",
             "sheet <FILE>",
             "simulate <FILE>",
             "size <FILE>",

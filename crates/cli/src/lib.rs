@@ -18,6 +18,7 @@
 //! | `tables` | Parquet tables: `atlas`, and `synthesize` in shards |
 //! | `print` | drawings as PDF and PNG |
 //! | `parallel` | searches on all threads |
+//! | `serve`, `app` | the command `serve`; with the app in the program |
 //!
 //! | module | is |
 //! |---|---|
@@ -43,6 +44,7 @@
 //! | `simulate` | the command `simulate`: a gearbox in motion, by a scenario |
 //! | `vibrate` | the command `vibrate`: natural frequencies, modes and resonances of sets |
 //! | `schema` | the command `schema`: JSON Schemas of the files |
+//! | `serve` | the command `serve`: the app in a browser |
 //! | `completions`, `man` | the commands of these names, for shells and `man` |
 //! | `motor` | the command `motor`: a hydromotor and its drawings |
 //! | `lists` | options that take several values |
@@ -90,6 +92,8 @@ mod robustness;
 mod schema;
 mod schemes;
 mod select;
+#[cfg(feature = "serve")]
+mod serve;
 #[cfg(feature = "tables")]
 mod shards;
 #[cfg(not(feature = "tables"))]
@@ -147,6 +151,8 @@ enum Command {
     Draw(Box<draw::Args>),
     Report(page::Args),
     Schema(schema::Args),
+    #[cfg(feature = "serve")]
+    Serve(serve::Args),
     #[cfg(feature = "terminal")]
     Completions(completions::Args),
     #[cfg(feature = "terminal")]
@@ -264,6 +270,8 @@ fn run(call: &Call<'_>, command: Command) -> Result<(), failure::Failure> {
         Command::Draw(args) => draw::run(call, &args),
         Command::Report(args) => page::run(call, &args),
         Command::Schema(args) => schema::run(call, &args),
+        #[cfg(feature = "serve")]
+        Command::Serve(args) => serve::run(call, &args),
         #[cfg(feature = "terminal")]
         Command::Completions(args) => completions::run(call, &args, Cli::command()),
         #[cfg(feature = "terminal")]

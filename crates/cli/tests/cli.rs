@@ -35,6 +35,7 @@ fn help_says_what_there_is() {
             &["select", "--help"],
             &["schemes", "--help"],
             &["schema", "--help"],
+            &["serve", "--help"],
             &["completions", "--help"],
             &["man", "--help"],
             &["machine", "--help"],

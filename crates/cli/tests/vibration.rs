@@ -189,7 +189,7 @@ fn shapes_are_those_of_their_kind() {
         let shape = list(mode, "shape");
         let of = |body: usize, key: &str| number(&shape[body], key);
         let largest = (0..7)
-            .map(|body| of(body, "x").hypot(of(body, "y")).max(of(body, "u").abs()))
+            .map(|body| libm::hypot(of(body, "x"), of(body, "y")).max(of(body, "u").abs()))
             .fold(0.0, f64::max);
         assert!((largest - 1.0).abs() < 1e-12, "{mode}");
         let central = |key: &str| (0..3).map(|body| of(body, key).abs()).fold(0.0, f64::max);

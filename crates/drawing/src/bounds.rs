@@ -19,7 +19,7 @@ impl Point {
     /// At a distance and an angle from a centre.
     #[must_use]
     pub fn polar(centre: Self, radius: f64, angle_rad: f64) -> Self {
-        Self::new(centre.x + radius * angle_rad.cos(), centre.y + radius * angle_rad.sin())
+        Self::new(centre.x + radius * libm::cos(angle_rad), centre.y + radius * libm::sin(angle_rad))
     }
 }
 

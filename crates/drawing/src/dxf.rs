@@ -331,7 +331,7 @@ impl Writer {
                 Align::Middle => 0.5,
                 Align::Right => 1.0,
             };
-        let (sin, cos) = text.rotation_rad.sin_cos();
+        let (sin, cos) = libm::sincos(text.rotation_rad);
         let low = 0.5 * text.height_mm;
         self.pair(100, "AcDbText");
         self.point(10, text.at.x - left * cos + low * sin, text.at.y - left * sin - low * cos);
@@ -425,14 +425,14 @@ fn color_index(color: Color) -> u16 {
         return if most < DARK { FOREGROUND } else { GREY.0 };
     }
     // Angle between hues, on the circle.
-    let apart = |other: Color| (hue_rad(color) - hue_rad(other)).cos();
+    let apart = |other: Color| libm::cos(hue_rad(color) - hue_rad(other));
     PRINTED.iter().max_by(|a, b| apart(a.1).total_cmp(&apart(b.1))).map_or(FOREGROUND, |(index, _)| *index)
 }
 
 /// The angle of a colour's hue, red at 0, green at a third of a turn.
 fn hue_rad(color: Color) -> f64 {
     let [red, green, blue] = [color.red, color.green, color.blue].map(f64::from);
-    (3.0_f64.sqrt() * (green - blue)).atan2(2.0 * red - green - blue)
+    libm::atan2(3.0_f64.sqrt() * (green - blue), 2.0 * red - green - blue)
 }
 
 /// The contrast of an index with white and with black, `(L₁ + 0.05)/(L₂ + 0.05)` of the relative luminances; `None` of one that no drawing has.
@@ -452,7 +452,7 @@ pub fn contrast(index: u16) -> Option<[f64; 2]> {
     let of = |color: Color| {
         let linear = |channel: u8| {
             let part = f64::from(channel) / 255.0;
-            if part <= 0.03928 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+            if part <= 0.03928 { part / 12.92 } else { libm::pow((part + 0.055) / 1.055, 2.4) }
         };
         let luminance =
             0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);

@@ -48,7 +48,7 @@ pub(crate) fn outline(text: &Text) -> Vec<Step> {
         };
     let mut pen =
         Pen { steps: vec![], at: Point::default(), start: Point::default(), place: Box::new(|point| point) };
-    let (sin, cos) = text.rotation_rad.sin_cos();
+    let (sin, cos) = libm::sincos(text.rotation_rad);
     let mut x = left;
     for (id, size, low) in letters {
         let (from, at) = (x, text.at);

@@ -90,7 +90,7 @@ impl Text {
             Align::Right => -width,
         };
         let (low, high) = (-0.5 * self.height_mm - DESCENT * self.font_size_mm(), 0.5 * self.height_mm);
-        let (sin, cos) = self.rotation_rad.sin_cos();
+        let (sin, cos) = libm::sincos(self.rotation_rad);
         let corners = [[left, low], [left + width, low], [left + width, high], [left, high]];
         Bounds::of(
             corners.map(|[x, y]| Point::new(self.at.x + x * cos - y * sin, self.at.y + x * sin + y * cos)),

@@ -138,16 +138,16 @@ pub(crate) fn sides(vertices: &[Vertex], closed: bool) -> impl Iterator<Item = (
 /// With the chord `c` and the bulge `b = tan(sweep/4)` the radius is `c·(1 + b²)/(4·|b|)`.
 pub(crate) fn arc_of_side(from: Point, to: Point, bulge: f64) -> Option<(Point, f64, f64, f64)> {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
-    let chord = dx.hypot(dy);
+    let chord = libm::hypot(dx, dy);
     if bulge.abs() < STRAIGHT || chord == 0.0 {
         return None;
     }
-    let sweep = 4.0 * bulge.atan();
+    let sweep = 4.0 * libm::atan(bulge);
     let radius = chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
     // The centre lies left of the chord by (1 − b²)/(4·b) of it.
     let left = (1.0 - bulge * bulge) / (4.0 * bulge);
     let centre = Point::new(0.5 * (from.x + to.x) - left * dy, 0.5 * (from.y + to.y) + left * dx);
-    let start = (from.y - centre.y).atan2(from.x - centre.x);
+    let start = libm::atan2(from.y - centre.y, from.x - centre.x);
     Some((centre, radius, start, sweep))
 }
 
@@ -318,9 +318,9 @@ mod tests {
         assert!(centre.x.abs() + centre.y.abs() < 1e-12 && (radius - 1.0).abs() < 1e-12);
         assert!(start.abs() < 1e-12 && (sweep - std::f64::consts::PI).abs() < 1e-12);
         // A quarter clockwise about the origin from (0, 2) to (2, 0).
-        let bulge = -(std::f64::consts::FRAC_PI_8).tan();
+        let bulge = -libm::tan(std::f64::consts::FRAC_PI_8);
         let (centre, radius, ..) = arc_of_side(Point::new(0.0, 2.0), Point::new(2.0, 0.0), bulge).unwrap();
-        assert!(centre.x.hypot(centre.y) < 1e-12 && (radius - 2.0).abs() < 1e-12);
+        assert!(libm::hypot(centre.x, centre.y) < 1e-12 && (radius - 2.0).abs() < 1e-12);
     }
 
     #[test]

@@ -90,7 +90,7 @@ fn apart(one: [Point; 2], other: [Point; 2]) -> f64 {
         let square = dx * dx + dy * dy;
         let along = if square == 0.0 { 0.0 } else { ((p.x - a.x) * dx + (p.y - a.y) * dy) / square };
         let along = along.clamp(0.0, 1.0);
-        (p.x - a.x - along * dx).hypot(p.y - a.y - along * dy)
+        libm::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy)
     };
     let ends = one.map(|end| to_line(other, end)).into_iter().chain(other.map(|end| to_line(one, end)));
     ends.fold(f64::INFINITY, f64::min)

@@ -85,7 +85,7 @@ fn large_arcs_and_full_circles_are_whole() {
         sweep_rad,
     };
     let angles = [0.3, 1.9, 3.4, 5.0];
-    let on = |picture: &Picture, angle: f64| picture.at(10.0 * angle.cos(), 10.0 * angle.sin());
+    let on = |picture: &Picture, angle: f64| picture.at(10.0 * libm::cos(angle), 10.0 * libm::sin(angle));
     let full = draw(&[arc(1.0, -std::f64::consts::TAU)], Style::line(1.0).color(RED));
     assert!(angles.iter().all(|angle| on(&full, *angle) == RED));
     let large = draw(&[arc(0.0, 4.0)], Style::line(1.0).color(RED));

@@ -129,7 +129,12 @@ impl Carrier {
             length_from_to(Quantity::HoleDistance, hole.from_outer_end, radius_m, length_m - radius_m)?;
         }
         if arms >= 3 {
-            length_from_to(Quantity::ArmWidth, arm.width, 0.0, 2.0 * outer_m * (PI / f64::from(arms)).tan())?;
+            length_from_to(
+                Quantity::ArmWidth,
+                arm.width,
+                0.0,
+                2.0 * outer_m * libm::tan(PI / f64::from(arms)),
+            )?;
         }
         Ok(Self {
             arms,

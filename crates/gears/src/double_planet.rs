@@ -158,7 +158,7 @@ impl DoublePlanetNumbers {
         let closes = r2 > 0.0 && (r1 - r2).abs() <= distance && distance <= r1 + r2;
         closes.then(|| {
             let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
-            Pair { inner: of_inner, outer: of_outer, angle_rad: cosine.clamp(-1.0, 1.0).acos() }
+            Pair { inner: of_inner, outer: of_outer, angle_rad: libm::acos(cosine.clamp(-1.0, 1.0)) }
         })
     }
 

@@ -71,7 +71,7 @@ impl MeshEfficiency {
     /// is `η_1`. A half where neither loses.
     #[must_use]
     pub fn share_of_loss(first: Self, second: Self) -> f64 {
-        let [first, second] = [first, second].map(|eta| eta.get().ln());
+        let [first, second] = [first, second].map(|eta| libm::log(eta.get()));
         if first + second == 0.0 { 0.5 } else { first / (first + second) }
     }
 

@@ -141,7 +141,7 @@ impl ToothedGear {
     /// Base diameter `d_b = d·cos α`, from which the involute unwinds.
     #[must_use]
     pub fn base_diameter(&self) -> Length {
-        self.pitch_diameter() * radians(self.rack.pressure_angle).cos()
+        self.pitch_diameter() * libm::cos(radians(self.rack.pressure_angle))
     }
 
     /// Its circles, in modules.

@@ -180,7 +180,7 @@ impl TipCircle {
     #[must_use]
     pub fn gap(self, other: Self, angle_rad: f64) -> f64 {
         let (r1, r2) = (self.centre_radius, other.centre_radius);
-        let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * angle_rad.cos();
+        let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * libm::cos(angle_rad);
         square.max(0.0).sqrt() - (self.tip_radius + other.tip_radius)
     }
 
@@ -214,7 +214,7 @@ impl TipCircle {
     #[must_use]
     pub fn number_limit(self, gap: f64) -> Option<f64> {
         let sine = self.reach(gap) / self.centre_radius;
-        (sine > 0.0 && sine < 1.0).then(|| PI / sine.asin())
+        (sine > 0.0 && sine < 1.0).then(|| PI / libm::asin(sine))
     }
 
     /// The largest number of equally spaced planets that clear each other by more than `gap`, whether or not they
@@ -225,7 +225,7 @@ impl TipCircle {
             let below = limit.ceil() as u32 - 1;
             // The inequality itself decides where rounding made the limit a whole number.
             let more = below + 1;
-            if self.clears_alike((PI / f64::from(more)).sin(), gap) { more } else { below.max(1) }
+            if self.clears_alike(libm::sin(PI / f64::from(more)), gap) { more } else { below.max(1) }
         })
     }
 }
@@ -263,7 +263,7 @@ mod tests {
         #[test]
         fn most_is_the_last_number_that_clears(sun in 5..120_u32, teeth in 5..120_u32, gap in 0.0..1.5_f64) {
             let clears = |n: u32| {
-                f64::from(sun + teeth) * (PI / f64::from(n)).sin() > f64::from(teeth) + 2.0 + gap
+                f64::from(sun + teeth) * libm::sin(PI / f64::from(n)) > f64::from(teeth) + 2.0 + gap
             };
             let last = (2..200).take_while(|&n| clears(n)).last().unwrap_or(1);
             prop_assert_eq!(planet(sun, teeth).most(gap), last);
@@ -273,7 +273,7 @@ mod tests {
         #[test]
         fn the_gap_to_one_alike_is_that_to_any_planet(sun in 5..120_u32, teeth in 5..120_u32, n in 2..30_u32) {
             let planet = planet(sun, teeth);
-            let chord = planet.gap_to_alike((PI / f64::from(n)).sin());
+            let chord = planet.gap_to_alike(libm::sin(PI / f64::from(n)));
             let any = planet.gap(planet, 2.0 * PI / f64::from(n));
             prop_assert!((any - chord).abs() < 1e-11 * planet.centre_radius);
         }

@@ -190,7 +190,7 @@ pub fn two_mesh_forces(
         *torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
     }
     let [first, second] = [0, 1].map(|mesh| torques_n_m[mesh] * levers[mesh]);
-    let planet_n_m = if first > 0.0 && second > 0.0 { first * (second / first).powf(share) } else { 0.0 };
+    let planet_n_m = if first > 0.0 && second > 0.0 { first * libm::pow(second / first, share) } else { 0.0 };
     let of_mesh = |mesh: usize| {
         let planet_n_m = match gears[mesh].kind {
             GearKind::External => planet_n_m,
@@ -208,7 +208,7 @@ pub fn two_mesh_forces(
 pub fn radial_force_of(meshes: &[(GearKind, Force, Angle)]) -> Result<Force, Error> {
     let mut outwards_n = 0.0;
     for &(kind, mesh, angle) in meshes {
-        let apart_n = newtons(mesh) * acute_angle(Quantity::PressureAngle, angle)?.tan();
+        let apart_n = newtons(mesh) * libm::tan(acute_angle(Quantity::PressureAngle, angle)?);
         outwards_n += match kind {
             GearKind::External => apart_n,
             GearKind::Internal => -apart_n,
@@ -248,7 +248,7 @@ pub fn centrifugal_force(
 /// What the bearing carries: the tangential force and all radial ones together.
 #[must_use]
 pub fn resultant(tangential: Force, radial: Force) -> Force {
-    force(newtons(tangential).hypot(newtons(radial)))
+    force(libm::hypot(newtons(tangential), newtons(radial)))
 }
 
 fn count(planets: u32) -> Result<f64, Error> {

@@ -68,7 +68,7 @@ impl BasicRack {
     /// ISO 21771, limit of undercut at `x` = 0.
     #[must_use]
     pub fn undercut_limit(&self) -> f64 {
-        2.0 * self.addendum / radians(self.pressure_angle).sin().powi(2)
+        2.0 * self.addendum / libm::sin(radians(self.pressure_angle)).powi(2)
     }
 
     /// The least whole number of teeth that counts as not undercut: [`undercut_limit`](Self::undercut_limit) to the
@@ -146,12 +146,12 @@ mod tests {
         ) {
             let rack = rack(addendum, alpha_deg);
             let pitch_radius = rack.undercut_limit() / 2.0;
-            let tangent_point = pitch_radius * alpha_deg.to_radians().cos().powi(2);
+            let tangent_point = pitch_radius * libm::cos(alpha_deg.to_radians()).powi(2);
             prop_assert!((pitch_radius - addendum - tangent_point).abs() < 1e-12 * pitch_radius);
             // What the rounding admits: at most sin²α/4 modules too deep.
             let least = f64::from(rack.least_teeth_without_undercut());
-            let depth = addendum - least / 2.0 * alpha_deg.to_radians().sin().powi(2);
-            prop_assert!(depth <= alpha_deg.to_radians().sin().powi(2) / 4.0 + 1e-12, "{depth}");
+            let depth = addendum - least / 2.0 * libm::sin(alpha_deg.to_radians()).powi(2);
+            prop_assert!(depth <= libm::sin(alpha_deg.to_radians()).powi(2) / 4.0 + 1e-12, "{depth}");
         }
     }
 }

@@ -84,7 +84,7 @@ impl PlanetSpacing {
     /// Sine of half the smallest angle between adjacent planets.
     #[must_use]
     pub fn half_gap_sine(&self) -> f64 {
-        (radians(self.smallest_gap()) / 2.0).sin()
+        libm::sin(radians(self.smallest_gap()) / 2.0)
     }
 
     /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to
@@ -102,10 +102,10 @@ impl PlanetSpacing {
     pub fn imbalance(&self) -> f64 {
         let slot = TAU / self.slots as f64;
         let (x, y) = self.occupied().fold((0.0, 0.0), |(x, y), p| {
-            let (sin, cos) = (p as f64 * slot).sin_cos();
+            let (sin, cos) = libm::sincos(p as f64 * slot);
             (x + cos, y + sin)
         });
-        f64::hypot(x, y) / self.count() as f64
+        libm::hypot(x, y) / self.count() as f64
     }
 
     /// Planets, at least one, so that nothing is divided by none.

@@ -219,7 +219,7 @@ impl Bounds {
     ) -> Result<(), Error> {
         self.check()?;
         let half_gap_sines: Vec<(u32, f64)> =
-            self.planets.clone().map(|n| (n, (PI / f64::from(n)).sin())).collect();
+            self.planets.clone().map(|n| (n, libm::sin(PI / f64::from(n)))).collect();
         let most_sum = self.sun.end() + self.ring.end();
         // Bit n of entry s: n planets divide s slots evenly.
         let divisors: Vec<u16> = (0..=most_sum)
@@ -496,7 +496,7 @@ pub fn tooth_numbers_by_trial(bounds: &Bounds) -> Result<Vec<ToothNumbers>, Erro
                     let (a, g, b) = (ToothCount::new(sun)?, ToothCount::new(planet)?, ToothCount::new(ring)?);
                     let spacing = PlanetSpacing::least_unequal(a, b, planets);
                     let placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
-                    let chord = (a.as_f64() + g.as_f64()) * (radians(spacing.smallest_gap()) / 2.0).sin();
+                    let chord = (a.as_f64() + g.as_f64()) * libm::sin(radians(spacing.smallest_gap()) / 2.0);
                     let clears = chord > g.as_f64() + 2.0 * bounds.rack.addendum + bounds.tip_gap;
                     let k = b.as_f64() / a.as_f64();
                     if sun + planet == ring.wrapping_sub(planet)

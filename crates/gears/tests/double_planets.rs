@@ -26,11 +26,11 @@ fn counts(of: &DoublePlanetNumbers) -> [f64; 4] {
 type Point = [f64; 2];
 
 fn polar(radius: f64, angle: f64) -> Point {
-    [radius * angle.cos(), radius * angle.sin()]
+    [radius * libm::cos(angle), radius * libm::sin(angle)]
 }
 
 fn apart(one: Point, other: Point) -> f64 {
-    (one[0] - other[0]).hypot(one[1] - other[1])
+    libm::hypot(one[0] - other[0], one[1] - other[1])
 }
 
 /// Centres of the inner and the outer planets, by their distances from the axis and from each other; none where they cannot mesh.
@@ -77,7 +77,7 @@ fn teeth_to(teeth: f64, phase: f64, direction: f64) -> f64 {
 
 /// Phase of a gear in mesh with another: a tooth of the one stands in a space of the other on the line of their centres.
 fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
-    let direction = (its[1] - at[1]).atan2(its[0] - at[0]);
+    let direction = libm::atan2(its[1] - at[1], its[0] - at[0]);
     let behind = direction + PI;
     // Round their own centres the two count against each other: u + v = 1/2.
     behind - (0.5 - teeth_to(of.0, of.1, direction)) / teeth * TAU
@@ -85,7 +85,7 @@ fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
 
 /// Phase of the ring in teeth, that a planet in mesh with it asks for.
 fn ring_phase(planet: (f64, f64), at: Point, ring: f64) -> f64 {
-    let direction = at[1].atan2(at[0]);
+    let direction = libm::atan2(at[1], at[0]);
     // Inside each other the two count alike: u − v = 1/2; a ring's tooth stands where v is whole.
     let v = teeth_to(planet.0, planet.1, direction) - 0.5;
     (ring * direction / TAU - v).rem_euclid(1.0)
@@ -156,7 +156,7 @@ fn the_pairs_of_a_6hp_stand_by_hand() {
     assert_eq!([pair.inner.centre_radius, pair.outer.centre_radius], [26.0, 32.0]);
     assert_eq!([pair.inner.tip_radius, pair.outer.tip_radius], [11.5, 11.5]);
     // 26² + 32² − 21² = 1259 over 2·26·32 = 1664.
-    assert!((pair.angle_rad - (1259.0f64 / 1664.0).acos()).abs() < 1e-15);
+    assert!((pair.angle_rad - libm::acos(1259.0f64 / 1664.0)).abs() < 1e-15);
     assert_eq!(one.basic_ratio().get(), 85.0 / 31.0);
     assert!((one.ring_to_sun_ratio() - 85.0 / 31.0).abs() < 1e-15);
     assert_eq!(one.to_string(), "31/21+21/85 ×3");

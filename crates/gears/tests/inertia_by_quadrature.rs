@@ -36,7 +36,7 @@ fn over_disc(centre_x: f64, radius: f64, f: impl Fn(f64, f64) -> f64) -> f64 {
     const STEPS: u32 = 16;
     integral(0.0, radius, |r| {
         let around = |step| {
-            let (sin, cos) = (TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * f64::from(step) / f64::from(STEPS));
             f(centre_x + r * cos, r * sin)
         };
         r * TAU / f64::from(STEPS) * (0..STEPS).map(around).sum::<f64>()

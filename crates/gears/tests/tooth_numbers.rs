@@ -30,7 +30,7 @@ fn circle(sun: u32, planet: u32) -> TipCircle {
 
 /// Distance of the centres of two neighbours, in modules, where they stand at an angle.
 fn apart(sun: u32, planet: u32, angle_rad: f64) -> f64 {
-    f64::from(sun + planet) * (angle_rad / 2.0).sin()
+    f64::from(sun + planet) * libm::sin(angle_rad / 2.0)
 }
 
 #[test]

@@ -75,7 +75,7 @@ pub(crate) struct Arcs<T = f64> {
 impl<T: Real> Arcs<T> {
     /// From the distances `l > 0` and `a > 0`.
     pub(crate) fn of_distances(theta3: f64, half_length: f64, l: T, a: T) -> Self {
-        let (sin, cos) = theta3.sin_cos();
+        let (sin, cos) = libm::sincos(theta3);
         let (theta, s, sin, cos) = (T::of(theta3), T::of(half_length), T::of(sin), T::of(cos));
         let (along, across) = (l - a * cos, a * sin);
         let d = (along * along + across * across).sqrt();
@@ -95,12 +95,12 @@ impl Arcs {
     /// From `D` and `Γ`.
     fn of_triangle(theta3: f64, half_length: f64, d: f64, gamma: f64) -> Self {
         let beta = theta3 + gamma;
-        let sin = theta3.sin();
-        let (l, a) = (d * beta.sin() / sin, d * gamma.sin() / sin);
+        let sin = libm::sin(theta3);
+        let (l, a) = (d * libm::sin(beta) / sin, d * libm::sin(gamma) / sin);
         let r1 = (d * beta - half_length) / theta3;
         let r2 = (half_length - d * gamma) / theta3;
-        let (tan_gamma, tan_beta) = ((gamma / 2.0).tan(), (beta / 2.0).tan());
-        let least = a * (2.0 * l * theta3.cos() - a) / (l + d) + r2;
+        let (tan_gamma, tan_beta) = (libm::tan(gamma / 2.0), libm::tan(beta / 2.0));
+        let least = a * (2.0 * l * libm::cos(theta3) - a) / (l + d) + r2;
         Self { theta3, half_length, l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, least }
     }
 
@@ -286,7 +286,7 @@ fn scaled(known: Known, theta3: f64, module: Length) -> Result<Scaled, Error> {
 /// Solutions before their signs are looked at.
 fn candidates(theta: f64, s: f64, one: Scaled, other: Scaled) -> Vec<Arcs> {
     use Scaled::{A, Gamma, L, R1, R2};
-    let sin = theta.sin();
+    let sin = libm::sin(theta);
     let widest = PI - theta;
     let of = |d: f64, gamma: f64| Arcs::of_triangle(theta, s, d, gamma);
     // The one root of a falling function that starts above the value and ends below it, if it does.
@@ -296,8 +296,8 @@ fn candidates(theta: f64, s: f64, one: Scaled, other: Scaled) -> Vec<Arcs> {
     };
     match (one, other) {
         (L(l), A(a)) | (A(a), L(l)) => vec![Arcs::of_distances(theta, s, l, a)],
-        (L(l), Gamma(gamma)) | (Gamma(gamma), L(l)) => vec![of(l * sin / (theta + gamma).sin(), gamma)],
-        (A(a), Gamma(gamma)) | (Gamma(gamma), A(a)) => vec![of(a * sin / gamma.sin(), gamma)],
+        (L(l), Gamma(gamma)) | (Gamma(gamma), L(l)) => vec![of(l * sin / libm::sin(theta + gamma), gamma)],
+        (A(a), Gamma(gamma)) | (Gamma(gamma), A(a)) => vec![of(a * sin / libm::sin(gamma), gamma)],
         (R1(r1), Gamma(gamma)) | (Gamma(gamma), R1(r1)) => {
             vec![of((theta * r1 + s) / (theta + gamma), gamma)]
         }
@@ -305,31 +305,32 @@ fn candidates(theta: f64, s: f64, one: Scaled, other: Scaled) -> Vec<Arcs> {
         (R1(r1), R2(r2)) | (R2(r2), R1(r1)) => vec![of(r1 + r2, (s - theta * r2) / (r1 + r2))],
         (L(l), R1(r1)) | (R1(r1), L(l)) => {
             let d = |gamma: f64| (theta * r1 + s) / (theta + gamma);
-            falling(&|gamma| d(gamma) * (theta + gamma).sin() - l * sin)
+            falling(&|gamma| d(gamma) * libm::sin(theta + gamma) - l * sin)
                 .map(|gamma| of(d(gamma), gamma))
                 .into_iter()
                 .collect()
         }
         (L(l), R2(r2)) | (R2(r2), L(l)) => {
             let rest = s - theta * r2;
-            falling(&|gamma| rest * (theta + gamma).sin() - l * sin * gamma)
+            falling(&|gamma| rest * libm::sin(theta + gamma) - l * sin * gamma)
                 .map(|gamma| of(rest / gamma, gamma))
                 .into_iter()
                 .collect()
         }
         (A(a), R2(r2)) | (R2(r2), A(a)) => {
             let rest = s - theta * r2;
-            falling(&|gamma| rest * gamma.sin() / gamma - a * sin)
+            falling(&|gamma| rest * libm::sin(gamma) / gamma - a * sin)
                 .map(|gamma| of(rest / gamma, gamma))
                 .into_iter()
                 .collect()
         }
         (A(a), R1(r1)) | (R1(r1), A(a)) => {
             let d = |gamma: f64| (theta * r1 + s) / (theta + gamma);
-            let over = |gamma: f64| d(gamma) * gamma.sin() - a * sin;
+            let over = |gamma: f64| d(gamma) * libm::sin(gamma) - a * sin;
             // The top, tan Γ = B, lies below a right angle; with θ₃ = π/2 the range ends there as well.
-            let top =
-                bracketed(0.0, widest.min(PI / 2.0), |gamma| gamma.sin() - (theta + gamma) * gamma.cos());
+            let top = bracketed(0.0, widest.min(PI / 2.0), |gamma| {
+                libm::sin(gamma) - (theta + gamma) * libm::cos(gamma)
+            });
             let sides = [(0.0, top), (top, widest)];
             sides
                 .into_iter()
@@ -381,10 +382,10 @@ mod tests {
         let arcs = StatorArcs::with(numbers(), mm(1.0), known).unwrap()[0];
         let [l, a, r1, r2, gamma, beta] = values(&arcs);
         let theta = PI / 5.0;
-        let d = (a * a + l * l - 2.0 * a * l * theta.cos()).sqrt();
+        let d = (a * a + l * l - 2.0 * a * l * libm::cos(theta)).sqrt();
         assert!((r1 + r2 - d).abs() < 1e-13);
         assert!((r1 * gamma + r2 * beta - PI * 55.0 / 10.0).abs() < 1e-13);
-        assert!((d / theta.sin() - a / gamma.sin()).abs() < 1e-12);
+        assert!((d / libm::sin(theta) - a / libm::sin(gamma)).abs() < 1e-12);
         assert!((beta - theta - gamma).abs() < 1e-15);
         assert!((gamma - 0.314_929_961_159).abs() < 1e-9);
     }
@@ -464,14 +465,14 @@ mod tests {
             let other = Arcs::of_distances(theta, s, one.l, one.a);
             let of = |arcs: &Arcs| {
                 let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, least, .. } = *arcs;
-                [l / d, a / d, r1 / d, r2 / d, gamma, beta, tan_gamma.atan(), tan_beta.atan(), least / d]
+                [l / d, a / d, r1 / d, r2 / d, gamma, beta, libm::atan(tan_gamma), libm::atan(tan_beta), least / d]
             };
             for (x, y) in of(&one).into_iter().zip(of(&other)) {
                 prop_assert!((x - y).abs() < 1e-10, "{:?} {:?}", of(&one), of(&other));
             }
             // What their names say.
-            prop_assert!((one.tan_beta.atan() - one.beta / 2.0).abs() < 1e-12);
-            prop_assert!((one.tan_gamma.atan() - one.gamma / 2.0).abs() < 1e-12);
+            prop_assert!((libm::atan(one.tan_beta) - one.beta / 2.0).abs() < 1e-12);
+            prop_assert!((libm::atan(one.tan_gamma) - one.gamma / 2.0).abs() < 1e-12);
             prop_assert!((one.least - (one.l - one.r1)).abs() < 1e-9 * d);
         }
 

@@ -152,7 +152,7 @@ impl Centrode<'_> {
 
     fn curve_point(&self, s: f64, rho: f64, theta: f64, tangent: f64, kappa: f64) -> CurvePoint {
         let motor = self.motor;
-        let (sin, cos) = theta.sin_cos();
+        let (sin, cos) = libm::sincos(theta);
         CurvePoint {
             arc_length: motor.length(s),
             x: motor.length(rho * cos),
@@ -268,8 +268,8 @@ pub(crate) mod tests {
                 let h = 1e-4;
                 let [back, here, front] = [s - h, s, s + h].map(|s| curve.at(m(s)).unwrap());
                 let (dx, dy) = (get(front.x) - get(back.x), get(front.y) - get(back.y));
-                prop_assert!((dx.hypot(dy) / (2.0 * h) - 1.0).abs() < 1e-5);
-                let (sin, cos) = radians(here.tangent).sin_cos();
+                prop_assert!((libm::hypot(dx, dy) / (2.0 * h) - 1.0).abs() < 1e-5);
+                let (sin, cos) = libm::sincos(radians(here.tangent));
                 prop_assert!(((dy * cos - dx * sin) / (2.0 * h)).abs() < 1e-3);
                 let kappa = here.curvature.get::<radian_per_meter>();
                 let turned = (radians(front.tangent) - radians(back.tangent)) / (2.0 * h);
@@ -288,7 +288,7 @@ pub(crate) mod tests {
                 let by_arc = curve.at(point.arc_length).unwrap();
                 for other in [by_angle, by_arc] {
                     let scale = get(curve.length());
-                    prop_assert!((get(other.x) - get(point.x)).hypot(get(other.y) - get(point.y)) < 1e-11 * scale);
+                    prop_assert!(libm::hypot(get(other.x) - get(point.x), get(other.y) - get(point.y)) < 1e-11 * scale);
                     prop_assert!((get(other.arc_length) - get(point.arc_length)).abs() < 1e-11 * scale * 5.0);
                 }
             }

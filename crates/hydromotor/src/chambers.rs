@@ -169,7 +169,7 @@ impl Motor {
         let index = index % self.numbers().satellites();
         let (back, front) = (self.place(rotation, index), self.place(rotation, index + 1));
         let r = self.shape.satellite_radius();
-        let polar = |rho: f64, theta: f64| [rho * theta.cos(), rho * theta.sin()];
+        let polar = |rho: f64, theta: f64| [rho * libm::cos(theta), rho * libm::sin(theta)];
         let part = |i: u32| f64::from(i) / f64::from(steps);
         let between = |from: f64, to: f64, i: u32| from + (to - from) * part(i);
         let mut points = Vec::with_capacity(4 * steps as usize);

@@ -95,15 +95,15 @@ pub(crate) fn rotor_span<T: Real>(arcs: &Arcs<T>, r: f64) -> T {
 pub(crate) fn rotor_span_by_quadrature(arcs: &Arcs, r: f64) -> f64 {
     let Arcs { l, a, r1, r2, gamma, beta, theta3, least, .. } = *arcs;
     let trough = quadrature(0.0, gamma, 64, |x| {
-        let half_sine = (x / 2.0).sin();
+        let half_sine = libm::sin(x / 2.0);
         // l·cos x − R₁ and ρ₁·ρ₃, without the cancellation of a large l.
         let normal = least - 2.0 * l * half_sine * half_sine;
         let product = least * (least - 2.0 * r) + 4.0 * l * (r1 + r) * half_sine * half_sine;
         2.0 * normal * (r1 + r) / product
     });
     let crest = quadrature(0.0, beta, 64, |x| {
-        let product = a * a + r2 * r2 - 2.0 * r2 * r + 2.0 * a * (r2 - r) * x.cos();
-        2.0 * (r2 + a * x.cos()) * (r2 - r) / product
+        let product = a * a + r2 * r2 - 2.0 * r2 * r + 2.0 * a * (r2 - r) * libm::cos(x);
+        2.0 * (r2 + a * libm::cos(x)) * (r2 - r) / product
     });
     trough + crest - theta3
 }
@@ -117,13 +117,13 @@ pub(crate) fn least_stretch(arcs: &Arcs, r: f64) -> f64 {
         let rho_squared = a * a + r2 * r2 + 2.0 * a * r2 * cos;
         1.0 + 2.0 * r * ((r2 + a * cos) / rho_squared - 1.0 / r2)
     };
-    stretch(1.0).min(stretch(beta.cos()))
+    stretch(1.0).min(stretch(libm::cos(beta)))
 }
 
 /// `cos μ` where the arcs meet, its least, times the radius there over that of the satellite: above 0 while both curves
 /// turn one way about the axis.
 fn flank(arcs: &Arcs, r: f64) -> f64 {
-    (arcs.r2 + arcs.a * arcs.beta.cos()) / r
+    (arcs.r2 + arcs.a * libm::cos(arcs.beta)) / r
 }
 
 /// Above 0 where stator and rotor are smooth curves that turn one way about the axis.
@@ -440,7 +440,7 @@ impl Kernel {
     /// The one root at `l`, if there is one.
     fn solve(&self, l: f64) -> Option<Arcs> {
         // At a = S/sin θ₃ arc 2 has no radius left: D·Γ ≥ D·sin Γ = a·sin θ₃.
-        let (mut low, mut high) = (0.0, self.half_length / self.theta3.sin());
+        let (mut low, mut high) = (0.0, self.half_length / libm::sin(self.theta3));
         let (mut f_low, mut f_high) = (f64::NEG_INFINITY, f64::INFINITY);
         for _ in 0..80 {
             if f_low.is_finite() && f_high.is_finite() {
@@ -469,8 +469,8 @@ impl Kernel {
     /// The arcs with `R₁ = 0` and the angle `B`: `D = R₂ = S/B`.
     fn cornered(&self, beta: f64) -> Arcs {
         let d = self.half_length / beta;
-        let sin = self.theta3.sin();
-        let (l, a) = (d * beta.sin() / sin, d * (beta - self.theta3).sin() / sin);
+        let sin = libm::sin(self.theta3);
+        let (l, a) = (d * libm::sin(beta) / sin, d * libm::sin(beta - self.theta3) / sin);
         Arcs { r1: 0.0, r2: d, least: l, ..self.arcs(l, a) }
     }
 

@@ -95,7 +95,7 @@ fn the_residual_rises_with_the_crest_distance() {
             for flat in 0..=40 {
                 // 1/l from nearly 0 to 1/(2r), beyond which the rotor has no least radius.
                 let l = (1e-4 + (0.5 / r - 1e-4) * f64::from(flat) / 40.0).recip();
-                let top = half_length / theta3.sin();
+                let top = half_length / libm::sin(theta3);
                 for part in 1..120 {
                     let a = top * f64::from(part) / 120.0;
                     let arcs = Arcs::of_distances(theta3, half_length, l, a);
@@ -128,7 +128,7 @@ fn a_scan_finds_the_same_roots_and_no_others() {
         let mean = f64::from(numbers.stator_teeth()) / 2.0;
         for step in 1..40 {
             let l = 2.2 * mean / f64::from(step) * 4.0;
-            let top = kernel.half_length / kernel.theta3.sin();
+            let top = kernel.half_length / libm::sin(kernel.theta3);
             let at = |i: u32| top * f64::from(i) / 400.0;
             let residual = |a: f64| {
                 let arcs = kernel.arcs(l, a);

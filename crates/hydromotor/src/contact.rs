@@ -55,7 +55,7 @@ impl Contact {
 
     /// How the quantity grows with the stator's arc length; above 0 of a motor.
     pub(crate) fn slope(&self, by: By, r: f64) -> f64 {
-        let cos_mu = self.mu.cos();
+        let cos_mu = libm::cos(self.mu);
         match by {
             By::Phase => 2.0 * cos_mu * (1.0 - r * self.kappa3) / self.rho1,
             By::StatorArc => 1.0,
@@ -72,7 +72,7 @@ impl Contact {
 
     /// `df/dΦ`.
     pub(crate) fn flow_slope(&self, r: f64) -> f64 {
-        let sine = self.mu.sin();
+        let sine = libm::sin(self.mu);
         let by_arc = self.rho3 * self.slope(By::RotorArc, r) + self.rho1;
         0.5 * sine * by_arc / self.slope(By::Phase, r)
     }
@@ -141,8 +141,8 @@ pub(crate) trait Conjugate {
     fn centre_within(&self, phase: f64) -> [f64; 2] {
         let contact = self.within(By::Phase, phase);
         let r = self.satellite_radius();
-        let (sin, cos) = contact.theta3.sin_cos();
-        let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+        let (sin, cos) = libm::sincos(contact.theta3);
+        let (normal_sin, normal_cos) = libm::sincos(contact.theta3 - contact.mu);
         [contact.rho3 * cos - r * normal_cos, contact.rho3 * sin - r * normal_sin]
     }
 
@@ -156,7 +156,7 @@ pub(crate) trait Conjugate {
         if lobes == 0.0 {
             return [x, y];
         }
-        let (sin, cos) = (2.0 * lobes * trough.theta3).sin_cos();
+        let (sin, cos) = libm::sincos(2.0 * lobes * trough.theta3);
         [x * cos - y * sin, x * sin + y * cos]
     }
 

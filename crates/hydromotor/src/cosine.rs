@@ -81,7 +81,7 @@ impl Law {
 
     /// `ρ₁`, `dρ₁/dθ₁`, `ds₁/dθ₁`, `κ₁`.
     fn curve(&self, theta: f64) -> (f64, f64, f64, f64) {
-        let (sin, cos) = (self.n * theta).sin_cos();
+        let (sin, cos) = libm::sincos(self.n * theta);
         let (sin_twice, cos_twice) = (2.0 * sin * cos, 2.0 * cos * cos - 1.0);
         let (swing, second) = (self.c * self.amplitude, self.c * self.second);
         let rho = self.c + swing * cos + second * cos_twice;
@@ -95,7 +95,7 @@ impl Law {
     /// `ρ₁`, `μ`, `κ₁`.
     fn shape(&self, theta: f64) -> (f64, f64, f64) {
         let (rho, slope, _, kappa) = self.curve(theta);
-        (rho, slope.atan2(rho), kappa)
+        (rho, libm::atan2(slope, rho), kappa)
     }
 
     /// `ρ₁²·d(tan μ)/dθ₁`, of the sign with which the slope `μ` grows.
@@ -129,7 +129,7 @@ impl Law {
     /// `κ₃` and `κ₁`.
     fn curvatures(&self, theta: f64) -> [f64; 2] {
         let (rho1, mu, kappa1) = self.shape(theta);
-        let cos_mu = mu.cos();
+        let cos_mu = libm::cos(mu);
         [conjugate_curvature(-self.r, cos_mu, rho1, kappa1, rho1 + 2.0 * self.r * cos_mu), kappa1]
     }
 
@@ -295,7 +295,7 @@ impl Cosine {
 
 fn contact(law: &Law, theta1: f64, [s1, phase, swept]: [f64; 3]) -> Contact {
     let (rho1, mu, kappa1) = law.shape(theta1);
-    let rho3 = rho1 + 2.0 * law.r * mu.cos();
+    let rho3 = rho1 + 2.0 * law.r * libm::cos(mu);
     Contact {
         phase,
         theta3: phase - theta1,
@@ -305,7 +305,7 @@ fn contact(law: &Law, theta1: f64, [s1, phase, swept]: [f64; 3]) -> Contact {
         mu,
         s3: s1 - 2.0 * law.r * mu,
         s1,
-        kappa3: conjugate_curvature(-law.r, mu.cos(), rho1, kappa1, rho3),
+        kappa3: conjugate_curvature(-law.r, libm::cos(mu), rho1, kappa1, rho3),
         kappa1,
         swept,
     }

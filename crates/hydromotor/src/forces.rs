@@ -126,10 +126,10 @@ impl Motor {
         let (to_crest, to_trough) = (0.5 * self.chamber_phase(), self.shape.trough().theta3);
         let [one, other] = [-to_crest, -to_trough].map(|phase| self.place_at(phase).centre);
         let (x, y) = (0.5 * (one[0] + other[0]), 0.5 * (one[1] + other[1]));
-        let apart = (one[0] - other[0]).hypot(one[1] - other[1]);
+        let apart = libm::hypot(one[0] - other[0], one[1] - other[1]);
         let port = |behind: f64, crest: u32| Port {
-            centre_radius: self.length(x.hypot(y)),
-            angle: angle(behind * y.atan2(x) + 2.0 * to_trough * f64::from(crest)),
+            centre_radius: self.length(libm::hypot(x, y)),
+            angle: angle(behind * libm::atan2(y, x) + 2.0 * to_trough * f64::from(crest)),
             greatest_diameter: self.length(2.0 * self.shape.satellite_radius() - apart),
         };
         let crests = 0..self.numbers().stator_lobes();
@@ -187,12 +187,12 @@ mod tests {
             let port = &ports.high[0];
             let radius = port.greatest_diameter.get::<meter>() / 2.0;
             prop_assume!(radius > 0.0);
-            let (sin, cos) = radians(port.angle).sin_cos();
+            let (sin, cos) = libm::sincos(radians(port.angle));
             let centre = [port.centre_radius.get::<meter>() * cos, port.centre_radius.get::<meter>() * sin];
             let rotation = part * motor.chamber_phase();
             let places: Vec<_> = (0..motor.numbers().satellites()).map(|j| motor.place(rotation, j)).collect();
             let covered = places.iter().any(|place| {
-                (place.centre[0] - centre[0]).hypot(place.centre[1] - centre[1]) <= r - radius + 1e-9
+                libm::hypot(place.centre[0] - centre[0], place.centre[1] - centre[1]) <= r - radius + 1e-9
             });
             // The satellite behind the port is the last whose phase is below that of the cover's end.
             let (early, late) = (-0.5 * motor.chamber_phase(), -motor.shape.trough().theta3);

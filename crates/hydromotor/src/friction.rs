@@ -120,7 +120,7 @@ impl Motor {
 
     /// `p_b/4` in metres.
     fn mean_sliding_arm(&self, pressure_angle: Angle) -> f64 {
-        0.25 * PI * metres(self.module()) * radians(pressure_angle).cos()
+        0.25 * PI * metres(self.module()) * libm::cos(radians(pressure_angle))
     }
 
     /// The friction torque of the flanks after a rotation, for the least and the greatest coefficient.

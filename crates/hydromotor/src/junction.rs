@@ -87,13 +87,13 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     // b ∓ 1 as products: (l − R₁)·(l − R₁ − 2r) and (l + R₁)·(l + R₁ + 2r) over 2·l·(R₁ + r).
     let twice = 2.0 * l * (r1 + r);
     let (below, above) = (least * (least - 2.0 * r) / twice, (l + r1) * (l + r1 + 2.0 * r) / twice);
-    let (half_sine, sine) = ((gamma / 2.0).sin(), gamma.sin());
+    let (half_sine, sine) = (libm::sin(gamma / 2.0), libm::sin(gamma));
     let op = (least * least + 4.0 * l * r1 * half_sine * half_sine).sqrt();
     let h = (above / below).sqrt();
     // b − R₁/l = (l² − R₁²)/(2·l·(R₁ + r))
     let k = least * (l + r1) / twice / (below * above).sqrt();
     // The angle whose cosine is (l − R₁·cos Γ)/OP has the sine R₁·sin Γ/OP: no digits lost near 0.
-    let t = (r1 * sine).atan2(least + 2.0 * r1 * half_sine * half_sine);
+    let t = libm::atan2(r1 * sine, least + 2.0 * r1 * half_sine * half_sine);
     Ok(Junction {
         b: (l * l + r1 * r1 + 2.0 * r1 * r) / twice,
         h,
@@ -101,7 +101,7 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
         stator_radius: length(op, arcs.module),
         stator_angle: angle(t),
         rotor_radius: length(twice * (below + 2.0 * half_sine * half_sine) / op, arcs.module),
-        rotor_angle: angle(2.0 * k * (h * arcs.arcs.tan_gamma).atan() - gamma - t),
+        rotor_angle: angle(2.0 * k * libm::atan(h * arcs.arcs.tan_gamma) - gamma - t),
     })
 }
 
@@ -141,9 +141,9 @@ mod tests {
             let r = f64::from(numbers.satellite_teeth()) / 2.0;
             // P, and cos μ with the normal towards O₁.
             let place = |x: f64| {
-                let p = (least + 2.0 * r1 * (x / 2.0).sin().powi(2), r1 * x.sin());
-                let rho3 = p.0.hypot(p.1);
-                let cos_mu = (p.0 * x.cos() - p.1 * x.sin()) / rho3;
+                let p = (least + 2.0 * r1 * libm::sin(x / 2.0).powi(2), r1 * libm::sin(x));
+                let rho3 = libm::hypot(p.0, p.1);
+                let cos_mu = (p.0 * libm::cos(x) - p.1 * libm::sin(x)) / rho3;
                 (rho3, cos_mu, rho3 - 2.0 * r * cos_mu)
             };
             let (end3, _, end1) = place(gamma);

@@ -91,8 +91,8 @@ impl Motor {
     pub(crate) fn place_at(&self, phase: f64) -> Place {
         let contact = self.shape.at(By::Phase, phase);
         let r = self.shape.satellite_radius();
-        let (sin, cos) = contact.theta3.sin_cos();
-        let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+        let (sin, cos) = libm::sincos(contact.theta3);
+        let (normal_sin, normal_cos) = libm::sincos(contact.theta3 - contact.mu);
         let on_stator = [contact.rho3 * cos, contact.rho3 * sin];
         Place {
             contact,
@@ -115,7 +115,7 @@ impl Motor {
     /// The distance of two neighbours, the one behind at a phase, in units of the module.
     pub(crate) fn neighbour_distance(&self, phase: f64) -> f64 {
         let [one, other] = [phase, phase + self.chamber_phase()].map(|phase| self.shape.centre(phase));
-        (one[0] - other[0]).hypot(one[1] - other[1])
+        libm::hypot(one[0] - other[0], one[1] - other[1])
     }
 
     /// In units of the module: the distance, and the phase of the satellite behind.
@@ -171,11 +171,11 @@ mod tests {
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-        (a[0] - b[0]).hypot(a[1] - b[1])
+        libm::hypot(a[0] - b[0], a[1] - b[1])
     }
 
     fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         [x * cos - y * sin, x * sin + y * cos]
     }
 
@@ -194,10 +194,10 @@ mod tests {
                 {
                     let point = turned(xy(point), -turn);
                     let centre = turned(centre, -turn);
-                    let polar = point[1].atan2(point[0]);
+                    let polar = libm::atan2(point[1], point[0]);
                     let curve = motor.centrode(wheel).at_polar_angle(angle(polar)).unwrap();
                     prop_assert!(distance(point, [curve.x.get::<meter>(), curve.y.get::<meter>()]) < contact_slack, "{wheel:?}");
-                    let (sin, cos) = radians(curve.tangent).sin_cos();
+                    let (sin, cos) = libm::sincos(radians(curve.tangent));
                     let along = (centre[0] - point[0]) * cos + (centre[1] - point[1]) * sin;
                     prop_assert!(along.abs() < contact_slack * 10.0, "{wheel:?} {along:e}");
                 }
@@ -219,7 +219,7 @@ mod tests {
                 };
                 // On the resting stator no velocity; on the rotor that of the rotor, which turns by 1.
                 let (on_stator, on_rotor) = (xy(here.on_stator), xy(here.on_rotor));
-                let scale = velocity[0].hypot(velocity[1]) + spin.abs() * motor.satellite_radius().get::<meter>();
+                let scale = libm::hypot(velocity[0], velocity[1]) + spin.abs() * motor.satellite_radius().get::<meter>();
                 prop_assert!(distance(of_satellite(on_stator), [0.0, 0.0]) < 1e-4 * scale.max(1.0));
                 prop_assert!(distance(of_satellite(on_rotor), [-on_rotor[1], on_rotor[0]]) < 1e-4 * scale.max(1.0));
             }

@@ -58,15 +58,15 @@ fn a_law_keeps_both_closures() {
         assert!(motor.cosine_law().is_none() && motor.arcs().is_none());
         let (c, lobes) = (law.mean_radius.get::<millimeter>(), f64::from(n.1));
         let rho = |theta: f64| {
-            c * (1.0 + law.amplitude * (lobes * theta).cos() + second * (2.0 * lobes * theta).cos())
+            c * (1.0 + law.amplitude * libm::cos(lobes * theta) + second * libm::cos(2.0 * lobes * theta))
         };
         // The half-lobe's length by chords, halved twice and extrapolated.
         let length = |chords: u32| -> f64 {
             let at = |i: u32| {
                 let theta = PI / lobes * f64::from(i) / f64::from(chords);
-                [rho(theta) * theta.cos(), rho(theta) * theta.sin()]
+                [rho(theta) * libm::cos(theta), rho(theta) * libm::sin(theta)]
             };
-            (0..chords).map(|i| (at(i)[0] - at(i + 1)[0]).hypot(at(i)[1] - at(i + 1)[1])).sum()
+            (0..chords).map(|i| libm::hypot(at(i)[0] - at(i + 1)[0], at(i)[1] - at(i + 1)[1])).sum()
         };
         let (coarse, fine) = (length(4000), length(8000));
         let half = PI * f64::from(n.2) / f64::from(n.0) / 2.0;
@@ -81,9 +81,10 @@ fn a_law_keeps_both_closures() {
         let (mut polar, mut length, mut least) = (0.0, 0.0, f64::INFINITY);
         for i in 0..=steps {
             let here = if i < steps { by_angle(i) } else { *trough };
-            let [x, y] = [before, here].map(|at| [at.rho3 * at.theta3.cos(), at.rho3 * at.theta3.sin()]);
-            polar += (x[0] * y[1] - x[1] * y[0]).atan2(x[0] * y[0] + x[1] * y[1]);
-            let chord = (x[0] - y[0]).hypot(x[1] - y[1]);
+            let [x, y] =
+                [before, here].map(|at| [at.rho3 * libm::cos(at.theta3), at.rho3 * libm::sin(at.theta3)]);
+            polar += libm::atan2(x[0] * y[1] - x[1] * y[0], x[0] * y[0] + x[1] * y[1]);
+            let chord = libm::hypot(x[0] - y[0], x[1] - y[1]);
             length += chord;
             if i > 0 && i < steps {
                 least = f64::min(least, chord / (here.s1 - before.s1));
@@ -215,11 +216,11 @@ proptest! {
         prop_assert!((trough.s1 - trough.s3).abs() < 1e-11 && (trough.s3 - crate::arcs::half_length(numbers)).abs() < 1e-10);
         prop_assert!((trough.theta3 - PI / f64::from(numbers.stator_lobes())).abs() < 1e-11);
         let [back, here, front] = [-1e-5, 0.0, 1e-5].map(|by| motor.shape.within(By::RotorAngle, (place + by) * trough.theta1));
-        prop_assert!((here.rho3 - here.rho1 - 2.0 * r * here.mu.cos()).abs() < 1e-12 * here.rho3);
+        prop_assert!((here.rho3 - here.rho1 - 2.0 * r * libm::cos(here.mu)).abs() < 1e-12 * here.rho3);
         // The satellite's turn: as ds₃ and ds₁ roll off, each by its curvature against the path.
         let rate = |get: &dyn Fn(&crate::contact::Contact) -> f64| (get(&front) - get(&back)) / (front.theta1 - back.theta1);
         let (s3, s1) = (rate(&|at| at.s3), rate(&|at| at.s1));
-        prop_assert!((rate(&|at| at.theta3) - here.mu.cos() / here.rho3 * s3).abs() < 1e-5);
+        prop_assert!((rate(&|at| at.theta3) - libm::cos(here.mu) / here.rho3 * s3).abs() < 1e-5);
         // Normals turn by κ·ds: dθ − dμ.
         let turn3 = rate(&|at| at.theta3 - at.mu);
         let turn1 = rate(&|at| at.theta1 - at.mu);

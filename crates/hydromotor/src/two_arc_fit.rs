@@ -72,7 +72,7 @@ impl Arc {
         let normal = [self.outward[0] + self.curvature * d[0], self.outward[1] + self.curvature * d[1]];
         let outward = d[0] * self.outward[0] + d[1] * self.outward[1];
         let square = d[0] * d[0] + d[1] * d[1];
-        (self.curvature * square + 2.0 * outward) / (normal[0].hypot(normal[1]) + 1.0)
+        (self.curvature * square + 2.0 * outward) / (libm::hypot(normal[0], normal[1]) + 1.0)
     }
 
     /// Direction of the outward normal at a point of it.
@@ -91,7 +91,7 @@ impl Arc {
 
 /// Polar angle from −90° to 270°: a half-lobe spans half a turn where `n = 1`.
 fn polar(x: f64, y: f64) -> f64 {
-    let angle = y.atan2(x);
+    let angle = libm::atan2(y, x);
     if angle < -FRAC_PI_2 { angle + TAU } else { angle }
 }
 
@@ -109,7 +109,7 @@ struct Pair {
 
 impl Pair {
     fn new([crest, trough, q]: Parameters, span: f64) -> Self {
-        let (sin, cos) = span.sin_cos();
+        let (sin, cos) = libm::sincos(span);
         let centre = crest - q;
         let above = q * q - centre * centre - trough * trough + 2.0 * centre * trough * cos;
         let kappa = 2.0 * (q + centre * cos - trough) / above;
@@ -166,8 +166,8 @@ impl Motor {
     pub fn published_circles(&self) -> Option<PublishedCircles> {
         let junction = self.shape.within(By::Phase, self.shape.kink()?);
         let (crest, trough) = (self.shape.at(By::Phase, 0.0), self.shape.trough());
-        let point = [junction.rho1 * junction.theta1.cos(), junction.rho1 * junction.theta1.sin()];
-        let (sin, cos) = trough.theta1.sin_cos();
+        let point = [junction.rho1 * libm::cos(junction.theta1), junction.rho1 * libm::sin(junction.theta1)];
+        let (sin, cos) = libm::sincos(trough.theta1);
         let crest = Arc::through([crest.rho1, 0.0], [1.0, 0.0], point);
         let trough = Arc::through([trough.rho1 * cos, trough.rho1 * sin], [cos, sin], point);
         let distance = |i: usize, at: [f64; 2]| {
@@ -188,7 +188,7 @@ impl Motor {
         let at = |i: u32| {
             let contact =
                 self.shape.within(By::RotorArc, trough_arc(self) * f64::from(i) / f64::from(PLACES));
-            [contact.rho1 * contact.theta1.cos(), contact.rho1 * contact.theta1.sin()]
+            [contact.rho1 * libm::cos(contact.theta1), contact.rho1 * libm::sin(contact.theta1)]
         };
         (0..=PLACES).map(at).collect()
     }
@@ -386,7 +386,7 @@ mod tests {
     /// points with signs in turn.
     #[test]
     fn the_best_step_levels_four_distances_of_alternate_signs() {
-        let functions: [fn(f64) -> f64; 3] = [f64::exp, |x| (3.0 * x).sin(), |x| 1.0 / (1.2 + x)];
+        let functions: [fn(f64) -> f64; 3] = [libm::exp, |x| libm::sin(3.0 * x), |x| 1.0 / (1.2 + x)];
         for count in 4..40_u32 {
             for f in functions {
                 let at = |i: u32| 0.2 + f64::from(i) / f64::from(count - 1);
@@ -415,7 +415,7 @@ mod tests {
             let points = motor.rotor_points();
             let (crest, trough) = (motor.shape.at(By::Phase, 0.0), motor.shape.trough());
             let (parameters, deviation) = best(&points, [crest.rho1, trough.rho1, crest.kappa1.recip()], span);
-            let moved = std::array::from_fn(|i| parameters[i] + by[i] * 10.0_f64.powf(size));
+            let moved = std::array::from_fn(|i| parameters[i] + by[i] * libm::pow(10.0_f64, size));
             prop_assert!(greatest(&points, moved, span) >= deviation * (1.0 - 1e-3));
         }
     }

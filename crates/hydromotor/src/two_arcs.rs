@@ -46,7 +46,7 @@ impl TwoArcs {
         let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, .. } = *arcs;
         let crest_phase = beta + crest_term(arcs, r, tan_beta);
         let end_phase = crest_phase + trough_term(arcs, r, tan_gamma) - gamma;
-        let crest_swept = (r2 - r) * (r2 * beta + a * beta.sin());
+        let crest_swept = (r2 - r) * (r2 * beta + a * libm::sin(beta));
         let end_swept = crest_swept + (r1 + r) * (arcs.least * gamma - l * less_sine(gamma));
         let nothing = Contact {
             phase: 0.0,
@@ -89,11 +89,11 @@ impl TwoArcs {
     /// The contact at the angle `x` of arc 2, `t = tan(x/2)`.
     fn on_crest(&self, x: f64, t: f64) -> Contact {
         let Arcs { a, r2, .. } = self.arcs;
-        let (sin, cos) = x.sin_cos();
+        let (sin, cos) = libm::sincos(x);
         let along = a + r2 * cos;
-        let rho3 = along.hypot(r2 * sin);
-        let theta3 = (r2 * sin).atan2(along);
-        let mu = -(a * sin).atan2(r2 + a * cos);
+        let rho3 = libm::hypot(along, r2 * sin);
+        let theta3 = libm::atan2(r2 * sin, along);
+        let mu = -libm::atan2(a * sin, r2 + a * cos);
         let product = a * a + r2 * r2 - 2.0 * r2 * self.r + 2.0 * a * (r2 - self.r) * cos;
         let phase = x + crest_term(&self.arcs, self.r, t);
         let swept = (r2 - self.r) * (r2 * x + a * sin);
@@ -103,13 +103,13 @@ impl TwoArcs {
     /// The contact at the angle `x` of arc 1, `t = tan(x/2)`.
     fn on_trough(&self, x: f64, t: f64) -> Contact {
         let Arcs { theta3: whole, half_length, l, r1, least, .. } = self.arcs;
-        let sin = x.sin();
-        let half = (x / 2.0).sin();
+        let sin = libm::sin(x);
+        let half = libm::sin(x / 2.0);
         let versine = 2.0 * half * half;
         let along = least + r1 * versine;
-        let rho3 = along.hypot(r1 * sin);
-        let theta3 = whole - (r1 * sin).atan2(along);
-        let mu = -(l * sin).atan2(least - l * versine);
+        let rho3 = libm::hypot(along, r1 * sin);
+        let theta3 = whole - libm::atan2(r1 * sin, along);
+        let mu = -libm::atan2(l * sin, least - l * versine);
         let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
         let phase = self.end_phase + x - trough_term(&self.arcs, self.r, t);
         let swept = self.end_swept - (r1 + self.r) * (least * x - l * less_sine(x));
@@ -129,7 +129,7 @@ impl TwoArcs {
         kappa3: f64,
         swept: f64,
     ) -> Contact {
-        let kappa1 = conjugate_curvature(self.r, mu.cos(), rho3, kappa3, rho1);
+        let kappa1 = conjugate_curvature(self.r, libm::cos(mu), rho3, kappa3, rho1);
         let s1 = s3 + 2.0 * self.r * mu;
         Contact { phase, theta3, theta1: phase - theta3, rho3, rho1, mu, s3, s1, kappa3, kappa1, swept }
     }
@@ -139,7 +139,7 @@ impl TwoArcs {
         let start = self.crest_start.at(phase / self.junction.phase);
         smooth_inverse(phase, self.arcs.tan_beta, start, |t| {
             let [slope, bend] = self.crest_rates(t);
-            [2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope, bend]
+            [2.0 * libm::atan(t) + crest_term(&self.arcs, self.r, t), slope, bend]
         })
     }
 
@@ -161,7 +161,7 @@ impl TwoArcs {
         let start = self.trough_start.at(back / (self.end_phase - self.junction.phase));
         smooth_inverse(back, self.arcs.tan_gamma, start, |t| {
             let [slope, bend] = self.trough_rates(t);
-            [trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope, bend]
+            [trough_term(&self.arcs, self.r, t) - 2.0 * libm::atan(t), slope, bend]
         })
     }
 
@@ -208,7 +208,7 @@ fn less_sine(x: f64) -> f64 {
         let series = [110.0, 72.0, 42.0, 20.0].iter().fold(1.0, |sum, k| 1.0 - square / k * sum);
         x * square / 6.0 * series
     } else {
-        x - x.sin()
+        x - libm::sin(x)
     }
 }
 
@@ -263,7 +263,7 @@ impl Conjugate for TwoArcs {
             // Along the ray of the trough and across it, back towards the crest.
             let along = least - self.r + (r1 + self.r) * 2.0 * t * t * scale;
             let across = (r1 + self.r) * 2.0 * t * scale;
-            let (sin, cos) = theta3.sin_cos();
+            let (sin, cos) = libm::sincos(theta3);
             [along * cos + across * sin, along * sin - across * cos]
         }
     }
@@ -271,7 +271,7 @@ impl Conjugate for TwoArcs {
     fn rotor_area(&self) -> f64 {
         // G − ½·∫ ρ₃² dθ₃: of the satellite's own share nothing is left where μ vanishes.
         let Arcs { l, a, r1, r2, gamma, beta, least, .. } = self.arcs;
-        let crest = r2 * (r2 * beta + a * beta.sin());
+        let crest = r2 * (r2 * beta + a * libm::sin(beta));
         let trough = r1 * (least * gamma - l * less_sine(gamma));
         self.end_swept - 0.5 * (crest + trough)
     }
@@ -282,33 +282,33 @@ impl Conjugate for TwoArcs {
         match by {
             By::Phase if on_crest => {
                 let t = self.crest_tangent(value);
-                self.on_crest(2.0 * t.atan(), t)
+                self.on_crest(2.0 * libm::atan(t), t)
             }
             By::Phase => {
                 let t = self.trough_tangent(self.end_phase - value);
-                self.on_trough(2.0 * t.atan(), t)
+                self.on_trough(2.0 * libm::atan(t), t)
             }
-            By::StatorArc if on_crest => self.on_crest(value / r2, (value / r2 / 2.0).tan()),
+            By::StatorArc if on_crest => self.on_crest(value / r2, libm::tan(value / r2 / 2.0)),
             By::StatorArc => {
                 let x = (half_length - value) / r1;
-                self.on_trough(x, (x / 2.0).tan())
+                self.on_trough(x, libm::tan(x / 2.0))
             }
             _ if on_crest => {
                 let start = beta * value / self.junction.get(by);
                 let x = inverse(value, beta, start, |x| {
-                    let contact = self.on_crest(x, (x / 2.0).tan());
+                    let contact = self.on_crest(x, libm::tan(x / 2.0));
                     (contact.get(by), contact.slope(by, self.r) * r2)
                 });
-                self.on_crest(x, (x / 2.0).tan())
+                self.on_crest(x, libm::tan(x / 2.0))
             }
             _ => {
                 let end = self.trough.get(by);
                 let start = gamma * (end - value) / (end - self.junction.get(by));
                 let x = inverse(end - value, gamma, start, |x| {
-                    let contact = self.on_trough(x, (x / 2.0).tan());
+                    let contact = self.on_trough(x, libm::tan(x / 2.0));
                     (end - contact.get(by), contact.slope(by, self.r) * r1)
                 });
-                self.on_trough(x, (x / 2.0).tan())
+                self.on_trough(x, libm::tan(x / 2.0))
             }
         }
     }
@@ -359,8 +359,8 @@ mod tests {
             let lobe = TwoArcs::new(&arcs.arcs, r);
             let contact = lobe.at(By::Phase, phase);
             let [x, y] = lobe.centre(phase);
-            let (sin, cos) = contact.theta3.sin_cos();
-            let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+            let (sin, cos) = libm::sincos(contact.theta3);
+            let (normal_sin, normal_cos) = libm::sincos(contact.theta3 - contact.mu);
             prop_assert!((x - contact.rho3 * cos + r * normal_cos).abs() < 1e-10);
             prop_assert!((y - contact.rho3 * sin + r * normal_sin).abs() < 1e-10);
         }

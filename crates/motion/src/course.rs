@@ -57,7 +57,7 @@ impl Piece {
         match *self {
             Self::Line { from, value, slope } => value + slope * (t - from),
             Self::Harmonic { mean, amplitude, frequency, phase } => {
-                mean + amplitude * (frequency * t + phase).sin()
+                mean + amplitude * libm::sin(frequency * t + phase)
             }
         }
     }
@@ -181,7 +181,7 @@ impl Course {
                 if !self.is_clipped || mean.abs() >= amplitude.abs() {
                     return None;
                 }
-                let zero = (-mean / amplitude).asin();
+                let zero = libm::asin(-mean / amplitude);
                 // Both zeros of a period: in the middle between them stands a crest or trough.
                 let half = FRAC_PI_2 - zero;
                 let next = [FRAC_PI_2 - half, FRAC_PI_2 + half].map(|angle| {
@@ -238,9 +238,9 @@ mod tests {
         let mut t = 0.0;
         for _ in 0..7 {
             let next = course.next_kink(t).unwrap();
-            assert!((1.0 + 2.0 * (3.0 * next + 0.4).sin()).abs() < 1e-12);
+            assert!((1.0 + 2.0 * libm::sin(3.0 * next + 0.4)).abs() < 1e-12);
             let middle = 0.5 * (t + next);
-            let due = (1.0 + 2.0 * (3.0 * middle + 0.4).sin()).max(0.0);
+            let due = (1.0 + 2.0 * libm::sin(3.0 * middle + 0.4)).max(0.0);
             assert!((course.piece(t).at(middle) - due).abs() < 1e-12);
             assert_eq!(course.is_zero(t), due == 0.0);
             t = next;

@@ -214,7 +214,7 @@ impl<'m> Runner<'m> {
             self.steps += 1;
             self.attempt(h);
             let error = self.error();
-            let factor = if error > 0.0 { 0.9 * error.powf(-0.125) } else { 6.0 };
+            let factor = if error > 0.0 { 0.9 * libm::pow(error, -0.125) } else { 6.0 };
             if error.is_nan() || error > 1.0 {
                 self.h = h * if error.is_finite() { factor.max(0.2) } else { 0.2 };
                 continue;

@@ -143,7 +143,7 @@ mod tests {
     /// A pendulum with growing gravity; a long enough way that errors are above rounding.
     fn field(t: f64, y: &[f64], dy: &mut [f64]) {
         dy[0] = y[1];
-        dy[1] = -(1.0 + 0.2 * t) * y[0].sin();
+        dy[1] = -(1.0 + 0.2 * t) * libm::sin(y[0]);
     }
 
     fn integrated(steps: usize) -> [f64; 2] {
@@ -161,7 +161,7 @@ mod tests {
     fn halving_the_step_divides_the_error_by_two_to_the_eighth_or_more() {
         let due = integrated(256);
         let error = |steps| (integrated(steps)[0] - due[0]).abs();
-        let order = (error(8) / error(16)).log2();
+        let order = libm::log2(error(8) / error(16));
         assert!(order > 8.0, "{order}");
     }
 
@@ -184,7 +184,7 @@ mod tests {
             (inside[0] - fine.y[0]).abs()
         };
         // Local error of an output of order 7.
-        let order = (error(1.0) / error(0.5)).log2();
+        let order = libm::log2(error(1.0) / error(0.5));
         assert!(order > 8.0, "{order}");
     }
 

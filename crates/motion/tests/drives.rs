@@ -26,7 +26,7 @@ fn friction_that_is_linear_in_slip_lets_it_decay_exponentially() {
     let run = model.run(&start(&[("a", 120.0), ("b", 0.0)]), s(1.0), None).unwrap();
     // ds/dt = −80/J·(0.6 + s/50) down to 20, then −80/J.
     let rate = 80.0 / reduced();
-    let bent = 50.0 / rate * ((0.6 + 2.4) / (0.6 + 0.4_f64)).ln();
+    let bent = 50.0 / rate * libm::log((0.6 + 2.4) / (0.6 + 0.4_f64));
     let [closed] = run.events.as_slice() else { panic!("{:?}", run.events) };
     close(at(closed), bent + 20.0 / rate, 1e-10);
     close(joules(run.heat("clutch").unwrap()), 0.5 * reduced() * 120.0 * 120.0, 1e-10);
@@ -47,7 +47,7 @@ fn friction_that_falls_with_slip_runs_away_until_its_table_is_level() {
     close(at(torn), 1.0, 1e-10);
     // J·ω̇ = 20·τ + 10·k·ω up to 4 rad/s, k = 1.5/4, from τ = 0 at rest; then J·ω̇ = 15 + 20·τ.
     let k = 10.0 * 0.375 / 0.5;
-    let bent = |tau: f64| 40.0 / (k * k) * ((k * tau).exp() - 1.0 - k * tau);
+    let bent = |tau: f64| 40.0 / (k * k) * (libm::exp(k * tau) - 1.0 - k * tau);
     let (mut from, mut to) = (0.0, 1.0);
     for _ in 0..200 {
         let middle = 0.5 * (from + to);
@@ -107,8 +107,8 @@ fn an_engine_follows_its_throttle_between_its_curves() {
     close(found(1), 30.0 + 2.0 * (-5.0 + 90.0 * 0.25), 1e-11);
     // 80 N·m up to 100 rad/s, then ω̇ = 2·(100 − 0.2·ω).
     let bent = (100.0 - found(1)) / 160.0;
-    close(found(2), 500.0 - 400.0 * (-0.4 * (0.5 - bent)).exp(), 1e-11);
-    close(found(3), 500.0 - 400.0 * (-0.4 * (1.0 - bent)).exp(), 1e-11);
+    close(found(2), 500.0 - 400.0 * libm::exp(-0.4 * (0.5 - bent)), 1e-11);
+    close(found(3), 500.0 - 400.0 * libm::exp(-0.4 * (1.0 - bent)), 1e-11);
     // −20 N·m down to 150 rad/s, which it does not reach in half a second.
     assert!(found(3) > 170.0);
     close(found(4), found(3) - 20.0, 1e-11);
@@ -132,14 +132,14 @@ fn converter(engine: f64, load: f64) -> Model {
 fn a_stalled_converter_lets_its_impeller_run_up_as_a_hyperbolic_tangent() {
     let run = converter(120.0, 1e4).run(&Start::at_rest(), s(0.4), None).unwrap();
     let (capacity, j, torque): (f64, f64, f64) = (1.5e-3, 0.2, 120.0);
-    let due = (torque / capacity).sqrt() * (0.4 * (torque * capacity).sqrt() / j).tanh();
+    let due = (torque / capacity).sqrt() * libm::tanh(0.4 * (torque * capacity).sqrt() / j);
     close(end_speed(&run, "impeller"), due, 1e-10);
     assert_eq!(end_speed(&run, "turbine"), 0.0);
     let taken = capacity * due * due;
     close(run.end().converters[0][0].get::<newton_meter>(), -taken, 1e-9);
     close(run.end().converters[0][1].get::<newton_meter>(), 2.0 * taken, 1e-9);
-    let heat =
-        torque * j / capacity * (0.4 * (torque * capacity).sqrt() / j).cosh().ln() - 0.5 * j * due * due;
+    let heat = torque * j / capacity * libm::log(libm::cosh(0.4 * (torque * capacity).sqrt() / j))
+        - 0.5 * j * due * due;
     close(joules(run.audit.converters[0]), heat, 1e-9);
     assert!(run.audit.residual().abs() < 1e-10);
 }

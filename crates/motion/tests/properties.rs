@@ -236,7 +236,7 @@ proptest! {
             let q: Vec<f64> = coordinates.iter().map(|link| common::speed(&run, sample, link)).collect();
             (0..2).map(|row| free[row] * (masses[row][0] * q[0] + masses[row][1] * q[1])).sum()
         };
-        let size = (masses[0][0] + masses[1][1]) * free[0].hypot(free[1]) * speeds[0].hypot(speeds[1]) * 10.0;
+        let size = (masses[0][0] + masses[1][1]) * libm::hypot(free[0], free[1]) * libm::hypot(speeds[0], speeds[1]) * 10.0;
         prop_assert!((momentum(run.end()) - momentum(&run.samples[0])).abs() < 1e-12 * size);
         prop_assert!(common::end_speed(&run, "sun").abs() < 1e-10);
         prop_assert!(joules(run.audit.impacts) >= 0.0 && run.audit.residual().abs() < 1e-12);
@@ -259,7 +259,7 @@ const ENDS: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 3]];
 
 impl Plain {
     fn drive(&self, t: f64) -> f64 {
-        self.torque[0] + self.torque[1] * (self.torque[2] * t).sin()
+        self.torque[0] + self.torque[1] * libm::sin(self.torque[2] * t)
     }
 
     /// Speeds after a step, with what each element does in it.

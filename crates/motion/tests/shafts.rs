@@ -49,8 +49,8 @@ fn two_inertias_swing_freely_without_damping() {
         .unwrap();
     let w = (500.0 / reduced()).sqrt();
     let (phi, rate) = (
-        0.05 * (2.0 * w).cos() + 10.0 / w * (2.0 * w).sin(),
-        -0.05 * w * (2.0 * w).sin() + 10.0 * (2.0 * w).cos(),
+        0.05 * libm::cos(2.0 * w) + 10.0 / w * libm::sin(2.0 * w),
+        -0.05 * w * libm::sin(2.0 * w) + 10.0 * libm::cos(2.0 * w),
     );
     close(twist(&run), phi, 1e-9);
     let mean = (J[0] * 20.0 + J[1] * 10.0) / (J[0] + J[1]);
@@ -70,8 +70,8 @@ fn two_inertias_swing_out_with_damping() {
     let decay = d / (2.0 * reduced());
     let w = (c / reduced() - decay * decay).sqrt();
     let t: f64 = 0.15;
-    let phi = phi_0 * (-decay * t).exp() * ((w * t).cos() + decay / w * (w * t).sin());
-    let rate = -phi_0 * (-decay * t).exp() * (w + decay * decay / w) * (w * t).sin();
+    let phi = phi_0 * libm::exp(-decay * t) * (libm::cos(w * t) + decay / w * libm::sin(w * t));
+    let rate = -phi_0 * libm::exp(-decay * t) * (w + decay * decay / w) * libm::sin(w * t);
     close(twist(&run), phi, 1e-9);
     close(end_speed(&run, "a"), J[1] / (J[0] + J[1]) * rate, 1e-9);
     let spent = 0.5 * c * phi_0 * phi_0 - 0.5 * c * phi * phi - 0.5 * reduced() * rate * rate;
@@ -94,12 +94,12 @@ fn a_swinging_torque_forces_two_inertias() {
     let w = (natural - decay * decay).sqrt();
     let a = -cosine;
     let b = (-sine * forced + decay * a) / w;
-    let fading = (-decay * end).exp();
-    let phi = sine * (forced * end).sin()
-        + cosine * (forced * end).cos()
-        + fading * (a * (w * end).cos() + b * (w * end).sin());
+    let fading = libm::exp(-decay * end);
+    let phi = sine * libm::sin(forced * end)
+        + cosine * libm::cos(forced * end)
+        + fading * (a * libm::cos(w * end) + b * libm::sin(w * end));
     close(twist(&run), phi, 1e-9);
-    let mean = t_0 / (forced * (J[0] + J[1])) * (1.0 - (forced * end).cos());
+    let mean = t_0 / (forced * (J[0] + J[1])) * (1.0 - libm::cos(forced * end));
     let found = (J[0] * end_speed(&run, "a") + J[1] * end_speed(&run, "b")) / (J[0] + J[1]);
     close(found, mean, 1e-9);
     assert!(run.audit.residual().abs() < 1e-9);
@@ -155,10 +155,10 @@ fn damped_flanks_part_before_they_are_relaxed_and_do_not_pull() {
     for _ in 0..4 {
         due.push((t, side));
         // δ = v/w·e^(−δt)·sin wt, and c·δ + d·δ̇ = 0.
-        let angle = PI + (-d * w / (c - d * decay)).atan();
-        let fading = (-decay * angle / w).exp();
-        let left = v / w * fading * angle.sin();
-        v = -(v * fading * (angle.cos() - decay / w * angle.sin()));
+        let angle = PI + libm::atan(-d * w / (c - d * decay));
+        let fading = libm::exp(-decay * angle / w);
+        let left = v / w * fading * libm::sin(angle);
+        v = -(v * fading * (libm::cos(angle) - decay / w * libm::sin(angle)));
         assert!(left > 0.0);
         close(left, d / c * v, 1e-9);
         t += angle / w;
@@ -246,7 +246,7 @@ fn a_shaft_between_two_free_links_of_a_set_swings_at_its_frequency() {
     let mut model = Model::new(mechanism);
     model.shaft("spring", ["sun", "ring"], shaft(80.0, 0.0, 0.0)).unwrap();
     let run = model.run(&Start::at_rest().twisted(&[("spring", rad(0.3))]), s(0.4), None).unwrap();
-    close(twist(&run), 0.3 * ((80.0 * mobility).sqrt() * 0.4).cos(), 1e-9);
+    close(twist(&run), 0.3 * libm::cos((80.0 * mobility).sqrt() * 0.4), 1e-9);
 }
 
 #[test]

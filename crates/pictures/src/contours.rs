@@ -232,7 +232,7 @@ fn shown(value: f64) -> String {
 }
 
 fn length(line: &[[f64; 2]]) -> f64 {
-    line.windows(2).map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])).sum()
+    line.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])).sum()
 }
 
 /// The place on a line so far from its start.

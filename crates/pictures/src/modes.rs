@@ -78,7 +78,7 @@ pub fn scene(title: &str, modes: &[Mode]) -> Result<Scene, Error> {
             let centre = Point::new(at[0] + body.centre[0] * scale, at[1] + body.centre[1] * scale);
             let radius = body.radius * scale;
             // Marks of planets point outwards, others to the right.
-            let outwards = body.centre[1].atan2(body.centre[0]);
+            let outwards = libm::atan2(body.centre[1], body.centre[0]);
             let circle = |scene: &mut Scene, centre: Point, angle: f64, style: Option<Style>| {
                 let rim = Point::polar(centre, radius, angle);
                 let inner = Point::polar(centre, 0.6 * radius, angle);
@@ -145,7 +145,7 @@ mod tests {
                 _ => None,
             })
             .collect();
-        let apart = (centres[1].x - centres[0].x).hypot(centres[1].y - centres[0].y);
+        let apart = libm::hypot(centres[1].x - centres[0].x, centres[1].y - centres[0].y);
         assert!((apart - LARGEST * RADIUS_MM).abs() < 1e-9, "{apart}");
     }
 }

@@ -292,7 +292,7 @@ impl Axis {
     /// A tick with the decimals of its step.
     pub(crate) fn label(&self, tick: f64) -> String {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 12
-        let decimals = (-self.step.log10().floor()).clamp(0.0, 12.0) as usize;
+        let decimals = (-libm::log10(self.step).floor()).clamp(0.0, 12.0) as usize;
         let size = self.low.abs().max(self.high.abs());
         if size >= 1e6 || self.step < 1e-4 {
             let text = format!("{:.3e}", if tick.abs() < MARK * size { 0.0 } else { tick });
@@ -309,7 +309,7 @@ impl Axis {
 
 /// The least of 1, 2, 5, 10… of a power of ten that is at least so large.
 fn round_step(step: f64) -> f64 {
-    let power = 10_f64.powf(step.log10().floor());
+    let power = libm::pow(10_f64, libm::log10(step).floor());
     [1.0, 2.0, 5.0]
         .into_iter()
         .map(|part| part * power)

@@ -41,7 +41,7 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
         let letter = rim / 22.0;
         let centre = Point::new(left + rim, 0.0);
         let outline = |curve: &ToothCurve, at: Point, turn: f64| -> Result<Shape, Error> {
-            let (sin, cos) = turn.sin_cos();
+            let (sin, cos) = libm::sincos(turn);
             let points = curve.outline(DEVIATION)?;
             let placed = points.into_iter();
             Ok(Shape::polygon(

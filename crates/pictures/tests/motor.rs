@@ -168,20 +168,20 @@ fn area(shape: &Shape) -> f64 {
 fn distance(vertices: &[Vertex], point: [f64; 2]) -> f64 {
     let side = |(one, next): (&Vertex, &Vertex)| {
         let (dx, dy) = (next.at.x - one.at.x, next.at.y - one.at.y);
-        let chord = dx.hypot(dy);
-        let sweep = 4.0 * one.bulge.atan();
+        let chord = libm::hypot(dx, dy);
+        let sweep = 4.0 * libm::atan(one.bulge);
         // In the chord's frame: along it and to its left.
         let (px, py) = (point[0] - one.at.x, point[1] - one.at.y);
         let (along, left) = ((px * dx + py * dy) / chord, (py * dx - px * dy) / chord);
-        let ends = along.hypot(left).min((along - chord).hypot(left));
+        let ends = libm::hypot(along, left).min(libm::hypot(along - chord, left));
         if sweep.abs() < 1e-9 {
             return if (0.0..=chord).contains(&along) { left.abs() } else { ends };
         }
         // Negative clockwise; the arc's middle lies to the right of the chord counter-clockwise.
-        let radius = 0.5 * chord / (0.5 * sweep).sin();
-        let (x, y) = (along - 0.5 * chord, left - radius * (0.5 * sweep).cos());
-        let from_middle = x.atan2(-y * radius.signum());
-        if from_middle.abs() <= 0.5 * sweep.abs() { (x.hypot(y) - radius.abs()).abs() } else { ends }
+        let radius = 0.5 * chord / libm::sin(0.5 * sweep);
+        let (x, y) = (along - 0.5 * chord, left - radius * libm::cos(0.5 * sweep));
+        let from_middle = libm::atan2(x, -y * radius.signum());
+        if from_middle.abs() <= 0.5 * sweep.abs() { (libm::hypot(x, y) - radius.abs()).abs() } else { ends }
     };
     sides(vertices).map(side).fold(f64::INFINITY, f64::min)
 }
@@ -234,8 +234,8 @@ fn the_stators_arcs_have_the_radii_of_the_motor() {
     assert_eq!((stator.vertices.len(), stator.deviation_mm), (10, 0.0));
     let radii: Vec<f64> = sides(&stator.vertices)
         .map(|(one, next)| {
-            let chord = (next.at.x - one.at.x).hypot(next.at.y - one.at.y);
-            0.5 * chord / (2.0 * one.bulge.atan()).sin()
+            let chord = libm::hypot(next.at.x - one.at.x, next.at.y - one.at.y);
+            0.5 * chord / libm::sin(2.0 * libm::atan(one.bulge))
         })
         .collect();
     // R₂ and R₁ of the source's vector, for a module of 2 mm; R₁ bends the other way.

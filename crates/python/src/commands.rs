@@ -4,8 +4,8 @@ use clap::{Arg, ArgAction, Command};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
-/// Commands for a shell. A build of the whole workspace has those of the program in its library.
-const OF_SHELLS: [&str; 3] = ["help", "completions", "man"];
+/// Commands of the program alone. A build of the whole workspace has those of the program in its library.
+const OF_THE_PROGRAM: [&str; 4] = ["help", "serve", "completions", "man"];
 
 /// All commands that answer, as JSON: name, what the help says, arguments.
 #[pyfunction]
@@ -18,8 +18,9 @@ pub(crate) fn commands() -> String {
 }
 
 fn collect(command: &Command, path: &mut Vec<String>, found: &mut Vec<Value>) {
-    for one in
-        command.get_subcommands().filter(|one| !OF_SHELLS.contains(&one.get_name()) && !one.is_hide_set())
+    for one in command
+        .get_subcommands()
+        .filter(|one| !OF_THE_PROGRAM.contains(&one.get_name()) && !one.is_hide_set())
     {
         path.push(one.get_name().to_owned());
         if !one.is_subcommand_required_set() {

@@ -198,7 +198,7 @@ fn range(what: SeriesParameter, value: f64) -> Result<(), Error> {
 pub fn step(speed_range: f64, count: usize) -> Result<f64, Error> {
     counts(count, 1)?;
     range(SeriesParameter::SpeedRange, speed_range)?;
-    Ok(speed_range.powf(1.0 / (count as f64 - 1.0)))
+    Ok(libm::pow(speed_range, 1.0 / (count as f64 - 1.0)))
 }
 
 /// A numbered series of the source, as printed.

@@ -52,7 +52,7 @@ pub fn optimal_speed(
     positive(Quantity::SlewingSpeed, rad_per_s(slewing), "rad/s")?;
     positive(Quantity::ChipWidth, metres(chip_width), "m")?;
     positive(Quantity::Buckets, f64::from(buckets), "")?;
-    let cos = radians(boom_angle).cos();
+    let cos = libm::cos(radians(boom_angle));
     let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
     if !is_acute {
         return Err(Error::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
@@ -133,19 +133,19 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
     if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
         return Err(refuse(FlightFault::OutOfRange));
     }
-    if tau1.sin() <= 0.0 {
+    if libm::sin(tau1) <= 0.0 {
         return Err(refuse(FlightFault::ReleaseBelowAxis));
     }
     // Time of flight times ω·sin τ₁, from the horizontal way.
-    let across = tau1.cos() - radius_ratio * tau.cos();
-    let fall = 1.0 - radius_ratio * (tau - tau1).cos();
+    let across = libm::cos(tau1) - radius_ratio * libm::cos(tau);
+    let fall = 1.0 - radius_ratio * libm::cos(tau - tau1);
     if across <= 0.0 {
         return Err(refuse(FlightFault::ChuteBehind));
     }
     if fall <= 0.0 {
         return Err(refuse(FlightFault::ChuteAbove));
     }
-    Ok(across * across / (2.0 * tau1.sin() * fall))
+    Ok(across * across / (2.0 * libm::sin(tau1) * fall))
 }
 
 /// Range of the wheel's speeds: `d_p = ω_max/ω_min = ω_max·√(R_p/(Ω·g))`.
@@ -214,7 +214,7 @@ mod tests {
                 refused.set(refused.get() + 1);
                 // The chute lies behind the release, or above its tangent.
                 let (behind, above) =
-                    (tau1.cos() <= epsilon * tau.cos(), epsilon * (tau - tau1).cos() >= 1.0);
+                    (libm::cos(tau1) <= epsilon * libm::cos(tau), epsilon * libm::cos(tau - tau1) >= 1.0);
                 prop_assert!(behind || above, "{tau1} {tau} {epsilon}");
                 return Ok(());
             };
@@ -222,13 +222,14 @@ mod tests {
             let gravity = 9.81_f64;
             let speed = (found * gravity * radius).sqrt();
             // From (R·cos τ₁, R·sin τ₁) along the tangent (−sin τ₁, cos τ₁).
-            let goal = [epsilon * radius * tau.cos(), epsilon * radius * tau.sin()];
-            let time = (radius * tau1.cos() - goal[0]) / (speed * tau1.sin());
-            let height = radius * tau1.sin() + speed * tau1.cos() * time - gravity * time * time / 2.0;
+            let goal = [epsilon * radius * libm::cos(tau), epsilon * radius * libm::sin(tau)];
+            let time = (radius * libm::cos(tau1) - goal[0]) / (speed * libm::sin(tau1));
+            let height =
+                radius * libm::sin(tau1) + speed * libm::cos(tau1) * time - gravity * time * time / 2.0;
             prop_assert!(time > 0.0);
             // The way across is a difference of cosines: what it cancels, the time of flight has lost.
-            let lost =
-                radius * (tau1.cos().abs() + epsilon * tau.cos().abs()) / (radius * tau1.cos() - goal[0]);
+            let lost = radius * (libm::cos(tau1).abs() + epsilon * libm::cos(tau).abs())
+                / (radius * libm::cos(tau1) - goal[0]);
             let scale = (radius + (speed * time).abs() + gravity * time * time) * (1.0 + lost);
             prop_assert!((height - goal[1]).abs() < 1e-13 * scale, "{} {}", height, goal[1]);
             Ok(())

@@ -274,8 +274,9 @@ impl Candidate {
             let met = value >= least - slack && value <= greatest + slack;
             Verdict { criterion, value, limits: [least, greatest], met, required: true, evidence }
         };
-        let preferred = f64::midpoint(limits.preferred.start().ln(), limits.preferred.end().ln());
-        let far = |k: f64| (k.ln() - preferred).abs();
+        let preferred =
+            f64::midpoint(libm::log(*limits.preferred.start()), libm::log(*limits.preferred.end()));
+        let far = |k: f64| (libm::log(k) - preferred).abs();
         let odd = (0..self.k.len()).max_by(|a, b| far(self.k[*a]).total_cmp(&far(self.k[*b]))).unwrap_or(0);
         let error = |gear: &GearReport| (gear.ratio / gear.wanted - 1.0).abs();
         let off = self.gears.iter().max_by(|a, b| error(a).total_cmp(&error(b)));

@@ -123,7 +123,7 @@ impl Objectives {
         let [efficiency, speed, distance, error, circulation] = [
             -self.efficiency,
             self.speed,
-            self.ring_to_sun.exp(),
+            libm::exp(self.ring_to_sun),
             self.ratio_error,
             self.circulation.unwrap_or(0.0),
         ]
@@ -135,8 +135,8 @@ impl Objectives {
         [efficiency, speed, distance, ratio_error, cube]: Costs,
         circulation: Option<f64>,
     ) -> Self {
-        let ring_to_sun = distance.ln();
-        Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: cube.cbrt(), circulation }
+        let ring_to_sun = libm::log(distance);
+        Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: libm::cbrt(cube), circulation }
     }
 
     /// Whether this is nowhere worse than the other and somewhere better.
@@ -150,9 +150,9 @@ impl Objectives {
 #[inline]
 pub(crate) fn ring_to_sun_distance(k: f64, low: f64, high: f64) -> f64 {
     if k < low {
-        (low / k).ln()
+        libm::log(low / k)
     } else if k > high {
-        (k / high).ln()
+        libm::log(k / high)
     } else {
         0.0
     }

@@ -85,7 +85,7 @@ impl Rating {
     #[must_use]
     pub fn unit(&self) -> Option<Length> {
         let (torque, load_factor) = self.load?;
-        Some(metres((2.0 * n_m(torque) / (self.face_width_ratio * pascal(load_factor))).cbrt()))
+        Some(metres(libm::cbrt(2.0 * n_m(torque) / (self.face_width_ratio * pascal(load_factor)))))
     }
 }
 
@@ -106,7 +106,7 @@ pub(crate) fn cube_of_ring_to_sun_ratio(k: f64) -> f64 {
 /// | `K_γ/N` | `rating`, `planets` | share of the most loaded planet |
 #[must_use]
 pub fn relative_ring_diameter(k: f64, sun_torque: f64, planets: u32, rating: &Rating) -> f64 {
-    (cube_of_ring_to_sun_ratio(k) * sun_torque.abs() * rating.share(planets)).cbrt()
+    libm::cbrt(cube_of_ring_to_sun_ratio(k) * sun_torque.abs() * rating.share(planets))
 }
 
 #[cfg(test)]

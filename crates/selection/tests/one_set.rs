@@ -55,7 +55,7 @@ fn costs(requirements: &Requirements, set: SetRoles, wanted: f64, teeth: ToothNu
     let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
     let torque = gear.driving()?.members[0].as_ref()?[0];
     let size = relative_ring_diameter(k, torque, teeth.planets, &requirements.rating);
-    let distance = (k.ln() - k.clamp(low, high).ln()).abs();
+    let distance = (libm::log(k) - libm::log(k.clamp(low, high))).abs();
     met.then_some([-efficiency, links.max(planets), distance, error, size])
 }
 

@@ -126,12 +126,12 @@ pub fn life_modification(
     } else {
         (1.9987, 1.2348, 0.071_739)
     };
-    let film = kappa.powf(exponent);
+    let film = libm::pow(kappa, exponent);
     let (rest, power) = match rolling {
-        Rolling::Balls => (1.0 - (2.5671 - balls / film).powf(0.83) * ratio.cbrt(), -9.3),
-        Rolling::Rollers => (1.0 - (1.5859 - rollers / film) * ratio.powf(0.4), -9.185),
+        Rolling::Balls => (1.0 - libm::pow(2.5671 - balls / film, 0.83) * libm::cbrt(ratio), -9.3),
+        Rolling::Rollers => (1.0 - (1.5859 - rollers / film) * libm::pow(ratio, 0.4), -9.185),
     };
-    Ok(if rest > 0.0 { (0.1 * rest.powf(power)).min(MOST) } else { MOST })
+    Ok(if rest > 0.0 { (0.1 * libm::pow(rest, power)).min(MOST) } else { MOST })
 }
 
 /// `κ` of the oil's viscosity at its temperature.
@@ -147,7 +147,7 @@ pub fn viscosity_ratio(
     let turns = positive(Quantity::Speed, rpm(speed).abs(), "rpm")?;
     let diameter = positive(Quantity::MeanDiameter, mm(mean_diameter), "mm")?;
     let needed = if turns < 1000.0 {
-        45_000.0 * turns.powf(-0.83) / diameter.sqrt()
+        45_000.0 * libm::pow(turns, -0.83) / diameter.sqrt()
     } else {
         4500.0 / (turns * diameter).sqrt()
     };

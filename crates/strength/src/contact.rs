@@ -45,8 +45,8 @@ use std::f64::consts::PI;
 pub fn zone_factor(pair: &Pair, base_helix: f64) -> f64 {
     let first = &pair.gears()[0];
     let (cos_alpha_t, tan_alpha_wt) =
-        (first.base_diameter() / first.reference_diameter(), pair.working_angle_rad().tan());
-    (2.0 * base_helix.cos() / tan_alpha_wt).sqrt() / cos_alpha_t
+        (first.base_diameter() / first.reference_diameter(), libm::tan(pair.working_angle_rad()));
+    (2.0 * libm::cos(base_helix) / tan_alpha_wt).sqrt() / cos_alpha_t
 }
 
 /// `Z_E`, √(N/mm²).
@@ -68,7 +68,7 @@ pub fn contact_ratio_factor(transverse: f64, overlap: f64) -> f64 {
 /// `Z_β`.
 #[must_use]
 pub fn helix_factor(pair: &Pair, edition: Edition) -> f64 {
-    let root = units::radians(pair.gears()[0].profile().helix_angle).cos().sqrt();
+    let root = libm::cos(units::radians(pair.gears()[0].profile().helix_angle)).sqrt();
     match edition {
         Edition::Iso2006 => root,
         Edition::Iso2006Corrected => root.recip(),
@@ -84,9 +84,9 @@ pub fn single_contact_factors(pair: &Pair, overlap: f64) -> Result<[f64; 2], Err
         return Ok([1.0, 1.0]);
     }
     let [from, to] = pair.contact();
-    let line = pair.centre_distance() * pair.working_angle_rad().sin();
+    let line = pair.centre_distance() * libm::sin(pair.working_angle_rad());
     let product = |own: f64| own * if pair.is_internal() { own + line } else { line - own };
-    let at_pitch_point = product(pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin());
+    let at_pitch_point = product(pair.working_diameters()[0] / 2.0 * libm::sin(pair.working_angle_rad()));
     let of = |own: f64| {
         let there = product(own);
         if own > 0.0 && there > 0.0 {
@@ -107,7 +107,7 @@ pub fn single_contact_factors(pair: &Pair, overlap: f64) -> Result<[f64; 2], Err
 #[must_use]
 pub fn reduced_radius(pair: &Pair) -> f64 {
     let [first, second] =
-        pair.gears().map(|gear| gear.base_diameter() / 2.0 * pair.working_angle_rad().tan());
+        pair.gears().map(|gear| gear.base_diameter() / 2.0 * libm::tan(pair.working_angle_rad()));
     let second = if pair.is_internal() { -second } else { second };
     first * second / (first + second)
 }
@@ -144,8 +144,8 @@ pub fn velocity_factor(limit: f64, speed: f64) -> f64 {
 #[must_use]
 pub fn roughness_factor(limit: f64, roughness: [f64; 2], reduced_radius: f64) -> f64 {
     let exponent = between(limit, 0.15, 0.32 - 0.0002 * limit, 0.08);
-    let relative = f64::midpoint(roughness[0], roughness[1]) * (10.0 / reduced_radius).cbrt();
-    (3.0 / relative).powf(exponent)
+    let relative = f64::midpoint(roughness[0], roughness[1]) * libm::cbrt(10.0 / reduced_radius);
+    libm::pow(3.0 / relative, exponent)
 }
 
 /// `Z_W` of a gear: of a soft one in mesh with a surface-hardened one, else 1. Roughness of itself and of its mate, µm; `ρ_red`, mm;
@@ -168,9 +168,10 @@ pub fn work_hardening_factor(
         symbol: Symbol::WorkHardening,
         because: "the soft gear's Brinell hardness is needed",
     })?;
-    let equivalent =
-        mate_roughness * (10.0 / reduced_radius).powf(0.33) * (mate_roughness / own_roughness).powf(0.66)
-            / (viscosity * speed / 1500.0).powf(0.33);
+    let equivalent = mate_roughness
+        * libm::pow(10.0 / reduced_radius, 0.33)
+        * libm::pow(mate_roughness / own_roughness, 0.66)
+        / libm::pow(viscosity * speed / 1500.0, 0.33);
     let softness = 1.2 - (hardness.clamp(130.0, 470.0) - 130.0) / 1700.0;
-    Ok(softness * (3.0 / equivalent.clamp(3.0, 16.0)).powf(0.15))
+    Ok(softness * libm::pow(3.0 / equivalent.clamp(3.0, 16.0), 0.15))
 }

@@ -185,7 +185,7 @@ fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor
     let [first, second] = pair.gears();
     let profile = first.profile();
     let helix = radians(profile.helix_angle);
-    let narrowing = base_helix.cos().powi(2) * helix.cos();
+    let narrowing = libm::cos(base_helix).powi(2) * libm::cos(helix);
     let (x1, x2) = (first.shift(), second.shift());
     let per_z1 = narrowing / first.teeth().as_f64();
     let per_z2 = if pair.is_internal() { 0.0 } else { narrowing / second.teeth().as_f64() };
@@ -203,7 +203,7 @@ fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor
     };
     let [e1, e2] = moduli;
     let elasticity = 2.0 * e1 * e2 / (e1 + e2) / STEEL;
-    Ok(0.8 * blank * f64::midpoint(rack(first), rack(second)) * helix.cos() / q * elasticity)
+    Ok(0.8 * blank * f64::midpoint(rack(first), rack(second)) * libm::cos(helix) / q * elasticity)
 }
 
 /// `c_γα` of `c'` and `ε_α`.
@@ -404,7 +404,7 @@ impl Constants {
         let v7 = if total <= 1.5 {
             0.75
         } else if total <= 2.5 {
-            0.125 * (PI * (total - 2.0)).sin() + 0.875
+            0.125 * libm::sin(PI * (total - 2.0)) + 0.875
         } else {
             1.0
         };

@@ -31,11 +31,11 @@ pub fn ohlendorf_loss_factor(pair: &Pair) -> f64 {
     let (z1, z2) = (first.teeth().as_f64(), second.teeth().as_f64());
     let sign = if pair.is_internal() { -1.0 } else { 1.0 };
     let [from, to] = pair.contact();
-    let pitch_point = pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin();
+    let pitch_point = pair.working_diameters()[0] / 2.0 * libm::sin(pair.working_angle_rad());
     let [one, two] = [to - pitch_point, pitch_point - from].map(|part| part / pair.base_pitch());
     let form = (z2 + sign * z1) / (z1 * z2);
     let beta_b = first.profile().base_helix_rad();
-    PI * form / beta_b.cos() * (1.0 - (one + two) + one * one + two * two)
+    PI * form / libm::cos(beta_b) * (1.0 - (one + two) + one * one + two * two)
 }
 
 /// `P_V` by the closed form.

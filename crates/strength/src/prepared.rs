@@ -211,7 +211,7 @@ impl<'a> Prepared<'a> {
             .gears()
             .map(|gear| (gear.tip_diameter() - gear.root_diameter()).abs() / 2.0 * self.module_mm);
         let face_root = given.or(Side::First, Symbol::FaceRoot, part1("clause 7"), || {
-            Ok(face_contact.value.powf(load::face_exponent(heights, self.face_mm)))
+            Ok(libm::pow(face_contact.value, load::face_exponent(heights, self.face_mm)))
         })?;
         let load = line_load * dynamic.value * face_contact.value;
         let transverse = |index: usize, symbol| {
@@ -324,7 +324,7 @@ impl PreparedGear {
             (Some(rim), GearKind::External) => factors::rim_factor_external(mm(rim) / (height * module_mm)),
             (Some(rim), GearKind::Internal) => factors::rim_factor_internal(mm(rim) / module_mm),
         })?;
-        let narrowing = base_helix.cos().powi(2);
+        let narrowing = libm::cos(base_helix).powi(2);
         let deep = take(Symbol::DeepTooth, part3("clause 10.2"), &|| {
             Ok(factors::deep_tooth_factor(transverse / narrowing, method.accuracy_grade))
         })?;

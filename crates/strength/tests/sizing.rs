@@ -241,10 +241,11 @@ fn tried(
                 let carrier = sun * (1.0 + zr / zs);
                 let tangential = carrier / (p * centre);
                 let on_sun = sun / (p * centre * zs / (zs + zp));
-                let [a1, a2] = [set.sun_mesh(), set.ring_mesh()].map(|pair| pair.working_angle_rad().tan());
+                let [a1, a2] =
+                    [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
                 let radial = on_sun * a1 - (tangential - on_sun) * a2
                     + planet_kg * centre * step.carrier_speed.get::<radian_per_second>().powi(2);
-                let load = Force::new::<newton>(tangential.hypot(radial));
+                let load = Force::new::<newton>(libm::hypot(tangential, radial));
                 let speed = step.sun_speed * (zs / zp);
                 let life = basic_rating_life(bearing.rolling, bearing.load_rating, load, speed).unwrap();
                 life.map_or(0.0, |life| step.share / life.get::<hour>())

@@ -164,7 +164,7 @@ impl Grid {
                         if cut == cuts {
                             most
                         } else {
-                            least * (most / least).powf(f64::from(cut) / f64::from(cuts))
+                            least * libm::pow(most / least, f64::from(cut) / f64::from(cuts))
                         }
                     })
                     .collect()

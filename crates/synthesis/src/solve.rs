@@ -182,7 +182,7 @@ impl<'a> Solver<'a> {
                 }
             }
             let after = spread(cuboid);
-            if after < before && after.ln() < WORTH_MORE * before.ln() {
+            if after < before && libm::log(after) < WORTH_MORE * libm::log(before) {
                 continue;
             }
             let (widest, width) = widest(cuboid)?;

@@ -28,7 +28,7 @@ pub(crate) fn signs<Signs: AsMut<[i8]>>(powers: &[f64], largest: f64, mut signs:
 /// `η^w` of a segment at `share` of its loss.
 #[inline]
 pub(crate) fn part(eta: f64, sign: i8, share: f64) -> f64 {
-    let eta = if share < 1.0 { eta.powf(share) } else { eta };
+    let eta = if share < 1.0 { libm::pow(eta, share) } else { eta };
     match sign {
         1 => eta,
         -1 => 1.0 / eta,

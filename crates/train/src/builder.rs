@@ -272,9 +272,9 @@ impl GearboxBuilder {
         let exponent: f64 = gearbox
             .equations
             .iter()
-            .map(|one| (1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())).log10())
+            .map(|one| libm::log10(1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())))
             .sum();
-        if exponent > SPREAD.log10() {
+        if exponent > libm::log10(SPREAD) {
             return Err(Error::Spread { exponent });
         }
         for (id, [first, second], one_way) in self.shift_elements {

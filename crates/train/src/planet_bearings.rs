@@ -286,7 +286,7 @@ impl PlanetSet {
                 contact.pitch_radius = Some(metres(pair.pitch_radii[own]));
                 let angle_rad = if own == 0 { pair.angle_rad } else { -pair.angle_rad };
                 let towards = |radius: f64, other: f64| {
-                    let (sin, cos) = angle_rad.sin_cos();
+                    let (sin, cos) = libm::sincos(angle_rad);
                     [(other * cos - radius) / pair.distance, other * sin / pair.distance]
                 };
                 contact.direction =

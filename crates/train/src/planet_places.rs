@@ -217,12 +217,47 @@ fn pair(
     if cosine.is_nan() || cosine.abs() > 1.0 + FLAT {
         return Err(NoPair::Triangle { radii: [r1, r2], distance });
     }
-    let ahead_rad = cosine.clamp(-1.0, 1.0).acos();
+    let ahead_rad = libm::acos(cosine.clamp(-1.0, 1.0));
     Ok(Pair {
         distance,
         pitch_radii: mesh.pitch_radii().map(|radius| module * radius),
         angle_rad: if is_behind { -ahead_rad } else { ahead_rad },
     })
+}
+
+/// A set of unshifted gears seen along its axis. Lengths are in modules of its first mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AlongAxis {
+    /// Module of each mesh, over that of the first: of a stepped planet the modules that its one centre distance asks for.
+    pub modules: Vec<f64>,
+    /// Radius of each planet's centre, and its angle about the axis in rad. The first planet stands at 0.
+    pub planets: Vec<[f64; 2]>,
+}
+
+impl PlanetSet {
+    /// Where the planets of a set stand as its teeth alone say it; nothing where a tooth number is not known, of bevel gears, of pairs on fixed
+    /// axes, and where two planets in mesh do not reach each other.
+    #[must_use]
+    pub fn along_axis(&self) -> Option<AlongAxis> {
+        let mut given = Given::nothing(self);
+        *given.modules.first_mut()? = Some(1.0);
+        let first = places(self, &given);
+        // Modules that no centre distance asks for are those of the first mesh.
+        let given = Given { modules: first.modules, radii: first.radii, module: Some(1.0), ..given };
+        let places = places(self, &given);
+        let reach = |pair: &Result<Pair, NoPair>| matches!(pair, Ok(_) | Err(NoPair::OtherMesh));
+        let has_all_teeth =
+            self.meshes().iter().flat_map(|mesh| mesh.gears).all(|gear| teeth_of(self, gear).is_some());
+        if !has_all_teeth || !places.pairs.iter().all(reach) || self.planets().is_empty() {
+            return None;
+        }
+        let angles = places.angles(self);
+        let radii = places.radii.iter().copied().collect::<Option<Vec<_>>>()?;
+        Some(AlongAxis {
+            modules: places.modules.iter().copied().collect::<Option<_>>()?,
+            planets: radii.into_iter().zip(angles).map(|(radius, (_, angle))| [radius, angle]).collect(),
+        })
+    }
 }
 
 impl Places {

@@ -476,7 +476,7 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
         (MeshLoss::Meshes { first, between, second }, _) => [first, between, second],
         (MeshLoss::Set(eta), 0) => [eta; 3],
         (MeshLoss::Set(eta), planets) => {
-            let each = eta.get().powf(1.0 / (planets + 1) as f64);
+            let each = libm::pow(eta.get(), 1.0 / (planets + 1) as f64);
             [MeshEfficiency::new(each).unwrap_or(eta); 3]
         }
     };

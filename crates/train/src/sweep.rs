@@ -174,7 +174,7 @@ impl Sweep {
         }
         let spread = self.ratios.iter().map(|i| 1.0 + i.abs().max(1.0 / i.abs())).product::<f64>();
         if spread > SPREAD {
-            let of = |i: &f64| (1.0 + i.abs().max(1.0 / i.abs())).log10();
+            let of = |i: &f64| libm::log10(1.0 + i.abs().max(1.0 / i.abs()));
             return Err(Error::Spread { exponent: self.ratios.iter().map(of).sum() });
         }
         found.clear();

@@ -180,7 +180,7 @@ fn forces(set: &PlanetSet, centres: &[[f64; 2]], torques: &[f64], planets: f64) 
             [Some(one), Some(other)] => {
                 let [z1, z2] = mesh.gears.map(z);
                 let apart = plus(centres[other], centres[one], -1.0);
-                let distance = apart[0].hypot(apart[1]);
+                let distance = libm::hypot(apart[0], apart[1]);
                 let along = apart.map(|part| part / distance);
                 balance[(centrals + one, place)] = distance * z1 / (z1 + z2);
                 balance[(centrals + other, place)] = distance * z2 / (z1 + z2);
@@ -193,7 +193,7 @@ fn forces(set: &PlanetSet, centres: &[[f64; 2]], torques: &[f64], planets: f64) 
                     if one.is_some() { [1, 0] } else { [0, 1] }.map(|place: usize| mesh.gears[place]);
                 let GearOf::Central(member) = central else { panic!("{central:?}") };
                 let (z_c, z_p) = (z(central), z(gear));
-                let radius = centres[planet][0].hypot(centres[planet][1]);
+                let radius = libm::hypot(centres[planet][0], centres[planet][1]);
                 let outwards = centres[planet].map(|part| part / radius);
                 let (sign, of) = match mesh.kind {
                     MeshKind::Internal => (1.0, radius / (z_c - z_p)),
@@ -214,7 +214,7 @@ fn forces(set: &PlanetSet, centres: &[[f64; 2]], torques: &[f64], planets: f64) 
     for (presses, force) in presses.into_iter().zip(found.iter()) {
         for (planet, across, away) in presses {
             sum[planet] = plus(sum[planet], across, *force);
-            sum[planet] = plus(sum[planet], away, force.abs() * ALPHA_RAD.tan());
+            sum[planet] = plus(sum[planet], away, force.abs() * libm::tan(ALPHA_RAD));
         }
     }
     (sum, residual)
@@ -442,12 +442,12 @@ proptest! {
         let found = alone(set).tooth_checks(&form);
         let radius = f64::from(sun + planet) / 2.0;
         let at = |place: u32| {
-            let (sin, cos) = (TAU * f64::from(place) / f64::from(count)).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * f64::from(place) / f64::from(count));
             [radius * cos, radius * sin]
         };
         let gap = |other: u32| {
             let apart = plus(at(other), at(0), -1.0);
-            apart[0].hypot(apart[1]) - f64::from(planet) - 2.0 * addendum
+            libm::hypot(apart[0], apart[1]) - f64::from(planet) - 2.0 * addendum
         };
         let overlap = (1..count).map(gap).fold(f64::INFINITY, f64::min);
         prop_assume!(overlap.abs() > 1e-6);

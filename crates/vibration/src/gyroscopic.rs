@@ -139,7 +139,7 @@ impl Model {
                 loads.iter().zip(&body.orbiting).map(|(load, planet)| load * part(planet.angle_rad)).sum()
             };
             let sum: f64 = loads.iter().sum();
-            let resultant = along(f64::cos).hypot(along(f64::sin));
+            let resultant = libm::hypot(along(libm::cos), along(libm::sin));
             if resultant > tolerance::BALANCE * sum {
                 return Err(Error::Unbalanced { carrier: body.name.clone(), resultant: resultant / sum });
             }

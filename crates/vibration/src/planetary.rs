@@ -173,7 +173,7 @@ impl PlanetarySet {
         let [alpha_s, alpha_r] = self.pressure_angles()?;
         for (index, planet) in self.planets.iter().enumerate() {
             let (p, number, psi) = (parts.planets[index], index + 1, radians(planet.angle));
-            let line = |angle: f64| [-angle.sin(), angle.cos()];
+            let line = |angle: f64| [-libm::sin(angle), libm::cos(angle)];
             let between = |one: BodyId, [x, y]: [f64; 2]| {
                 [(one, Axis::X, x), (one, Axis::Y, y), (p, Axis::X, -x), (p, Axis::Y, -y)]
             };
@@ -199,7 +199,7 @@ impl PlanetarySet {
                 &[(ring, u, 1.0), (p, u, -1.0)],
             )?);
             let name = format!("{prefix}bearing of planet {number}");
-            let radial = [psi.cos(), psi.sin()];
+            let radial = [libm::cos(psi), libm::sin(psi)];
             let radial = spring(format!("{name}, radial"), planet.bearing, carrier, radial, &[])?;
             let turned = [(carrier, u, 1.0)];
             let tangential =
@@ -224,10 +224,10 @@ impl PlanetarySet {
         let u = Axis::Rotation;
         for (index, planet) in self.planets.iter().enumerate() {
             let (p, number, carrier) = (parts.planets[index], index + 1, parts.carrier);
-            let terms = [(parts.sun, u, 1.0), (p, u, 1.0), (carrier, u, -alpha_s.cos())];
+            let terms = [(parts.sun, u, 1.0), (p, u, 1.0), (carrier, u, -libm::cos(alpha_s))];
             let name = format!("{prefix}mesh of sun and planet {number}");
             parts.sun_meshes.push(model.spring(&name, planet.sun_mesh, &terms)?);
-            let terms = [(parts.ring, u, 1.0), (p, u, -1.0), (carrier, u, -alpha_r.cos())];
+            let terms = [(parts.ring, u, 1.0), (p, u, -1.0), (carrier, u, -libm::cos(alpha_r))];
             let name = format!("{prefix}mesh of ring and planet {number}");
             parts.ring_meshes.push(model.spring(&name, planet.ring_mesh, &terms)?);
         }

@@ -124,10 +124,10 @@ pub fn torsional(
         for (index, planet) in set.planets.iter().enumerate() {
             let number = index + 1;
             let p = model.body(&format!("{name}planet {number}"), &planet.body, Freedom::Rotation)?;
-            let terms = [(sun, u, r_s), (p, u, 1.0), (carrier, u, -r_c * alpha_s.cos())];
+            let terms = [(sun, u, r_s), (p, u, 1.0), (carrier, u, -r_c * libm::cos(alpha_s))];
             let mesh = format!("{name}mesh of sun and planet {number}");
             sun_meshes.push(model.spring(&mesh, planet.sun_mesh, &terms)?);
-            let terms = [(ring, u, r_r), (p, u, -1.0), (carrier, u, -r_c * alpha_r.cos())];
+            let terms = [(ring, u, r_r), (p, u, -1.0), (carrier, u, -r_c * libm::cos(alpha_r))];
             let mesh = format!("{name}mesh of ring and planet {number}");
             ring_meshes.push(model.spring(&mesh, planet.ring_mesh, &terms)?);
             planets.push(p);

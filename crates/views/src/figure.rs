@@ -258,7 +258,7 @@ pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
     if largest == 0.0 {
         return 0;
     }
-    let before_the_point = largest.log10().floor() as i32;
+    let before_the_point = libm::log10(largest).floor() as i32;
     usize::try_from(DIGITS as i32 - 1 - before_the_point).unwrap_or(0).min(DECIMALS)
 }
 

@@ -65,7 +65,7 @@ pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>
         };
         let centre = motion.planet.map_or([0.0; 2], |number| {
             let angle = TAU * f64::from(number - 1) / f64::from(set.planets);
-            [circle * angle.cos(), circle * angle.sin()]
+            [circle * libm::cos(angle), circle * libm::sin(angle)]
         });
         Some(modes::Body { part, centre, radius, motion: [motion.x, motion.y, motion.u] })
     };

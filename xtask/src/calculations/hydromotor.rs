@@ -157,11 +157,11 @@ fn stator_arcs(given: &ArcsGiven) -> Result<Results, Refusal> {
         let [gamma, beta] = [arcs.trough_angle(), arcs.crest_angle()].map(|angle| angle.get::<radian>());
         let theta = PI / f64::from(numbers.stator_lobes());
         let share = PI * given.module.0.get::<meter>() * f64::from(numbers.teeth_per_lobe()) / 2.0;
-        let distance = (a * a + l * l - 2.0 * a * l * theta.cos()).sqrt();
+        let distance = (a * a + l * l - 2.0 * a * l * libm::cos(theta)).sqrt();
         let left = [
             (r1 + r2 - distance) / distance,
             (r1 * gamma + r2 * beta - share) / share,
-            ((r1 + r2) / theta.sin() - a / gamma.sin()) * theta.sin() / distance,
+            ((r1 + r2) / libm::sin(theta) - a / libm::sin(gamma)) * libm::sin(theta) / distance,
             beta - theta - gamma,
         ];
         results.answer(format!("{prefix}system_holds"), left.iter().all(|left| left.abs() < 1e-12));

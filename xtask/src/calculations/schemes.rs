@@ -693,11 +693,11 @@ fn discharge(given: &DischargeGiven) -> Result<Results, Refusal> {
     let omega = rotor::discharge(release, chute, epsilon)?;
     // Fly it: wheel of radius 1, g = 1, so that the speed is √Ω.
     let (tau1, tau, speed) = (release.value, chute.value, omega.sqrt());
-    let time = (tau1.cos() - epsilon * tau.cos()) / (speed * tau1.sin());
-    let height = tau1.sin() + speed * tau1.cos() * time - time * time / 2.0;
+    let time = (libm::cos(tau1) - epsilon * libm::cos(tau)) / (speed * libm::sin(tau1));
+    let height = libm::sin(tau1) + speed * libm::cos(tau1) * time - time * time / 2.0;
     let mut results = Results::default();
     results
         .number("discharge", omega)
-        .answer("flies_there", (height - epsilon * tau.sin()).abs() < 1e-12 * (1.0 + time * time));
+        .answer("flies_there", (height - epsilon * libm::sin(tau)).abs() < 1e-12 * (1.0 + time * time));
     Ok(results)
 }

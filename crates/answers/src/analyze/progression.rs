@@ -151,10 +151,10 @@ impl Ideal {
     fn of(ratios: &[f64], factor: Option<f64>) -> Result<Self, [f64; 2]> {
         let steps = ratios.len() as f64 - 1.0;
         let spread = ratios[0] / ratios[ratios.len() - 1];
-        let step = spread.powf(steps.recip());
+        let step = libm::pow(spread, steps.recip());
         let mut ideal = Self { spread, step, factor: None };
         if ratios.len() > 2 {
-            let most = spread.powf(2.0 / (steps * (steps - 1.0)));
+            let most = libm::pow(spread, 2.0 / (steps * (steps - 1.0)));
             if factor.is_some_and(|factor| !(factor > most.recip() && factor < most)) {
                 return Err([most.recip(), most]);
             }
@@ -168,19 +168,19 @@ impl Ideal {
         let (mut above, mut below) = (0.0, 0.0);
         for (rank, ratio) in ratios.iter().enumerate() {
             let bend = bend(ratios.len(), rank);
-            above += (ratio / self.geometric(ratios, rank)).ln() * bend;
+            above += libm::log(ratio / self.geometric(ratios, rank)) * bend;
             below += bend * bend;
         }
-        (above / below).exp()
+        libm::exp(above / below)
     }
 
     fn geometric(&self, ratios: &[f64], rank: usize) -> f64 {
-        ratios[0] / self.step.powf(rank as f64)
+        ratios[0] / libm::pow(self.step, rank as f64)
     }
 
     fn deviation(&self, ratios: &[f64], rank: usize) -> Deviation {
         let geometric = self.geometric(ratios, rank);
-        let progressive = |factor: f64| geometric * factor.powf(bend(ratios.len(), rank));
+        let progressive = |factor: f64| geometric * libm::pow(factor, bend(ratios.len(), rank));
         // First and last are theirs by definition.
         let is_end = rank == 0 || rank + 1 == ratios.len();
         let over = |ideal: f64| if is_end { 0.0 } else { ratios[rank] / ideal - 1.0 };
@@ -232,9 +232,9 @@ mod tests {
     fn the_factor_that_is_found_fits_best() {
         let ratios = [4.714, 3.143, 2.106, 1.667, 1.285, 1.0, 0.839, 0.667];
         let sum = |factor: f64| {
-            let base = (ratios[0] / ratios[7] / factor.powi(21)).powf(1.0 / 7.0);
+            let base = libm::pow(ratios[0] / ratios[7] / factor.powi(21), 1.0 / 7.0);
             let ideal = progressive(ratios[7], base, factor, 8);
-            ratios.iter().zip(ideal).map(|(ratio, ideal)| (ratio / ideal).ln().powi(2)).sum::<f64>()
+            ratios.iter().zip(ideal).map(|(ratio, ideal)| libm::log(ratio / ideal).powi(2)).sum::<f64>()
         };
         let best = Ideal::of(&ratios, None).unwrap().factor.unwrap();
         assert!(best > 1.0 && sum(best) < sum(best * 1.001) && sum(best) < sum(best / 1.001), "{best}");
@@ -246,7 +246,7 @@ mod tests {
         let [least, most] = Ideal::of(&ratios, Some(2.0)).unwrap_err();
         assert!((least * most - 1.0).abs() < 1e-12);
         for (factor, smallest) in [(most * 0.999, 2), (least / 0.999, 0)] {
-            let base = (4.0 / factor.powi(3)).cbrt();
+            let base = libm::cbrt(4.0 / factor.powi(3));
             let ideal = progressive(1.0, base, factor, 4);
             let step = ideal[smallest] / ideal[smallest + 1];
             assert!(step > 1.0 && step < 1.01, "{step}");

@@ -100,8 +100,8 @@ fn by_ratio(ratios: &[Vec<Option<f64>>]) -> Vec<Row> {
 
 /// The gears of one more gearbox laid beside the rows so that the cost is least.
 fn laid(rows: &[(f64, Row)], gears: &[(f64, usize)], gearbox: usize) -> Vec<(f64, Row)> {
-    let alone = 0.5 * FARTHEST.ln();
-    let pair = |row: usize, gear: usize| f64::abs((rows[row].0 / gears[gear].0).ln());
+    let alone = 0.5 * libm::log(FARTHEST);
+    let pair = |row: usize, gear: usize| f64::abs(libm::log(rows[row].0 / gears[gear].0));
     let width = gears.len() + 1;
     // Least cost of the first rows and the first gears.
     let mut least = vec![0.0; (rows.len() + 1) * width];
@@ -172,10 +172,10 @@ mod tests {
             let ([first, rest @ ..], [start, others @ ..]) = (one, other) else {
                 return skip(one) + skip(other);
             };
-            let pair = (first / start).ln().abs() + trial(rest, others, alone);
+            let pair = libm::log(first / start).abs() + trial(rest, others, alone);
             pair.min(alone + trial(rest, other, alone)).min(alone + trial(one, others, alone))
         }
-        let alone = 0.5 * FARTHEST.ln();
+        let alone = 0.5 * libm::log(FARTHEST);
         for (one, other) in [
             (vec![4.0, 2.5, 1.5, 1.0, 0.7], vec![3.8, 2.2, 2.0, 1.4, 1.0]),
             (vec![2.4, 2.4, 1.0], vec![2.5, 2.3, 2.1, 0.9]),
@@ -188,7 +188,7 @@ mod tests {
             let cost: f64 = laid
                 .iter()
                 .map(|(_, row)| match row[..] {
-                    [Some(row), Some(gear)] => f64::abs((one[row] / other[gear]).ln()),
+                    [Some(row), Some(gear)] => f64::abs(libm::log(one[row] / other[gear])),
                     _ => alone,
                 })
                 .sum();

@@ -139,7 +139,7 @@ fn pitch_curve(motor: &Motor, wheel: Wheel, count: u32) -> Result<Vec<[f64; 2]>,
     let angles = (0..count).map(|index| TAU * f64::from(index) / f64::from(count));
     if wheel == Wheel::Satellite {
         let radius = si(motor.satellite_radius());
-        return Ok(angles.map(|angle| [radius * angle.cos(), radius * angle.sin()]).collect());
+        return Ok(angles.map(|angle| [radius * libm::cos(angle), radius * libm::sin(angle)]).collect());
     }
     let curve = motor.centrode(wheel);
     let at = |angle: f64| -> Result<[f64; 2], Error> {
@@ -192,7 +192,7 @@ mod tests {
         for (place, now) in after.iter().enumerate() {
             let next = &first.satellites[(place + 1) % count];
             let [x, y] = point(&now.centre);
-            assert!((x - next.centre_m[0]).hypot(y - next.centre_m[1]) < 1e-12);
+            assert!(libm::hypot(x - next.centre_m[0], y - next.centre_m[1]) < 1e-12);
             let jump = if place + 1 == count { round } else { 0.0 };
             assert!((si(now.rotation) - next.turn_rad - jump).abs() < 1e-9, "{place}");
         }
@@ -211,8 +211,8 @@ mod tests {
         let moving = moving(&designed, 2).unwrap();
         assert!(!moving.has_teeth);
         let radius = si(designed.motor.satellite_radius());
-        assert!(moving.satellite_m.iter().all(|[x, y]| (x.hypot(*y) - radius).abs() < 1e-12));
-        let reach = moving.stator_m.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+        assert!(moving.satellite_m.iter().all(|[x, y]| (libm::hypot(*x, *y) - radius).abs() < 1e-12));
+        let reach = moving.stator_m.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max);
         assert!((2.0 * reach / moving.stator_diameter_m - 1.0).abs() < 1e-3);
     }
 }

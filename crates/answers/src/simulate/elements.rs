@@ -101,7 +101,7 @@ pub(super) fn temperature_rises(element: &Element, place: usize, instants: &[&Sa
         rise = if conductance > 0.0 && time > 0.0 {
             let left = -conductance * time / capacity;
             // exp_m1 keeps its digits where little time passes.
-            rise * left.exp() - heat / (time * conductance) * left.exp_m1()
+            rise * libm::exp(left) - heat / (time * conductance) * libm::expm1(left)
         } else {
             rise + heat / capacity
         };

@@ -281,5 +281,5 @@ fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
 fn shared(forces: &BearingForces, sharing: f64) -> Option<Force> {
     let (tangential, radial) = (forces.tangential?.si(), forces.radial?.si());
     let across = sharing * radial + forces.centrifugal?.si();
-    Some(Force::from_si((sharing * tangential).hypot(across)))
+    Some(Force::from_si(libm::hypot(sharing * tangential, across)))
 }

@@ -39,7 +39,7 @@ pub(super) fn of(found: &Found, group: &Group) -> Vec<BodyMotion> {
     let largest = bodies
         .iter()
         .map(|(body, _)| motion(*body))
-        .fold(0.0_f64, |most, [x, y, u]| most.max(x.hypot(y)).max(u.abs()));
+        .fold(0.0_f64, |most, [x, y, u]| most.max(libm::hypot(x, y)).max(u.abs()));
     let shown = |value: f64| if value.abs() < STILL * largest { 0.0 } else { plain(value / largest) };
     bodies
         .iter()

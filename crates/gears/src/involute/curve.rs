@@ -58,7 +58,7 @@ impl Point {
     /// Coordinates with the centre line of the tooth along the first axis.
     #[must_use]
     pub fn coordinates(self) -> [f64; 2] {
-        let (sin, cos) = self.angle.sin_cos();
+        let (sin, cos) = libm::sincos(self.angle);
         [self.radius * cos, self.radius * sin]
     }
 }
@@ -76,7 +76,20 @@ pub struct Shaper {
     pub tip_radius: f64,
 }
 
+/// Teeth of the usual shaper, or half of the ring's teeth where that is less.
+const USUAL_TEETH: u32 = 30;
+
 impl Shaper {
+    /// The one by which rings are drawn: 30 teeth, or half as many as the ring's where that is less, with an addendum of 1.25 modules and tips
+    /// rounded by 0.2.
+    ///
+    /// # Errors
+    /// None for a ring that has teeth.
+    pub fn usual(ring: ToothCount) -> Result<Self, Error> {
+        let teeth = ToothCount::new(USUAL_TEETH.min(ring.get() / 2).max(1))?;
+        Ok(Self { teeth, shift: 0.0, addendum: 1.25, tip_radius: 0.2 })
+    }
+
     /// The cutter as a gear.
     fn gear(&self, cut: &InvoluteGear) -> Result<InvoluteGear, Error> {
         let profile = *cut.profile();
@@ -133,7 +146,7 @@ impl ToothCurve {
         let alpha = radians(profile.rack.pressure_angle);
         let radius = profile.fillet;
         let depth = profile.rack.addendum + profile.rack.clearance - radius;
-        let xi = FRAC_PI_4 - depth * alpha.tan() - radius / alpha.cos();
+        let xi = FRAC_PI_4 - depth * libm::tan(alpha) - radius / libm::cos(alpha);
         Ok(Self::joined(gear, Tool::Rack { xi, eta: gear.shift() - depth, radius }))
     }
 
@@ -152,9 +165,9 @@ impl ToothCurve {
             let from_axis = tool.tip_diameter() / 2.0 - radius;
             // Along the normal of the flank from the base circle: to the centre, and to where the arc begins.
             let length = (from_axis * from_axis - base * base).max(0.0).sqrt() + radius;
-            let at = base.hypot(length);
-            let tangent = tool.thickness_at(2.0 * at) / (2.0 * at) - (length / base).atan();
-            (from_axis, length, tangent, tangent + ((length - radius) / base).atan())
+            let at = libm::hypot(base, length);
+            let tangent = tool.thickness_at(2.0 * at) / (2.0 * at) - libm::atan(length / base);
+            (from_axis, length, tangent, tangent + libm::atan((length - radius) / base))
         };
         let fits = |radius: f64| {
             let (from_axis, .., angle) = corner(radius);
@@ -264,25 +277,25 @@ impl ToothCurve {
         let (radius, from_space) = match self.tool {
             Tool::Rack { xi, eta, radius } => {
                 let profile = self.gear.profile();
-                let cos_beta = radians(profile.helix_angle).cos();
+                let cos_beta = libm::cos(radians(profile.helix_angle));
                 let theta = t * (FRAC_PI_2 - radians(profile.rack.pressure_angle));
-                let (sin, cos) = theta.sin_cos();
+                let (sin, cos) = libm::sincos(theta);
                 let (xi, eta) = ((xi + radius * sin) / cos_beta, eta - radius * cos);
-                let u = -eta * theta.tan() * cos_beta;
+                let u = -eta * libm::tan(theta) * cos_beta;
                 let reference = self.gear.reference_diameter() / 2.0;
-                (u.hypot(reference + eta), u.atan2(reference + eta) + (xi - u) / reference)
+                (libm::hypot(u, reference + eta), libm::atan2(u, reference + eta) + (xi - u) / reference)
             }
             Tool::Shaper { centre, normal, radius, working, distance, ratio } => {
                 let delta = centre.angle + t * (normal - centre.angle);
-                let reach = centre.radius * (delta - centre.angle).sin() / working;
-                let direction = reach.clamp(-1.0, 1.0).asin();
+                let reach = centre.radius * libm::sin(delta - centre.angle) / working;
+                let direction = libm::asin(reach.clamp(-1.0, 1.0));
                 let turned = direction - delta;
-                let (sin, cos) = (centre.angle + turned).sin_cos();
-                let x = centre.radius * cos + radius * direction.cos();
-                let y = centre.radius * sin + radius * direction.sin();
+                let (sin, cos) = libm::sincos(centre.angle + turned);
+                let x = centre.radius * cos + radius * libm::cos(direction);
+                let y = centre.radius * sin + radius * libm::sin(direction);
                 // From the axis of the gear, beyond the pitch point or, of a ring, behind the cutter.
                 let across = distance - x;
-                let (from_axis, angle) = (across.hypot(y), (y / across).atan());
+                let (from_axis, angle) = (libm::hypot(across, y), libm::atan(y / across));
                 (from_axis, self.gear.sign() * angle - ratio * turned)
             }
         };
@@ -408,7 +421,7 @@ mod tests {
             let radius = curve.joint_radius() + place * (curve.tip_radius() - curve.joint_radius());
             // Across from flank to flank by coordinates, as an arc.
             let [x, y] = curve.involute(radius).coordinates();
-            let thickness = 2.0 * radius * (y / x).atan();
+            let thickness = 2.0 * radius * libm::atan(y / x);
             prop_assert!((thickness - gear.thickness_at(2.0 * radius)).abs() < 1e-10 * radius);
             let tool = shaper(25, 0.2).gear(&gear).unwrap();
             let pair = Pair::without_backlash(tool, gear).unwrap();
@@ -431,12 +444,12 @@ mod tests {
                 let turned = f64::from(step) / 400.0 * 0.6;
                 for part in 0..=20 {
                     let delta = centre.angle + (normal - centre.angle) * f64::from(part) / 20.0;
-                    let x = centre.radius * (centre.angle + turned).cos() + corner * (delta + turned).cos();
-                    let y = centre.radius * (centre.angle + turned).sin() + corner * (delta + turned).sin();
+                    let x = centre.radius * libm::cos(centre.angle + turned) + corner * libm::cos(delta + turned);
+                    let y = centre.radius * libm::sin(centre.angle + turned) + corner * libm::sin(delta + turned);
                     let (from_axis, angle) = if ring {
-                        ((x - distance).hypot(y), y.atan2(x - distance) - ratio * turned)
+                        (libm::hypot(x - distance, y), libm::atan2(y, x - distance) - ratio * turned)
                     } else {
-                        ((distance - x).hypot(y), y.atan2(distance - x) - ratio * turned)
+                        (libm::hypot(distance - x, y), libm::atan2(y, distance - x) - ratio * turned)
                     };
                     let height = if ring { curve.root_radius() - from_axis } else { from_axis - curve.root_radius() };
                     if height > 1e-6 && (gear.sign() * (curve.joint_radius() - from_axis)) > 0.0 {
@@ -468,19 +481,20 @@ mod tests {
         let mut turns = (f64::INFINITY, f64::NEG_INFINITY);
         for step in 1..steps {
             let length = low + (high - low) * f64::from(step) / f64::from(steps);
-            let at = |length: f64| first.involute((gear.base_diameter() / 2.0).hypot(length)).coordinates();
+            let at =
+                |length: f64| first.involute(libm::hypot(gear.base_diameter() / 2.0, length)).coordinates();
             let small = 1e-6;
             let [before, here, after] = [at(length - small), at(length), at(length + small)];
             let tangent = [after[0] - before[0], after[1] - before[1]];
-            let length = tangent[0].hypot(tangent[1]);
+            let length = libm::hypot(tangent[0], tangent[1]);
             let normal = [-tangent[1] / length, tangent[0] / length];
             // Distance of the normal from the axis; turned until it passes through the pitch point.
             let arm = here[0] * normal[1] - here[1] * normal[0];
-            let direction = (arm / pitch_point).clamp(-1.0, 1.0).asin();
-            let turned = direction - normal[1].atan2(normal[0]);
-            let (sin, cos) = turned.sin_cos();
+            let direction = libm::asin((arm / pitch_point).clamp(-1.0, 1.0));
+            let turned = direction - libm::atan2(normal[1], normal[0]);
+            let (sin, cos) = libm::sincos(turned);
             let [x, y] = [here[0] * cos - here[1] * sin, here[0] * sin + here[1] * cos];
-            let from_mate = (x - centre).hypot(y);
+            let from_mate = libm::hypot(x - centre, y);
             let is_met = outwards * (from_mate - second.joint_radius()) >= 0.0
                 && outwards * (second.tip_radius() - from_mate) >= 0.0;
             if is_met {
@@ -514,21 +528,25 @@ mod tests {
                 for side in [-1.0, 1.0] {
                     for point in &halves[0] {
                         let angle = turn1 + f64::from(tooth) * TAU / z1 + side * point.angle;
-                        let (x, y) = (point.radius * angle.cos(), point.radius * angle.sin());
+                        let (x, y) = (point.radius * libm::cos(angle), point.radius * libm::sin(angle));
                         let (x, y) = if sign > 0.0 { (a - x, y) } else { (x + a, y) };
-                        let radius = x.hypot(y);
+                        let radius = libm::hypot(x, y);
                         if near(second, radius) {
-                            let turned = if sign > 0.0 { y.atan2(x) + turn2 } else { y.atan2(x) - turn2 };
+                            let turned = if sign > 0.0 {
+                                libm::atan2(y, x) + turn2
+                            } else {
+                                libm::atan2(y, x) - turn2
+                            };
                             deepest = deepest.max(inside(second, radius, turned));
                         }
                     }
                     for point in &halves[1] {
                         let angle = turn2 + f64::from(tooth) * TAU / z2 + side * point.angle;
-                        let (x, y) = (point.radius * angle.cos(), point.radius * angle.sin());
+                        let (x, y) = (point.radius * libm::cos(angle), point.radius * libm::sin(angle));
                         let (x, y) = if sign > 0.0 { (a - x, -y) } else { (x - a, y) };
-                        let radius = x.hypot(y);
+                        let radius = libm::hypot(x, y);
                         if near(first, radius) {
-                            deepest = deepest.max(inside(first, radius, y.atan2(x) - turn1));
+                            deepest = deepest.max(inside(first, radius, libm::atan2(y, x) - turn1));
                         }
                     }
                 }

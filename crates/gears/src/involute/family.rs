@@ -265,7 +265,7 @@ impl Family {
         ];
         std::array::from_fn(|place| {
             let gear = &gears[place];
-            let tip = gear.base_diameter().hypot(2.0 * by_fillets[place].max(0.0));
+            let tip = libm::hypot(gear.base_diameter(), 2.0 * by_fillets[place].max(0.0));
             clear[place].min(clear[place] + gear.sign() * (tip - gear.tip_diameter()) / 2.0)
         })
     }
@@ -409,10 +409,10 @@ pub fn natural_centre_distance(teeth: [ToothCount; 3], profile: Profile) -> Resu
         return Err(Error::InternalNotLarger { internal: teeth[2].get(), external: teeth[1].get() });
     }
     let alpha = profile.transverse_angle_rad();
-    let scale = alpha.cos() / (2.0 * radians(profile.helix_angle).cos());
+    let scale = libm::cos(alpha) / (2.0 * libm::cos(radians(profile.helix_angle)));
     let [one, other] = [(sun + planet) * scale, (ring - planet) * scale].map(|base| base * base);
     let (sum, difference) = (one + other, one - other);
-    let s2 = 4.0 * alpha.sin().powi(2);
+    let s2 = 4.0 * libm::sin(alpha).powi(2);
     let square = (s2 * sum + (s2 * s2 * sum * sum + s2 * (4.0 - s2) * difference * difference).sqrt())
         / (s2 * (4.0 - s2));
     // One working angle would be below 0 beyond: there the greater base distance alone has the sum of sines.

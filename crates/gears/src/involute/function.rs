@@ -15,7 +15,7 @@ const MOST_STEPS: u32 = 60;
 /// ```
 #[must_use]
 pub fn involute(angle_rad: f64) -> f64 {
-    angle_rad.tan() - angle_rad
+    libm::tan(angle_rad) - angle_rad
 }
 
 /// The angle in 0…90°, rad, whose involute function has this value; `None` below 0 and for what is not finite.
@@ -29,19 +29,19 @@ pub fn angle_of_involute(value: f64) -> Option<f64> {
         return None;
     }
     // In t = tan α: t − atan t = v, with the derivative t²/(1 + t²).
-    let mut t = (3.0 * value).cbrt() + value;
+    let mut t = libm::cbrt(3.0 * value) + value;
     for _ in 0..MOST_STEPS {
         if t == 0.0 {
             return Some(0.0);
         }
-        let next = t - (t - t.atan() - value) * (1.0 + t * t) / (t * t);
+        let next = t - (t - libm::atan(t) - value) * (1.0 + t * t) / (t * t);
         let is_done = (next - t).abs() <= SAME * t;
         t = next;
         if is_done {
             break;
         }
     }
-    Some(t.atan().min(FRAC_PI_2))
+    Some(libm::atan(t).min(FRAC_PI_2))
 }
 
 #[cfg(test)]

@@ -78,9 +78,9 @@ impl Profile {
     #[must_use]
     pub fn most_fillet(&self) -> f64 {
         let alpha = radians(self.rack.pressure_angle);
-        let by_clearance = self.rack.clearance / (1.0 - alpha.sin());
+        let by_clearance = self.rack.clearance / (1.0 - libm::sin(alpha));
         let depth = self.rack.addendum + self.rack.clearance;
-        let by_space = (PI / 4.0 - depth * alpha.tan()) / (PI / 4.0 - alpha / 2.0).tan();
+        let by_space = (PI / 4.0 - depth * libm::tan(alpha)) / libm::tan(PI / 4.0 - alpha / 2.0);
         // ISO 53 rounds 0.3799 to 0.38: the first bound holds to a hundredth of a module.
         by_clearance.max(0.0).min(by_space) + ROUNDED_FILLET
     }
@@ -88,13 +88,13 @@ impl Profile {
     /// Transverse pressure angle `α_t`, rad.
     #[must_use]
     pub fn transverse_angle_rad(&self) -> f64 {
-        (radians(self.rack.pressure_angle).tan() / radians(self.helix_angle).cos()).atan()
+        libm::atan(libm::tan(radians(self.rack.pressure_angle)) / libm::cos(radians(self.helix_angle)))
     }
 
     /// Helix angle at the base cylinder `β_b`, rad: `tan β_b = tan β·cos α_t`.
     #[must_use]
     pub fn base_helix_rad(&self) -> f64 {
-        (radians(self.helix_angle).tan() * self.transverse_angle_rad().cos()).atan()
+        libm::atan(libm::tan(radians(self.helix_angle)) * libm::cos(self.transverse_angle_rad()))
     }
 }
 
@@ -159,12 +159,12 @@ impl InvoluteGear {
             tip_alteration: 0.0,
             z,
             inv_alpha_t: involute(alpha_t),
-            cos_alpha_t: alpha_t.cos(),
-            sin_alpha_t: alpha_t.sin(),
-            tan_alpha_n: radians(profile.rack.pressure_angle).tan(),
-            sin_alpha_n: radians(profile.rack.pressure_angle).sin(),
-            cos_beta: radians(profile.helix_angle).cos(),
-            tan_beta: radians(profile.helix_angle).tan(),
+            cos_alpha_t: libm::cos(alpha_t),
+            sin_alpha_t: libm::sin(alpha_t),
+            tan_alpha_n: libm::tan(radians(profile.rack.pressure_angle)),
+            sin_alpha_n: libm::sin(radians(profile.rack.pressure_angle)),
+            cos_beta: libm::cos(radians(profile.helix_angle)),
+            tan_beta: libm::tan(radians(profile.helix_angle)),
         };
         gear.checked()
     }
@@ -305,7 +305,7 @@ impl InvoluteGear {
     /// Transverse pressure angle at a diameter, rad; 0 within the base circle.
     #[must_use]
     pub fn angle_at_rad(&self, diameter: f64) -> f64 {
-        (self.base_diameter() / diameter).min(1.0).acos()
+        libm::acos((self.base_diameter() / diameter).min(1.0))
     }
 
     /// Transverse tooth thickness, as an arc, at a diameter.
@@ -317,7 +317,7 @@ impl InvoluteGear {
     pub fn thickness_at(&self, diameter: f64) -> f64 {
         let half = (PI + 4.0 * self.shift * self.tan_alpha_n) / (2.0 * self.z);
         let tan = 2.0 * self.curvature_radius(diameter) / self.base_diameter();
-        self.sign() * diameter * (half + self.inv_alpha_t - (tan - tan.atan()))
+        self.sign() * diameter * (half + self.inv_alpha_t - (tan - libm::atan(tan)))
     }
 
     /// Normal tooth thickness at the reference circle: `s_n = π/2 + 2·x·tan α_n`.
@@ -332,7 +332,7 @@ impl InvoluteGear {
         let diameter = self.tip_diameter();
         // cos β_a from tan β_a
         let tan_beta = self.tan_beta * diameter / self.reference_diameter();
-        self.thickness_at(diameter) / tan_beta.hypot(1.0)
+        self.thickness_at(diameter) / libm::hypot(tan_beta, 1.0)
     }
 
     /// Least diameter, of an internal gear the greatest, where the flank that a rack cuts is an involute: `d_Ff`.
@@ -385,7 +385,7 @@ impl InvoluteGear {
     pub fn span(&self, teeth: u32) -> f64 {
         let alpha_n = radians(self.profile.rack.pressure_angle);
         let pitches = PI * (f64::from(teeth) - 0.5) + self.z.abs() * self.inv_alpha_t;
-        alpha_n.cos() * pitches + self.sign() * 2.0 * self.shift * alpha_n.sin()
+        libm::cos(alpha_n) * pitches + self.sign() * 2.0 * self.shift * libm::sin(alpha_n)
     }
 
     /// Teeth, of an internal gear spaces, over which the span is measured nearest to half the height of the flanks: the plates touch at
@@ -395,9 +395,9 @@ impl InvoluteGear {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
         let beta_b = self.profile.base_helix_rad();
         // Half the span stands on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
-        let span = 2.0 * self.curvature_radius(middle) / beta_b.cos();
+        let span = 2.0 * self.curvature_radius(middle) / libm::cos(beta_b);
         let alpha_n = radians(self.profile.rack.pressure_angle);
-        let pitches = (span - self.sign() * 2.0 * self.shift * alpha_n.sin()) / alpha_n.cos()
+        let pitches = (span - self.sign() * 2.0 * self.shift * libm::sin(alpha_n)) / libm::cos(alpha_n)
             - self.z.abs() * self.inv_alpha_t;
         let teeth = (pitches / PI + 0.5).round();
         teeth.clamp(1.0, self.z.abs() / 2.0 + 1.0) as u32
@@ -416,7 +416,7 @@ impl InvoluteGear {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
         let at = 2.0 * self.curvature_radius(middle) / self.base_diameter();
         let centre = at - self.inv_alpha_t - (2.0 * self.shift * self.tan_alpha_n - FRAC_PI_2) / self.z;
-        self.base_diameter() * self.profile.base_helix_rad().cos() * (centre.tan() - at).abs()
+        self.base_diameter() * libm::cos(self.profile.base_helix_rad()) * (libm::tan(centre) - at).abs()
     }
 
     /// Measure over two balls, of an internal gear between them, of a diameter: `M_dK`.
@@ -431,12 +431,15 @@ impl InvoluteGear {
     pub fn over_balls(&self, ball_diameter: f64) -> Option<f64> {
         let alpha_n = radians(self.profile.rack.pressure_angle);
         let inv = self.inv_alpha_t
-            + ball_diameter / (self.z * alpha_n.cos())
-            + (2.0 * self.shift * alpha_n.tan() - FRAC_PI_2) / self.z;
+            + ball_diameter / (self.z * libm::cos(alpha_n))
+            + (2.0 * self.shift * libm::tan(alpha_n) - FRAC_PI_2) / self.z;
         let at = angle_of_involute(inv)?;
-        let centres = self.base_diameter() / at.cos();
-        let across =
-            if self.teeth.get().is_multiple_of(2) { centres } else { centres * (FRAC_PI_2 / self.z).cos() };
+        let centres = self.base_diameter() / libm::cos(at);
+        let across = if self.teeth.get().is_multiple_of(2) {
+            centres
+        } else {
+            centres * libm::cos(FRAC_PI_2 / self.z)
+        };
         Some(across + self.sign() * ball_diameter)
     }
 }
@@ -465,7 +468,7 @@ mod tests {
             let ball = gear.ball_diameter();
             let centres = gear.over_balls(ball).unwrap() - gear.sign() * ball;
             let along = |diameter: f64| (diameter * diameter - gear.base_diameter().powi(2)).sqrt() / 2.0;
-            let transverse = ball / 2.0 / profile.base_helix_rad().cos();
+            let transverse = ball / 2.0 / libm::cos(profile.base_helix_rad());
             prop_assert!((along(centres) - along(middle) - gear.sign() * transverse).abs() < 1e-8);
         }
 

@@ -63,25 +63,25 @@ impl Pair {
         let inv_w = involute(self.working_angle_rad());
         let [at1, at2] = [pinion, ring].map(|gear| gear.angle_at_rad(gear.tip_diameter()));
         let ratio = ring.teeth().as_f64() / pinion.teeth().as_f64();
-        let start = ring.curvature_radius(ring.tip_diameter()) - a * self.working_angle_rad().sin();
+        let start = ring.curvature_radius(ring.tip_diameter()) - a * libm::sin(self.working_angle_rad());
 
         // Where the tip circles do not meet outside the mesh there is nothing to interfere.
         let cos1 = (r2 * r2 - r1 * r1 - a * a) / (2.0 * a * r1);
         let cos2 = (a * a + r2 * r2 - r1 * r1) / (2.0 * a * r2);
         let trochoidal = if cos1.abs() < 1.0 {
-            let theta1 = cos1.acos() + involute(at1) - inv_w;
-            theta1 / ratio + inv_w - involute(at2) - cos2.acos()
+            let theta1 = libm::acos(cos1) + involute(at1) - inv_w;
+            theta1 / ratio + inv_w - involute(at2) - libm::acos(cos2)
         } else {
             f64::INFINITY
         };
 
-        let cosines = at1.cos() / at2.cos();
+        let cosines = libm::cos(at1) / libm::cos(at2);
         let sine1 = (1.0 - cosines * cosines) / (1.0 - 1.0 / (ratio * ratio));
         let sine2 = (1.0 / (cosines * cosines) - 1.0) / (ratio * ratio - 1.0);
         let trimming = if ring.tip_diameter() < ring.base_diameter() {
             f64::NEG_INFINITY
         } else if (0.0..=1.0).contains(&sine1) && (0.0..=1.0).contains(&sine2) {
-            let (theta1, theta2) = (sine1.sqrt().asin(), sine2.sqrt().asin());
+            let (theta1, theta2) = (libm::asin(sine1.sqrt()), libm::asin(sine2.sqrt()));
             theta1 + involute(at1) - inv_w - ratio * (theta2 + involute(at2) - inv_w)
         } else {
             f64::INFINITY
@@ -129,20 +129,20 @@ mod tests {
             for tooth in 0..ring.teeth().get() {
                 for side in [-1.0, 1.0] {
                     let angle = turn2 + (TAU * f64::from(tooth) + PI) / z2 + side * half(ring, r2);
-                    let (x, y) = (r2 * angle.cos() - a, r2 * angle.sin());
-                    let radius = x.hypot(y);
+                    let (x, y) = (r2 * libm::cos(angle) - a, r2 * libm::sin(angle));
+                    let radius = libm::hypot(x, y);
                     if radius < r1 && radius > pinion.base_diameter() / 2.0 {
-                        deepest = deepest.max(inside(pinion, radius, y.atan2(x) - turn1));
+                        deepest = deepest.max(inside(pinion, radius, libm::atan2(y, x) - turn1));
                     }
                 }
             }
             for tooth in 0..pinion.teeth().get() {
                 for side in [-1.0, 1.0] {
                     let angle = turn1 + TAU * f64::from(tooth) / z1 + side * half(pinion, r1);
-                    let (x, y) = (r1 * angle.cos() + a, r1 * angle.sin());
-                    let radius = x.hypot(y);
+                    let (x, y) = (r1 * libm::cos(angle) + a, r1 * libm::sin(angle));
+                    let radius = libm::hypot(x, y);
                     if radius > r2 {
-                        deepest = deepest.max(inside(ring, radius, y.atan2(x) - turn2 - PI / z2));
+                        deepest = deepest.max(inside(ring, radius, libm::atan2(y, x) - turn2 - PI / z2));
                     }
                 }
             }

@@ -24,7 +24,7 @@ impl ToothCurve {
         let base = gear.base_diameter() / 2.0;
         let [from, to] =
             [self.joint_radius(), self.tip_radius()].map(|radius| gear.curvature_radius(2.0 * radius));
-        let flank = |t: f64| self.involute(base.hypot(from + t * (to - from)));
+        let flank = |t: f64| self.involute(libm::hypot(base, from + t * (to - from)));
         let mut points = vec![fillet(0.0)];
         halve(&fillet, [0.0, 1.0], 0, deviation, &mut points);
         halve(&flank, [0.0, 1.0], 0, deviation, &mut points);
@@ -41,7 +41,7 @@ impl ToothCurve {
         let half = self.half(deviation)?;
         let pitch = TAU / self.gear().teeth().as_f64();
         let crest = |from: f64, to: f64, radius: f64| {
-            let step = 2.0 * (1.0 - (deviation / radius).min(1.0)).acos();
+            let step = 2.0 * libm::acos(1.0 - (deviation / radius).min(1.0));
             let parts = ((to - from) / step).ceil().max(1.0) as u32;
             // Without its ends, which the flanks have.
             (1..parts).map(move |part| Point {
@@ -76,11 +76,11 @@ fn halve(
     let [start, halfway, end] = [from, middle, to].map(|t| at(t).coordinates());
     let chord = [end[0] - start[0], end[1] - start[1]];
     let off = [halfway[0] - start[0], halfway[1] - start[1]];
-    let length = chord[0].hypot(chord[1]);
+    let length = libm::hypot(chord[0], chord[1]);
     let distance = if length > 0.0 {
         (chord[0] * off[1] - chord[1] * off[0]).abs() / length
     } else {
-        off[0].hypot(off[1])
+        libm::hypot(off[0], off[1])
     };
     if depth >= LEAST_HALVINGS && (distance <= deviation || depth >= MOST_HALVINGS) {
         points.push(at(to));
@@ -128,7 +128,7 @@ mod tests {
                         let [[x1, y1], [x2, y2]] = [ends[0].coordinates(), ends[1].coordinates()];
                         let (dx, dy) = (x2 - x1, y2 - y1);
                         let share = (((x - x1) * dx + (y - y1) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-                        (x - x1 - share * dx).hypot(y - y1 - share * dy)
+                        libm::hypot(x - x1 - share * dx, y - y1 - share * dy)
                     })
                     .fold(f64::INFINITY, f64::min);
                 assert!(nearest <= 1.2 * deviation, "{nearest}");

@@ -43,7 +43,7 @@ impl Pair {
         let teeth = check(&first, &second)?;
         let profile = first.profile();
         let sum = first.shift() + second.shift();
-        let tan = radians(profile.rack.pressure_angle).tan();
+        let tan = libm::tan(radians(profile.rack.pressure_angle));
         let inv = involute(profile.transverse_angle_rad()) + 2.0 * tan * sum / teeth;
         let alpha_wt =
             angle_of_involute(inv).filter(|angle| *angle > 0.0).ok_or(Error::ShiftSumOutOfRange {
@@ -54,7 +54,7 @@ impl Pair {
     }
 
     fn new(gears: [InvoluteGear; 2], alpha_wt: f64) -> Self {
-        let (sin_wt, cos_wt) = alpha_wt.sin_cos();
+        let (sin_wt, cos_wt) = libm::sincos(alpha_wt);
         Self { gears, alpha_wt, sin_wt, cos_wt }
     }
 
@@ -96,7 +96,7 @@ impl Pair {
         let teeth = check(first, second)?;
         let alpha_wt = working_angle(first, teeth, centre_distance)?;
         let profile = first.profile();
-        let tan = radians(profile.rack.pressure_angle).tan();
+        let tan = libm::tan(radians(profile.rack.pressure_angle));
         Ok(teeth * (involute(alpha_wt) - involute(profile.transverse_angle_rad())) / (2.0 * tan))
     }
 
@@ -190,14 +190,14 @@ impl Pair {
     /// Overlap ratio `ε_β` of a face width in modules: `b·sin β/π`.
     #[must_use]
     pub fn overlap_ratio(&self, face_width: f64) -> f64 {
-        face_width * radians(self.gears[0].profile().helix_angle).sin() / PI
+        face_width * libm::sin(radians(self.gears[0].profile().helix_angle)) / PI
     }
 
     /// Least diameter, of an internal gear greatest, of each gear at which it meets its mate: `d_Nf`.
     #[must_use]
     pub fn active_root_diameters(&self) -> [f64; 2] {
         let [from, to] = self.contact();
-        let diameter = |gear: &InvoluteGear, radius: f64| gear.base_diameter().hypot(2.0 * radius);
+        let diameter = |gear: &InvoluteGear, radius: f64| libm::hypot(gear.base_diameter(), 2.0 * radius);
         [diameter(&self.gears[0], from), diameter(&self.gears[1], self.mate(to))]
     }
 
@@ -299,7 +299,7 @@ fn working_angle(first: &InvoluteGear, teeth: f64, centre_distance: f64) -> Resu
     let least = (teeth / first.teeth().as_f64()).abs() * first.base_diameter() / 2.0;
     let cos = least / centre_distance;
     if cos > 0.0 && cos < 1.0 {
-        return Ok(cos.acos());
+        return Ok(libm::acos(cos));
     }
     Err(Error::NotAbove {
         quantity: Quantity::CentreDistance,
@@ -359,7 +359,7 @@ mod tests {
         let centre = if pair.is_internal() { pitch - w2 / 2.0 } else { pitch + w2 / 2.0 };
         assert!((centre.abs() - a).abs() < 1e-9 * w2);
         let angle = pair.working_angle_rad();
-        let direction = [angle.sin(), angle.cos()];
+        let direction = [libm::sin(angle), libm::cos(angle)];
         // |P + t·u − C| = r
         let along = |centre: f64, radius: f64| {
             let from = pitch - centre;

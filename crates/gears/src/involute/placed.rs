@@ -16,12 +16,6 @@ use crate::units::radians;
 use crate::{Error, ToothCount};
 use std::f64::consts::PI;
 
-/// Teeth of the shaper that cuts a ring, or half of the ring's teeth where that is less.
-const SHAPER_TEETH: u32 = 30;
-
-/// Addendum of that shaper, and the radius of its tips, modules.
-const SHAPER_TIP: [f64; 2] = [1.25, 0.2];
-
 /// Where a planet stands, and how it is turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlacedPlanet {
@@ -38,9 +32,7 @@ impl PlanetSet {
     /// Those of [`ToothCurve`] for gears that the tools do not cut.
     pub fn tooth_curves(&self) -> Result<[ToothCurve; 3], Error> {
         let [sun, planet, ring] = self.gears();
-        let teeth = ToothCount::new(SHAPER_TEETH.min(ring.teeth().get() / 2).max(1))?;
-        let [addendum, tip_radius] = SHAPER_TIP;
-        let shaper = Shaper { teeth, shift: 0.0, addendum, tip_radius };
+        let shaper = Shaper::usual(ring.teeth())?;
         Ok([ToothCurve::by_rack(*sun)?, ToothCurve::by_rack(*planet)?, ToothCurve::by_shaper(*ring, shaper)?])
     }
 
@@ -80,9 +72,9 @@ mod tests {
         let outline = of.outline(1e-3).unwrap();
         let pitch = TAU / within.gear().teeth().as_f64();
         let points = outline.iter().filter_map(|[x, y]| {
-            let (sin, cos) = turn.sin_cos();
+            let (sin, cos) = libm::sincos(turn);
             let (x, y) = (x * cos - y * sin + at[0] - centre[0], x * sin + y * cos + at[1] - centre[1]);
-            let (radius, angle) = (x.hypot(y), y.atan2(x) - mates_turn);
+            let (radius, angle) = (libm::hypot(x, y), libm::atan2(y, x) - mates_turn);
             // Beyond its tips there is nothing of the other.
             let is_within = within.gear().sign() * (within.tip_radius() - radius) > 0.0;
             let from_tooth = (angle - (angle / pitch).round() * pitch).abs();
@@ -112,7 +104,7 @@ mod tests {
             prop_assume!(reach <= ring.gear().curvature_radius(2.0 * ring.joint_radius()));
             prop_assert_eq!(set.placed_planets().len(), planets as usize);
             for placed in set.placed_planets() {
-                let (sin, cos) = placed.angle_rad.sin_cos();
+                let (sin, cos) = libm::sincos(placed.angle_rad);
                 let at = [cos, sin].map(|of| of * set.centre_distance());
                 let into_sun = deepest(&planet, at, placed.turn_rad, &sun, [0.0; 2], 0.0);
                 let into_planet = deepest(&sun, [0.0; 2], 0.0, &planet, at, placed.turn_rad);

@@ -111,7 +111,7 @@ impl Pair {
         let base_helix = self.gears()[0].profile().base_helix_rad();
         Play {
             circumferential,
-            normal: circumferential * self.working_angle_rad().cos() * base_helix.cos(),
+            normal: circumferential * libm::cos(self.working_angle_rad()) * libm::cos(base_helix),
             rotation_rad: self.working_diameters().map(|diameter| 2.0 * circumferential / diameter),
         }
     }
@@ -308,7 +308,7 @@ mod tests {
         let planet = *set([18, 36, 93]).gears()[1];
         let thinner = planet.with_thickness_allowance(-0.01).unwrap();
         let normal = thinner.span(5) - planet.span(5);
-        assert!((normal + 0.01 * 20_f64.to_radians().cos()).abs() < 1e-12);
+        assert!((normal + 0.01 * libm::cos(20_f64.to_radians())).abs() < 1e-12);
         assert!((thinner.tip_diameter() - planet.tip_diameter()).abs() < 1e-12);
         let thickness = thinner.thickness_at(36.0) - planet.thickness_at(36.0);
         assert!((thickness + 0.01).abs() < 1e-12);
@@ -323,7 +323,7 @@ mod tests {
             n_m(set.torsional_stiffness(member, length_from_mm(2.0), [c; 2], [width; 2]).unwrap())
         };
         let spring = 3.0 * 20e9 * 0.04 / 2.0;
-        let lever = |teeth: f64| 0.001 * teeth * 20_f64.to_radians().cos();
+        let lever = |teeth: f64| 0.001 * teeth * libm::cos(20_f64.to_radians());
         for (member, teeth) in [(Member::Sun, 18.0), (Member::Ring, 90.0), (Member::Carrier, 108.0)] {
             let by_hand = spring * lever(teeth).powi(2);
             assert!((at(member) / by_hand - 1.0).abs() < 1e-12, "{member}: {}", at(member));
@@ -364,9 +364,9 @@ mod tests {
             for pair in [set.sun_mesh(), set.ring_mesh()] {
                 let one = |value: f64| Deviation { lower: value - 0.01, upper: value };
                 let [least, greatest] = pair.plays(allowances.map(one), Deviation::default()).unwrap();
-                let normal = -(allowances[0] + allowances[1]) * 20_f64.to_radians().cos();
+                let normal = -(allowances[0] + allowances[1]) * libm::cos(20_f64.to_radians());
                 prop_assert!((least.normal - normal).abs() < 1e-10);
-                prop_assert!((greatest.normal - normal - 0.02 * 20_f64.to_radians().cos()).abs() < 1e-10);
+                prop_assert!((greatest.normal - normal - 0.02 * libm::cos(20_f64.to_radians())).abs() < 1e-10);
             }
         }
 
@@ -389,11 +389,11 @@ mod tests {
             let a = set.centre_distance() + at;
             let family = Family::new(teeth, 3, Profile::default(), a).unwrap();
             let gears = set.gears();
-            let along = |sum: f64, have: f64| 2.0 * (sum - have) * 20_f64.to_radians().sin();
+            let along = |sum: f64, have: f64| 2.0 * (sum - have) * libm::sin(20_f64.to_radians());
             let [outer, inner] = family.sums();
             let gap = along(outer, gears[0].shift() + gears[1].shift()) + along(inner, gears[1].shift() + gears[2].shift());
             let lever = gears[0].base_diameter() / 2.0 + gears[2].base_diameter() / 2.0;
-            let least = (gap + 4.0 * 0.02 * 20_f64.to_radians().cos()) / lever;
+            let least = (gap + 4.0 * 0.02 * libm::cos(20_f64.to_radians())) / lever;
             prop_assert!((within.least - least).abs() < 1e-9, "{} {least}", within.least);
         }
     }

@@ -124,7 +124,7 @@ fn a_test_gear_has_its_printed_path_of_contact() {
     is(pair.transverse_contact_ratio(), "1.46");
     let [start, end] = pair.contact().map(|radius| m * radius);
     let pitch = m * pair.base_pitch();
-    let pitch_point = m * pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin();
+    let pitch_point = m * pair.working_diameters()[0] / 2.0 * libm::sin(pair.working_angle_rad());
     is(end - pitch - start, "6.14");
     is(pitch_point - start, "9.68");
     is(pitch, "13.28");

@@ -46,10 +46,10 @@ pub fn loss_factor(pair: &Pair) -> Result<f64, Error> {
         });
     }
     let [from, to] = pair.contact();
-    let pitch_point = pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin();
+    let pitch_point = pair.working_diameters()[0] / 2.0 * libm::sin(pair.working_angle_rad());
     let [one, two] = [to - pitch_point, pitch_point - from].map(|part| part / pair.base_pitch());
     let form = (z2 + sign * z1) / (z1 * z2);
-    Ok(2.0 * PI * form / first.profile().base_helix_rad().cos() * shared_sliding(one, two))
+    Ok(2.0 * PI * form / libm::cos(first.profile().base_helix_rad()) * shared_sliding(one, two))
 }
 
 /// `η`.

@@ -314,7 +314,7 @@ impl Motor {
             rotation: angle(rotation),
             x: force(x),
             y: force(mirror * y),
-            force: force(x.hypot(y)),
+            force: force(libm::hypot(x, y)),
         })
     }
 
@@ -343,8 +343,9 @@ impl Motor {
         let more = kinks.map(|kink| kink.rem_euclid(period)).chain([0.5 * period]);
         let mut ends: Vec<f64> = more.chain([0.0, period]).collect();
         ends.sort_by(f64::total_cmp);
-        let value =
-            |_, place: f64| [self.on_rotor(place, load.alpha).map_or(f64::NAN, |([x, y], _)| x.hypot(y))];
+        let value = |_, place: f64| {
+            [self.on_rotor(place, load.alpha).map_or(f64::NAN, |([x, y], _)| libm::hypot(x, y))]
+        };
         let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let [top] = greatest_of(&pieces, BESIDE_JUMP, value);
         self.bearing(load.sign() * top.place, &load)

@@ -34,7 +34,7 @@ pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
 /// Unit vector, in the frame of the ray, of the force of a flank on a satellite that is pushed by `sigma`; of the back flank for
 /// the opposite sign.
 pub(super) fn direction(side: Side, sigma: f64, alpha: f64, mu: f64) -> [f64; 2] {
-    let (sin, cos) = (alpha + sigma * mu).sin_cos();
+    let (sin, cos) = libm::sincos(alpha + sigma * mu);
     let out = match side {
         Side::Stator => -1.0,
         Side::Rotor => 1.0,
@@ -45,17 +45,17 @@ pub(super) fn direction(side: Side, sigma: f64, alpha: f64, mu: f64) -> [f64; 2]
 /// `N/(Δp·b·m)` on either flank with contacts at the pitch points.
 pub(super) fn flank_number(r: f64, alpha: f64, contact: &Contact, sigma: f64) -> Result<f64, Error> {
     let mu = contact.mu;
-    let carrying = (alpha + sigma * mu).cos();
+    let carrying = libm::cos(alpha + sigma * mu);
     if carrying <= WITHIN {
         let most_deg = degrees(FRAC_PI_2 - alpha);
         return Err(Error::CannotHold { slope_deg: degrees(sigma * mu), most_deg });
     }
-    Ok(r * mu.cos() / carrying)
+    Ok(r * libm::cos(mu) / carrying)
 }
 
 /// A vector turned.
 pub(super) fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
-    let (sin, cos) = by.sin_cos();
+    let (sin, cos) = libm::sincos(by);
     [x * cos - y * sin, x * sin + y * cos]
 }
 

@@ -181,7 +181,7 @@ fn sealed(contact: &Contact, [e3, e1]: [f64; 2]) -> f64 {
 /// `df′/dΦ`, as the contacts run along their flanks by `rates` a unit of arc length.
 fn sealed_slope(contact: &Contact, r: f64, [e3, e1]: [f64; 2], rates: [f64; 2]) -> f64 {
     let Contact { rho3, rho1, kappa3, mu, .. } = *contact;
-    let (sin, cos) = mu.sin_cos();
+    let (sin, cos) = libm::sincos(mu);
     // ds₃/dΦ and ds₁/ds₃, as in `Contact::slope`.
     let ds3 = rho1 / (2.0 * cos * (1.0 - r * kappa3));
     let stretch = 1.0 + 2.0 * r * (cos / rho3 - kappa3);

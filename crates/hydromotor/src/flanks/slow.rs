@@ -56,7 +56,7 @@ pub(super) fn steepest_of(motor: &Motor) -> Vec<f64> {
     const PLACES: u32 = 64;
     let rise = |phase: f64| {
         let Contact { mu, rho3, kappa3, .. } = motor.shape.within(By::Phase, phase);
-        mu.cos() / rho3 - kappa3
+        libm::cos(mu) / rho3 - kappa3
     };
     let end = motor.shape.trough().phase;
     let ends = motor.smooth_ends([0.0, end], []);
@@ -100,7 +100,7 @@ mod tests {
         fn the_greatest_values_are_those_of_golden_sections(
             coefficients in prop::array::uniform2(prop::array::uniform4(-1.0..1.0_f64)), cut in 0.1..0.9,
         ) {
-            let value = |[a, b, c, d]: [f64; 4], x: f64| 2.0 + a * x + b * x * x + c * (3.0 * x).sin() + d * (2.0 * x).cos();
+            let value = |[a, b, c, d]: [f64; 4], x: f64| 2.0 + a * x + b * x * x + c * libm::sin(3.0 * x) + d * libm::cos(2.0 * x);
             let pieces = [[-1.0, cut], [cut, 1.0]];
             let tops = kernel::greatest_of(&pieces, 0.0, |_, x| coefficients.map(|of| value(of, x)));
             for (top, of) in tops.into_iter().zip(coefficients) {

@@ -103,7 +103,7 @@ pub(super) fn severity(
         Side::Stator => -contact.kappa3,
         Side::Rotor => contact.kappa1,
     };
-    let (own, wheel) = (r * alpha.sin() - e, alpha.sin() + bulge * e);
+    let (own, wheel) = (r * libm::sin(alpha) - e, libm::sin(alpha) + bulge * e);
     if own <= 0.0 || wheel <= 0.0 {
         return Ok(f64::INFINITY);
     }
@@ -122,12 +122,12 @@ struct Severity {
 
 impl Severity {
     fn new(side: Side, r: f64, alpha: f64, sigma: f64) -> Self {
-        let (sin, cos) = alpha.sin_cos();
+        let (sin, cos) = libm::sincos(alpha);
         Self { side, r, sigma, sin, cos }
     }
 
     fn of(&self, contact: &Contact, e: f64) -> f64 {
-        let (mu_sin, mu_cos) = contact.mu.sin_cos();
+        let (mu_sin, mu_cos) = libm::sincos(contact.mu);
         let carrying = self.cos * mu_cos - self.sigma * self.sin * mu_sin;
         if carrying <= WITHIN {
             return f64::NAN;
@@ -408,9 +408,9 @@ impl Motor {
                 Side::Stator => -contact.kappa3,
                 Side::Rotor => contact.kappa1,
             };
-            let cusp = -alpha.sin() / bulge;
+            let cusp = -libm::sin(alpha) / bulge;
             let (low, high) = if bulge > 0.0 { (cusp, f64::INFINITY) } else { (f64::NEG_INFINITY, cusp) };
-            let high = high.min(r * alpha.sin());
+            let high = high.min(r * libm::sin(alpha));
             return Err(Error::OutOfRange {
                 quantity: Quantity::ContactOffset,
                 value: e,

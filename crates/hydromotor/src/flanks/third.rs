@@ -82,14 +82,14 @@ struct Inclined {
 
 impl Inclined {
     fn new(alpha: f64) -> Self {
-        let (sin, cos) = alpha.sin_cos();
+        let (sin, cos) = libm::sincos(alpha);
         Self { sin, cos }
     }
 
     /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`; none where the
     /// equations have no solution.
     fn held(self, r: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<[f64; 3]> {
-        let (mu_sin, mu_cos) = contact.mu.sin_cos();
+        let (mu_sin, mu_cos) = libm::sincos(contact.mu);
         // α + σ·μ, and of α − σ·μ the cosine.
         let sin = self.sin * mu_cos + sigma * self.cos * mu_sin;
         let cos = self.cos * mu_cos - sigma * self.sin * mu_sin;

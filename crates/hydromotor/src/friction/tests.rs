@@ -39,7 +39,7 @@ fn loss_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -
     let h = 1e-6;
     let forces = motor.flank_forces(alpha(), angle(rotation), width, drop).unwrap();
     let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
-    let pitch = PI * motor.module().get::<meter>() * radians(alpha()).cos();
+    let pitch = PI * motor.module().get::<meter>() * libm::cos(radians(alpha()));
     at(rotation - h)
         .iter()
         .zip(at(rotation + h))
@@ -141,7 +141,7 @@ fn the_drag_is_that_of_points_of_the_faces() {
             for ring in 0..20 {
                 let rho = r * ((f64::from(ring) + 0.5) / 20.0_f64).sqrt();
                 for k in 0..12 {
-                    let (sin, cos) = (TAU * f64::from(k) / 12.0).sin_cos();
+                    let (sin, cos) = libm::sincos(TAU * f64::from(k) / 12.0);
                     let [u, v] = [velocity[0] - spin * rho * sin, velocity[1] + spin * rho * cos];
                     sum += (u * u + v * v) * PI * r * r / 240.0;
                 }
@@ -161,7 +161,7 @@ fn the_drag_is_that_of_points_of_the_faces() {
     for i in 0..20_000 {
         let theta = TAU * (f64::from(i) + 0.5) / 20_000.0;
         let point = curve.at_polar_angle(angle(theta)).unwrap();
-        let rho = point.x.value.hypot(point.y.value);
+        let rho = libm::hypot(point.x.value, point.y.value);
         face += TAU / 20_000.0 * (rho.powi(4) - 6e-3_f64.powi(4)) / 4.0;
     }
     let rotor = 2.0 * 0.03 / 12e-6 * face * 30.0;

@@ -133,7 +133,7 @@ fn agm(mut a: f64, mut b: f64) -> f64 {
 
 /// `G(δ)` of an angle between 0 and half a turn.
 fn conductance(sealed: f64) -> f64 {
-    let k = (0.25 * sealed).tan().powi(2);
+    let k = libm::tan(0.25 * sealed).powi(2);
     agm(1.0, ((1.0 - k) * (1.0 + k)).sqrt()) / (2.0 * agm(1.0, k))
 }
 
@@ -265,14 +265,14 @@ impl Face {
             return Ok(GapFlow { flow, reynolds, regime: Regime::Laminar });
         }
         let Some((factor, exponent)) = law else {
-            let gap_most_um = micrometres(length_of_metres(gap * (LAMINAR / reynolds).cbrt()));
+            let gap_most_um = micrometres(length_of_metres(gap * libm::cbrt(LAMINAR / reynolds)));
             return Err(Error::NotLaminar { wheel: self.wheel, reynolds, most: LAMINAR, gap_most_um });
         };
         // Δp = C·(2·ϱ·u·h/η)^(−s)·ℓ·ϱ·u²/(4·h)
         let path = self.across / self.conductance;
-        let power =
-            4.0 * gap * drop / (factor * path * density) * (2.0 * density * gap / viscosity).powf(exponent);
-        let velocity = power.powf(1.0 / (2.0 - exponent));
+        let power = 4.0 * gap * drop / (factor * path * density)
+            * libm::pow(2.0 * density * gap / viscosity, exponent);
+        let velocity = libm::pow(power, 1.0 / (2.0 - exponent));
         Ok(GapFlow {
             flow: flow_of_cubic_metres(2.0 * velocity * gap * self.across),
             reynolds: 2.0 * density * velocity * gap / viscosity,

@@ -44,7 +44,7 @@ fn by_differences(pairs: u32, sealed: f64, cells: usize, bore: Option<f64>) -> f
     let sector = PI / (2.0 * f64::from(pairs));
     let step = sector / cells as f64;
     // The pressure falls inwards with r to the power of the pairs: e⁻⁷ of it is left.
-    let depth = bore.map_or(7.0 / f64::from(pairs), |bore| -bore.ln());
+    let depth = bore.map_or(7.0 / f64::from(pairs), |bore| -libm::log(bore));
     let rows = (depth / step).round() as usize;
     // Nodes i of the angle 0…cells, rows j inwards from the rim. Between the pressures, at the angle 0, the pressure is 0.
     let width = cells + 1;
@@ -53,7 +53,7 @@ fn by_differences(pairs: u32, sealed: f64, cells: usize, bore: Option<f64>) -> f
     for (i, p) in p.iter_mut().enumerate().take(width) {
         *p = if on_electrode(i) { 0.5 } else { 0.0 };
     }
-    let omega = 2.0 / (1.0 + (0.5 * PI / cells as f64).sin());
+    let omega = 2.0 / (1.0 + libm::sin(0.5 * PI / cells as f64));
     for _ in 0..30 * cells {
         let mut moved = 0.0_f64;
         for j in 0..=rows {
@@ -149,7 +149,7 @@ fn water_needs_a_turbulent_law() {
     // The law by its own numbers.
     let flow = leakage.satellite;
     let velocity = 0.5 * flow.flow.value / (20e-6 * 7.5e-3);
-    let lambda = 0.316 * flow.reynolds.powf(-0.25);
+    let lambda = 0.316 * libm::pow(flow.reynolds, -0.25);
     let drop = lambda * 7.5e-3 / conductance(TAU / 10.0) * 1000.0 * velocity * velocity / (4.0 * 20e-6);
     assert!((drop / 25e6 - 1.0).abs() < 1e-12, "{drop}");
     for (factor, exponent) in [(0.0, 0.25), (f64::NAN, 0.25), (0.3, -0.1), (0.3, 1.1), (0.3, f64::NAN)] {

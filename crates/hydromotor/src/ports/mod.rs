@@ -232,7 +232,7 @@ impl PortPlate {
                 let [x, y] = piece.at(0.0);
                 let bulge = match *piece {
                     Piece::Line(..) => 0.0,
-                    Piece::Arc(_, _, _, sweep) => (0.25 * sweep).tan(),
+                    Piece::Arc(_, _, _, sweep) => libm::tan(0.25 * sweep),
                 };
                 OutlineVertex { at: Point { x: self.motor.length(x), y: self.motor.length(y) }, bulge }
             };
@@ -240,7 +240,7 @@ impl PortPlate {
             let pieces = self.port(side, crest).pieces();
             let sides = pieces.iter().filter(|piece| {
                 let ([x0, y0], [x1, y1]) = (piece.at(0.0), piece.at(1.0));
-                (x1 - x0).hypot(y1 - y0) > crate::tolerance::MET
+                libm::hypot(x1 - x0, y1 - y0) > crate::tolerance::MET
             });
             PortOutline { side, crest, vertices: sides.map(vertex).collect() }
         };
@@ -281,7 +281,7 @@ impl PortPlate {
             }
             for [x, y] in &of_high {
                 for [u, v] in &of_low {
-                    least = least.min((x - u).hypot(y - v));
+                    least = least.min(libm::hypot(x - u, y - v));
                 }
             }
         }
@@ -325,14 +325,14 @@ fn rays_part_chambers(motor: &Motor) -> bool {
         && (0..PLACES).all(|i| {
             let phase = cycle * f64::from(i) / f64::from(PLACES);
             let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
-            let beyond = |[x, y]: [f64; 2], theta: f64| y * theta.cos() - x * theta.sin();
+            let beyond = |[x, y]: [f64; 2], theta: f64| y * libm::cos(theta) - x * libm::sin(theta);
             let turn = front.contact.theta3 - back.contact.theta3;
             let apart = beyond(front.centre, back.contact.theta3) >= r
                 && -beyond(back.centre, front.contact.theta3) >= r;
             let is_free = |j: u32| {
-                let (sin, cos) = (TAU * f64::from(j) / f64::from(PLACES)).sin_cos();
+                let (sin, cos) = libm::sincos(TAU * f64::from(j) / f64::from(PLACES));
                 let [x, y] = [back.centre[0] + r * cos, back.centre[1] + r * sin];
-                let (rho, theta) = (x.hypot(y), y.atan2(x));
+                let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
                 rho <= motor.shape.at(By::StatorAngle, theta).rho3 + crate::tolerance::MET
                     && rho >= motor.shape.at(By::RotorAngle, theta - phase).rho1 - crate::tolerance::MET
             };

@@ -24,7 +24,7 @@ impl Piece {
         match *self {
             Self::Line(from, to) => [0, 1].map(|i| from[i] + part * (to[i] - from[i])),
             Self::Arc(centre, radius, start, sweep) => {
-                let (sin, cos) = (start + part * sweep).sin_cos();
+                let (sin, cos) = libm::sincos(start + part * sweep);
                 [centre[0] + radius * cos, centre[1] + radius * sin]
             }
         }
@@ -39,7 +39,8 @@ impl Piece {
             }
             Self::Arc(centre, radius, start, sweep) => {
                 let (a, b) = (start + from * sweep, start + to * sweep);
-                let across = centre[0] * (b.sin() - a.sin()) - centre[1] * (b.cos() - a.cos());
+                let across =
+                    centre[0] * (libm::sin(b) - libm::sin(a)) - centre[1] * (libm::cos(b) - libm::cos(a));
                 0.5 * radius * (radius * (b - a) + across)
             }
         }
@@ -63,13 +64,13 @@ impl Piece {
             }
             Self::Arc(own, own_radius, start, sweep) => {
                 let (dx, dy) = (centre[0] - own[0], centre[1] - own[1]);
-                let apart = dx.hypot(dy);
+                let apart = libm::hypot(dx, dy);
                 let cosine =
                     (apart * apart + own_radius * own_radius - radius * radius) / (2.0 * apart * own_radius);
                 if apart == 0.0 || !(-1.0..1.0).contains(&cosine) {
                     return vec![];
                 }
-                let (towards, half) = (dy.atan2(dx), cosine.acos());
+                let (towards, half) = (libm::atan2(dy, dx), libm::acos(cosine));
                 let part = |angle: f64| {
                     let turn = if sweep > 0.0 { angle - start } else { start - angle };
                     turn.rem_euclid(TAU) / sweep.abs()
@@ -113,11 +114,11 @@ impl Port {
                 // The corners take half the height at most, and their arcs the span.
                 let fits = |corner: f64| {
                     2.0 * corner <= (outer - inner) * (1.0 + SLACK)
-                        && (corner / (inner + corner)).asin() <= half
+                        && libm::asin(corner / (inner + corner)) <= half
                 };
                 if !(corner >= 0.0 && fits(corner)) {
                     let by_span = {
-                        let sine = half.min(0.5 * PI).sin();
+                        let sine = libm::sin(half.min(0.5 * PI));
                         if sine < 1.0 { inner * sine / (1.0 - sine) } else { f64::INFINITY }
                     };
                     let high = by_span.min(0.5 * (outer - inner)) * millimetre;
@@ -157,7 +158,7 @@ impl Port {
     pub(crate) fn reach(&self) -> [f64; 2] {
         match *self {
             Self::Hole(radius, distance, angle) => {
-                [angle, if radius < distance { (radius / distance).asin() } else { PI }]
+                [angle, if radius < distance { libm::asin(radius / distance) } else { PI }]
             }
             Self::Kidney(_, _, angle, half, _) => [angle, half],
         }
@@ -171,22 +172,22 @@ impl Port {
     pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         match *self {
             Self::Hole(radius, distance, angle) => {
-                let (sin, cos) = angle.sin_cos();
-                (x - distance * cos).hypot(y - distance * sin) < radius
+                let (sin, cos) = libm::sincos(angle);
+                libm::hypot(x - distance * cos, y - distance * sin) < radius
             }
             Self::Kidney(inner, outer, angle, half, corner) => {
-                let rho = x.hypot(y);
-                let off = (y.atan2(x) - angle + PI).rem_euclid(TAU) - PI;
+                let rho = libm::hypot(x, y);
+                let off = (libm::atan2(y, x) - angle + PI).rem_euclid(TAU) - PI;
                 let edge = half - off.abs();
                 if rho <= inner || rho >= outer || edge <= 0.0 {
                     return false;
                 }
                 // In the frame of the edge: along it, and away from it.
-                let (along, away) = (rho * edge.cos(), rho * edge.sin());
+                let (along, away) = (rho * libm::cos(edge), rho * libm::sin(edge));
                 let rounded_off = |centre: f64, side: f64| {
                     let foot = (centre * centre - corner * corner).max(0.0).sqrt();
-                    let in_corner = side * (along - foot) > 0.0 && edge < (corner / centre).asin();
-                    in_corner && (along - foot).hypot(away - corner) >= corner
+                    let in_corner = side * (along - foot) > 0.0 && edge < libm::asin(corner / centre);
+                    in_corner && libm::hypot(along - foot, away - corner) >= corner
                 };
                 corner == 0.0 || !(rounded_off(outer - corner, 1.0) || rounded_off(inner + corner, -1.0))
             }
@@ -197,14 +198,14 @@ impl Port {
     pub(crate) fn pieces(&self) -> Vec<Piece> {
         match *self {
             Self::Hole(radius, distance, angle) => {
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = libm::sincos(angle);
                 let centre = [distance * cos, distance * sin];
                 vec![Piece::Arc(centre, radius, angle, PI), Piece::Arc(centre, radius, angle + PI, PI)]
             }
             Self::Kidney(inner, outer, angle, half, corner) => {
-                let polar = |rho: f64, theta: f64| [rho * theta.cos(), rho * theta.sin()];
+                let polar = |rho: f64, theta: f64| [rho * libm::cos(theta), rho * libm::sin(theta)];
                 let [out, into] = [outer - corner, inner + corner];
-                let [out_turn, in_turn] = [out, into].map(|centre| half - (corner / centre).asin());
+                let [out_turn, in_turn] = [out, into].map(|centre| half - libm::asin(corner / centre));
                 let [out_foot, in_foot] =
                     [out, into].map(|centre| (centre * centre - corner * corner).max(0.0).sqrt());
                 let (low, high) = (angle - half, angle + half);

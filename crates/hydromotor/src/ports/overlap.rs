@@ -69,9 +69,9 @@ impl<'a> Region<'a> {
     /// Whether a point lies within.
     pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         let [from, to] = self.ends();
-        let theta = from + (y.atan2(x) - from).rem_euclid(TAU);
-        let rho = x.hypot(y);
-        let free = |place: &Place| (x - place.centre[0]).hypot(y - place.centre[1]) > self.r;
+        let theta = from + (libm::atan2(y, x) - from).rem_euclid(TAU);
+        let rho = libm::hypot(x, y);
+        let free = |place: &Place| libm::hypot(x - place.centre[0], y - place.centre[1]) > self.r;
         theta < to
             && free(&self.back)
             && free(&self.front)
@@ -110,7 +110,7 @@ impl<'a> Region<'a> {
                 for part in piece.across_circle(disc.centre, self.r) {
                     cuts.push(part);
                     let [x, y] = piece.at(part);
-                    angles.push((y - disc.centre[1]).atan2(x - disc.centre[0]));
+                    angles.push(libm::atan2(y - disc.centre[1], x - disc.centre[0]));
                 }
             }
             for (wall, angles) in [Wall::Stator, Wall::Rotor].into_iter().zip(&mut on_walls) {
@@ -121,7 +121,7 @@ impl<'a> Region<'a> {
                 for part in self.across_wall(&piece, wall) {
                     cuts.push(part);
                     let [x, y] = piece.at(part);
-                    angles.push(y.atan2(x));
+                    angles.push(libm::atan2(y, x));
                 }
             }
             cuts.sort_by(f64::total_cmp);
@@ -145,7 +145,7 @@ impl<'a> Region<'a> {
     fn across_wall(&self, piece: &Piece, wall: Wall) -> Vec<f64> {
         let off = |part: f64| {
             let [x, y] = piece.at(part);
-            x.hypot(y) - self.radius(wall, y.atan2(x))
+            libm::hypot(x, y) - self.radius(wall, libm::atan2(y, x))
         };
         let places: Vec<(f64, f64)> = (0..=PLACES)
             .map(|i| {
@@ -189,7 +189,7 @@ impl<'a> Region<'a> {
         ends.sort_by(f64::total_cmp);
         let of_pair = |pair: &[f64]| {
             let middle = 0.5 * (pair[0] + pair[1]);
-            let (sin, cos) = middle.sin_cos();
+            let (sin, cos) = libm::sincos(middle);
             let rho = self.radius(wall, middle);
             if port.contains([rho * cos, rho * sin]) {
                 let square = |theta: f64| self.radius(wall, theta).powi(2);

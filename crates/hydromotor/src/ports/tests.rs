@@ -127,7 +127,7 @@ proptest! {
                 let rho = inner + dr * (f64::from(i) + 0.5);
                 for j in 0..COUNT {
                     let theta = port.reach()[0] + dt * (f64::from(j) + 0.5) - radians(deg(0.5 * span));
-                    let point = [rho * theta.cos(), rho * theta.sin()];
+                    let point = [rho * libm::cos(theta), rho * libm::sin(theta)];
                     if inside(&walls, point) && inside(&outline, point) {
                         counted += rho * dr * dt;
                     }
@@ -145,7 +145,7 @@ proptest! {
         let port = Port::new(hole(diameter, 19.64, turn), motor.module(), 6).unwrap();
         let Port::Hole(radius, distance, angle) = port else { unreachable!() };
         let r = motor.shape.satellite_radius();
-        let centre = [distance * angle.cos(), distance * angle.sin()];
+        let centre = [distance * libm::cos(angle), distance * libm::sin(angle)];
         let chambers: f64 = (0..10).map(|j| Region::new(&motor, rotation, j).shared(&port)).sum();
         // The lens of two circles.
         let lens = |apart: f64| if apart >= r + radius {
@@ -155,13 +155,13 @@ proptest! {
         } else {
             let [one, other] = [(radius, r), (r, radius)].map(|(a, b): (f64, f64)| {
                 let x = ((apart * apart + a * a - b * b) / (2.0 * apart)).clamp(-a, a);
-                a * a * (x / a).acos() - x * (a * a - x * x).sqrt()
+                a * a * libm::acos(x / a) - x * (a * a - x * x).sqrt()
             });
             one + other
         };
         let satellites: f64 = (0..10).map(|j| {
             let at = motor.place(rotation, j).centre;
-            lens((at[0] - centre[0]).hypot(at[1] - centre[1]))
+            lens(libm::hypot(at[0] - centre[0], at[1] - centre[1]))
         }).sum();
         prop_assert!((chambers + satellites - PI * radius * radius).abs() < 1e-10, "{chambers} {satellites}");
     }
@@ -177,7 +177,7 @@ fn outlines_are_closed_and_have_the_ports_area() {
         let pieces = port.pieces();
         for (one, next) in pieces.iter().zip(pieces.iter().cycle().skip(1)) {
             let (a, b) = (one.at(1.0), next.at(0.0));
-            assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-12, "{corner} {one:?} {next:?}");
+            assert!(libm::hypot(a[0] - b[0], a[1] - b[1]) < 1e-12, "{corner} {one:?} {next:?}");
         }
         // By a grid in polar coordinates.
         let (mut sum, count) = (0.0, 800);
@@ -187,7 +187,7 @@ fn outlines_are_closed_and_have_the_ports_area() {
             let rho = inner + dr * (f64::from(i) + 0.5);
             for j in 0..count {
                 let theta = radians(deg(-20.0)) + dt * (f64::from(j) + 0.5);
-                if port.contains([rho * theta.cos(), rho * theta.sin()]) {
+                if port.contains([rho * libm::cos(theta), rho * libm::sin(theta)]) {
                     sum += rho * dr * dt;
                 }
             }
@@ -200,7 +200,7 @@ fn outlines_are_closed_and_have_the_ports_area() {
     // Round ends: two straight sides of no length are left out.
     assert_eq!(outlines[0].vertices.len(), 6);
     assert_eq!(outlines[1].vertices.len(), 2);
-    assert_eq!(outlines[1].vertices[0].bulge, (PI / 4.0).tan());
+    assert_eq!(outlines[1].vertices[0].bulge, libm::tan(PI / 4.0));
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn a_smaller_hole_closes_where_a_satellite_just_covers_it() {
     let r = motor.shape.satellite_radius();
     let off = |phase: f64| {
         let [x, y] = motor.place_at(phase).centre;
-        (x - distance * angle.cos()).hypot(y - distance * angle.sin()) - (r - radius)
+        libm::hypot(x - distance * libm::cos(angle), y - distance * libm::sin(angle)) - (r - radius)
     };
     // The front satellite covers it before the chamber behind is greatest, while it runs from -π/n to -π/N.
     let (early, late) = (-PI / 4.0, -PI / 6.0);
@@ -376,7 +376,7 @@ fn openings_are_those_of_the_phase() {
         plate.openings(angle(f64::NAN)).is_err() && plate.opening_at(PortSide::Low, angle(f64::NAN)).is_err()
     );
     // From the hole's centre across to the kidney's end at -8°, less the hole's radius.
-    let land = 19.7 * radians(deg(23.0)).sin() - 2.0;
+    let land = 19.7 * libm::sin(radians(deg(23.0))) - 2.0;
     assert!((plate.land().get::<millimeter>() - land).abs() < 1e-4);
 }
 

@@ -136,7 +136,7 @@ impl<'a> Teeth<'a> {
         let mut best: Option<(f64, &Sample)> = None;
         for sample in &self.samples {
             let local = pose.local(sample.at);
-            let far = local[0].hypot(local[1]) - reach;
+            let far = libm::hypot(local[0], local[1]) - reach;
             if best.is_none_or(|(distance, _)| far < distance) {
                 let distance = satellite.distance(local);
                 if best.is_none_or(|(least, _)| distance < least) {
@@ -177,7 +177,7 @@ impl Pose {
             Side::Stator => 0.0,
             Side::Rotor => rotation,
         };
-        let (sin, cos) = (spin - wheel).sin_cos();
+        let (sin, cos) = libm::sincos(spin - wheel);
         Self { centre: turned(place.centre, -wheel), sin, cos, wheel }
     }
 
@@ -189,7 +189,7 @@ impl Pose {
 }
 
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     [x * cos - y * sin, x * sin + y * cos]
 }
 

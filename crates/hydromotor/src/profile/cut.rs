@@ -134,7 +134,7 @@ pub(super) fn point(teeth: &Teeth, curve: Curve, frame: &Frame) -> [f64; 2] {
         }
         Curve::Fillet { sign, middle } => {
             let (along, across) = round_centre(teeth, sign, middle, frame.s);
-            let scale = 1.0 + teeth.fillet / along.hypot(across);
+            let scale = 1.0 + teeth.fillet / libm::hypot(along, across);
             frame.point(along * scale, across * scale)
         }
     }
@@ -142,7 +142,7 @@ pub(super) fn point(teeth: &Teeth, curve: Curve, frame: &Frame) -> [f64; 2] {
 
 /// `F − C` along and across the track.
 fn round_centre(teeth: &Teeth, sign: f64, middle: f64, s: f64) -> (f64, f64) {
-    let (sin, cos) = (sign * teeth.round_angle - (s - middle) / teeth.r).sin_cos();
+    let (sin, cos) = libm::sincos(sign * teeth.round_angle - (s - middle) / teeth.r);
     (teeth.round_radius * sin, teeth.r - teeth.round_radius * cos)
 }
 
@@ -157,7 +157,7 @@ fn derivative(teeth: &Teeth, curve: Curve, frame: &Frame) -> [f64; 2] {
         }
         Curve::Fillet { sign, middle } => {
             let (along, across) = round_centre(teeth, sign, middle, frame.s);
-            let distance = along.hypot(across);
+            let distance = libm::hypot(along, across);
             // e⊥ is e turned left.
             let (turned_along, turned_across) = (-across / distance, along / distance);
             let rate =
@@ -198,7 +198,7 @@ fn meeting(teeth: &Teeth, track: &Track<'_>, curves: [Curve; 2], start: [f64; 2]
             return None;
         }
         if steps[0].abs() + steps[1].abs() < STEP * (1.0 + s[0].abs() + s[1].abs()) {
-            return (gx.hypot(gy) < MET).then_some(s);
+            return (libm::hypot(gx, gy) < MET).then_some(s);
         }
     }
     None

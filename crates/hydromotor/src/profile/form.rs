@@ -70,7 +70,7 @@ impl ToothForm {
 
 /// Involute function of a roll angle, `inv α_y = t − atan t` with `t = tan α_y`.
 pub(super) fn involute(t: f64) -> f64 {
-    t - t.atan()
+    t - libm::atan(t)
 }
 
 /// The satellite and the cutters in modules.
@@ -126,7 +126,7 @@ impl Teeth {
         let share = within(Quantity::BacklashShare, form.satellite_share, 0.0, 1.0, "")?;
         let fillet = within(Quantity::Fillet, form.fillet, 0.0, 1.0, "modules")?;
 
-        let (sin, cos) = alpha.sin_cos();
+        let (sin, cos) = libm::sincos(alpha);
         let tan = sin / cos;
         let r = 0.5 * f64::from(satellite_teeth);
         let thickness = FRAC_PI_2 + 2.0 * x * tan;

@@ -320,7 +320,7 @@ impl Worsts {
             .windows(2)
             .map(|ends| {
                 let ([ax, ay], [bx, by]) = (point(&ends[0]), point(&ends[1]));
-                (ax - bx).hypot(ay - by)
+                libm::hypot(ax - bx, ay - by)
             })
             .sum();
         self.keep(LimitKind::TipThickness, thickness, LEAST_TIP, 0.5 * (piece.from + piece.to));
@@ -338,8 +338,8 @@ fn intrusion(Mesh { teeth, satellite }: Mesh<'_>, track: &Track<'_>, flank: &Fla
         let (along, towards) = (x * tx + y * ty, x * ty - y * tx);
         // About the middle of the satellite's tooth that comes into this space.
         let (out, turned) = (teeth.r + towards, (s - middle) / teeth.r);
-        let (radius, angle) = (out.hypot(along), flank.sign * (along.atan2(out) + turned));
-        match satellite.fillet_distance([radius * angle.cos(), radius * angle.sin()]) {
+        let (radius, angle) = (libm::hypot(out, along), flank.sign * (libm::atan2(along, out) + turned));
+        match satellite.fillet_distance([radius * libm::cos(angle), radius * libm::sin(angle)]) {
             (distance, true) => distance,
             _ => f64::INFINITY,
         }

@@ -223,7 +223,7 @@ impl Profile {
         let (parts, count) = (outline.segments.len(), lobe.len());
         for k in 0..lobes {
             // The rotor's track is clockwise, but its mirror image in the crest is itself.
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(lobes)).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / f64::from(lobes));
             let mirror = if side == Side::Stator { 1.0 } else { -1.0 };
             outline.points.extend(lobe.iter().map(|&[x, y]| {
                 let y = mirror * y;

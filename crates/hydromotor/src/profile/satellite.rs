@@ -89,7 +89,7 @@ impl SatelliteTooth {
         let inside = |v: f64| {
             let point = self.fillet_point(v);
             let t = self.teeth.roll_angle(radius(point));
-            point[1].atan2(point[0]) - self.teeth.half_angle(self.teeth.half_tooth, t)
+            libm::atan2(point[1], point[0]) - self.teeth.half_angle(self.teeth.half_tooth, t)
         };
         let at =
             |i: u32| self.fillet + (self.teeth.rack_half - self.fillet) * f64::from(i) / f64::from(COUNT);
@@ -104,10 +104,10 @@ impl SatelliteTooth {
     fn fillet_point(&self, v: f64) -> [f64; 2] {
         let Teeth { r, rack_half, rack_depth, fillet, .. } = self.teeth;
         let along = rack_half - v;
-        let scale = 1.0 + fillet / along.hypot(rack_depth);
+        let scale = 1.0 + fillet / libm::hypot(along, rack_depth);
         let (radial, along) = (r - rack_depth * scale, along * scale);
         // The middle of the space lies half a pitch ahead, and the roll counts back from there.
-        polar(radial.hypot(along), self.half_pitch - v / r - along.atan2(radial))
+        polar(libm::hypot(radial, along), self.half_pitch - v / r - libm::atan2(along, radial))
     }
 
     /// A point of the fillet from the involute, 0, to the root circle, 1.
@@ -149,7 +149,7 @@ impl SatelliteTooth {
             .map(|(part, index, share, first)| (part, self.on(index, share), first))
             .collect();
         for k in 0..(PI / self.half_pitch).round() as u32 {
-            let (sin, cos) = (self.offset + 2.0 * self.half_pitch * f64::from(k)).sin_cos();
+            let (sin, cos) = libm::sincos(self.offset + 2.0 * self.half_pitch * f64::from(k));
             for &(part, [x, y], first) in &tooth {
                 add(part, [x * cos - y * sin, x * sin + y * cos], first);
             }
@@ -160,9 +160,9 @@ impl SatelliteTooth {
     ///
     /// Halves of teeth are mirror images, so that the nearest point lies in the half that the point lies in.
     pub(super) fn distance(&self, [x, y]: [f64; 2]) -> f64 {
-        let radius = x.hypot(y);
+        let radius = libm::hypot(x, y);
         let pitch = 2.0 * self.half_pitch;
-        let angle = y.atan2(x) - self.offset;
+        let angle = libm::atan2(y, x) - self.offset;
         let angle = (angle - pitch * (angle / pitch).round()).abs();
         let folded = polar(radius, angle);
         let nearer = |one: f64, other: f64| if other.abs() < one.abs() { other } else { one };
@@ -171,7 +171,7 @@ impl SatelliteTooth {
             nearest = nearer(nearest, radius - self.teeth.tip);
         } else {
             let [cx, cy] = self.corner;
-            nearest = nearer(nearest, (folded[0] - cx).hypot(folded[1] - cy));
+            nearest = nearer(nearest, libm::hypot(folded[0] - cx, folded[1] - cy));
         }
         if let Some((distance, t)) = self.flank_distance(radius, angle)
             && (self.from..=self.to).contains(&t)
@@ -195,7 +195,7 @@ impl SatelliteTooth {
             let [[ax, ay], [bx, by]] = [ends[0], ends[1]];
             let (ux, uy, vx, vy) = (bx - ax, by - ay, point[0] - ax, point[1] - ay);
             let share = ((ux * vx + uy * vy) / (ux * ux + uy * uy)).clamp(0.0, 1.0);
-            let distance = (vx - share * ux).hypot(vy - share * uy);
+            let distance = libm::hypot(vx - share * ux, vy - share * uy);
             if distance < nearest.abs() {
                 // From the involute to the root the space lies to the right; an undercut tooth's edge is convex.
                 let edge = self.undercut && i == 0 && share == 0.0;
@@ -204,10 +204,10 @@ impl SatelliteTooth {
             }
         }
         let Teeth { r, rack_half, rack_depth, fillet, .. } = self.teeth;
-        let (radius, angle) = (radius(point), point[1].atan2(point[0]));
+        let (radius, angle) = (radius(point), libm::atan2(point[1], point[0]));
         // From the pitch point with the rack at `v`, outwards and along the rack.
         let from_contact = |v: f64| {
-            let (sin, cos) = (self.half_pitch - v / r - angle).sin_cos();
+            let (sin, cos) = libm::sincos(self.half_pitch - v / r - angle);
             [radius * cos - r, radius * sin]
         };
         let aside = |v: f64| {
@@ -221,7 +221,7 @@ impl SatelliteTooth {
         }
         let v = bracketed(low, high, aside);
         let [out, along] = from_contact(v);
-        let to_centre = (rack_half - v).hypot(rack_depth);
+        let to_centre = libm::hypot(rack_half - v, rack_depth);
         (to_centre + fillet - (along * (rack_half - v) - out * rack_depth) / to_centre, true)
     }
 
@@ -245,9 +245,9 @@ impl SatelliteTooth {
 }
 
 fn polar(radius: f64, angle: f64) -> [f64; 2] {
-    [radius * angle.cos(), radius * angle.sin()]
+    [radius * libm::cos(angle), radius * libm::sin(angle)]
 }
 
 fn radius([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
+    libm::hypot(x, y)
 }

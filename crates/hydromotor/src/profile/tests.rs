@@ -43,7 +43,7 @@ fn reference_motors() -> Vec<Motor> {
 }
 
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     [x * cos - y * sin, x * sin + y * cos]
 }
 
@@ -56,16 +56,16 @@ fn failing(profile: &Profile) -> Vec<(LimitKind, Wheel)> {
 fn from_cutter(profile: &Profile, [x, y]: [f64; 2]) -> f64 {
     let teeth: &Teeth = &profile.teeth;
     let pitch = TAU / f64::from(profile.motor.numbers().satellite_teeth());
-    let angle = (y.atan2(x) - profile.satellite.offset).rem_euclid(pitch);
+    let angle = (libm::atan2(y, x) - profile.satellite.offset).rem_euclid(pitch);
     let angle = angle.min(pitch - angle);
-    let radius = x.hypot(y);
+    let radius = libm::hypot(x, y);
     let tip = teeth.r + teeth.cutter_addendum;
     let mut least = f64::INFINITY;
     if radius > teeth.base {
         // The string of the involute, and how far it is unwound at the pitch circle.
         let string = (radius * radius - teeth.base * teeth.base).sqrt();
         let at_pitch = (teeth.r * teeth.r - teeth.base * teeth.base).sqrt();
-        let winding = |string: f64| string / teeth.base - (string / teeth.base).atan();
+        let winding = |string: f64| string / teeth.base - libm::atan(string / teeth.base);
         let half = teeth.half_space / teeth.r + winding(at_pitch) - winding(string);
         let distance = teeth.base * (angle - half);
         let end = teeth.roll_angle(teeth.round_radius) * teeth.base + teeth.fillet;
@@ -73,8 +73,8 @@ fn from_cutter(profile: &Profile, [x, y]: [f64; 2]) -> f64 {
             least = distance;
         }
     }
-    let (sin, cos) = (angle - teeth.round_angle).sin_cos();
-    least = least.min((radius * cos - teeth.round_radius).hypot(radius * sin) - teeth.fillet);
+    let (sin, cos) = libm::sincos(angle - teeth.round_angle);
+    least = least.min(libm::hypot(radius * cos - teeth.round_radius, radius * sin) - teeth.fillet);
     if angle <= teeth.round_angle { least.min(radius - tip) } else { least }
 }
 
@@ -165,7 +165,7 @@ fn along_the_arcs_the_flanks_are_involutes_of_round_wheels() {
             .map(|length| length.get::<meter>());
     let junction = r2 * radians(arcs.crest_angle());
     let trough = 0.5 * profile.track(Side::Stator).lobe();
-    let (sin, cos) = (PI / 5.0).sin_cos();
+    let (sin, cos) = libm::sincos(PI / 5.0);
     let mut seen = [0, 0];
     for flank in profile.cuts[0].flanks.iter().flatten() {
         for i in 0..=20 {
@@ -180,7 +180,7 @@ fn along_the_arcs_the_flanks_are_involutes_of_round_wheels() {
             let curve = cut::Curve::Flank { sign: flank.sign, pitch: flank.pitch };
             let [x, y] = cut::point(&teeth, curve, &profile.track(Side::Stator).at(s));
             let base = teeth.cos * [r2, r1][arc];
-            assert!(((x - cx).hypot(y - cy) - base.hypot(string)).abs() < 1e-11, "{arc}");
+            assert!((libm::hypot(x - cx, y - cy) - libm::hypot(base, string)).abs() < 1e-11, "{arc}");
             seen[arc] += 1;
         }
     }
@@ -278,7 +278,7 @@ fn standard_teeth_undercut_the_satellite_and_overlap() {
         .iter()
         .find(|limit| limit.kind == LimitKind::Undercut && limit.wheel == Wheel::Satellite)
         .unwrap();
-    let sin = 20.0_f64.to_radians().sin();
+    let sin = libm::sin(20.0_f64.to_radians());
     assert!((undercut.bound.get::<meter>() - 5.0 * sin).abs() < 1e-12);
     assert!((undercut.value.get::<meter>() - (1.25 - 0.15 * (1.0 - sin)) / sin).abs() < 1e-12);
     assert!(undercut.margin() < m(0.0));
@@ -315,7 +315,7 @@ fn a_flank_that_ends_before_its_tip_ends_in_a_cusp() {
                     let [x, y] = [tip[0] - foot.at[0], tip[1] - foot.at[1]];
                     let [along, height] = [
                         x * foot.along[0] + y * foot.along[1],
-                        x.hypot(y) + flank.missing - teeth.wheel_addendum,
+                        libm::hypot(x, y) + flank.missing - teeth.wheel_addendum,
                     ];
                     assert!(along.abs() < 1e-9 && height.abs() < 1e-9, "{flank:?}: {along:e} {height:e}");
                     ended += 1;
@@ -334,7 +334,7 @@ fn outline_holds_together(profile: &Profile) {
         for (one, next) in cut.pieces.iter().zip(cut.pieces[1..].iter().chain([&shifted])) {
             let [ax, ay] = cut::point(&profile.teeth, one.curve, &track.at(one.to));
             let [bx, by] = cut::point(&profile.teeth, next.curve, &track.at(next.from));
-            assert!((ax - bx).hypot(ay - by) < 1e-9, "{side:?} {:?} {:?}", one.part, next.part);
+            assert!(libm::hypot(ax - bx, ay - by) < 1e-9, "{side:?} {:?} {:?}", one.part, next.part);
         }
     }
     let least = profile.motor.numbers().satellite_teeth().max(40);
@@ -348,7 +348,7 @@ fn outline_holds_together(profile: &Profile) {
             .zip(next)
             .map(|(a, b)| {
                 let ([ax, ay], [bx, by]) = (xy(*a), xy(*b));
-                (ax * by - ay * bx).atan2(ax * bx + ay * by)
+                libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
             })
             .sum();
         assert!((turn - TAU).abs() < 1e-9, "{wheel:?} {turn}");
@@ -366,15 +366,17 @@ fn the_satellites_distance_is_that_of_its_outline() {
         for i in 0..400 {
             let radius = 3.5 + 3.0 * (f64::from(i) * 0.618).fract();
             let point = turned([radius, 0.0], f64::from(i) * 0.37);
-            let near =
-                points.iter().map(|[x, y]| (x - point[0]).hypot(y - point[1])).fold(f64::INFINITY, f64::min);
+            let near = points
+                .iter()
+                .map(|[x, y]| libm::hypot(x - point[0], y - point[1]))
+                .fold(f64::INFINITY, f64::min);
             let wound: f64 = points
                 .iter()
                 .zip(points.iter().cycle().skip(1))
                 .map(|(a, b)| {
                     let (ax, ay, bx, by) =
                         (a[0] - point[0], a[1] - point[1], b[0] - point[0], b[1] - point[1]);
-                    (ax * by - ay * bx).atan2(ax * bx + ay * by)
+                    libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
                 })
                 .sum();
             let expected = if wound > 3.0 { -near } else { near };
@@ -510,11 +512,11 @@ proptest! {
             {
                 // Pitches from a tooth of the satellite to the contact, and from a space of the wheel, counted back from its outline.
                 let ([x, y], [cx, cy]) = (xy(at), xy(satellite.centre));
-                let on_satellite = (y - cy).atan2(x - cx) - radians(satellite.rotation);
+                let on_satellite = libm::atan2(y - cy, x - cx) - radians(satellite.rotation);
                 let teeth = on_satellite * z / TAU - stator_phase / PI;
                 let turn = if wheel == Wheel::Rotor { rotation } else { 0.0 };
                 let [x, y] = turned([x, y], -turn);
-                let arc = motor.centrode(wheel).at_polar_angle(angle(y.atan2(x))).unwrap().arc_length.get::<meter>();
+                let arc = motor.centrode(wheel).at_polar_angle(angle(libm::atan2(y, x))).unwrap().arc_length.get::<meter>();
                 let along = if wheel == Wheel::Rotor { -arc } else { arc };
                 let mismatch = teeth - (along - phase) / PI;
                 prop_assert!((mismatch - mismatch.round()).abs() < 1e-9, "{wheel:?} {mismatch}");

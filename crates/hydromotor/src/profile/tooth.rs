@@ -73,7 +73,7 @@ impl Tooth {
 
     /// Its mirror image in the x axis of the wheel's frame, turned.
     fn mirrored(&self, by: f64) -> Self {
-        let (sin, cos) = by.sin_cos();
+        let (sin, cos) = libm::sincos(by);
         let image = |[x, y]: [f64; 2]| [x * cos + y * sin, x * sin - y * cos];
         let mut image = Self { origin: image(self.origin), axis: image(self.axis), ..self.clone() };
         for section in &mut image.sections {
@@ -122,7 +122,7 @@ impl Tooth {
     /// How far the frame is from another.
     #[cfg(test)]
     pub(crate) fn apart(&self, other: &Self) -> f64 {
-        let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| (ax - bx).hypot(ay - by);
+        let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| libm::hypot(ax - bx, ay - by);
         apart(self.origin, other.origin) + apart(self.axis, other.axis)
     }
 
@@ -259,7 +259,7 @@ impl Profile {
         let teeth = self.teeth();
         let t = teeth.tan - e / teeth.base;
         // The line of action touches the base circle where the involute has unwound from.
-        let (sin, cos) = (teeth.half_angle(teeth.half_tooth, 0.0) - t).sin_cos();
+        let (sin, cos) = libm::sincos(teeth.half_angle(teeth.half_tooth, 0.0) - t);
         (self.satellite.on_flank(t), [sin, -cos])
     }
 }

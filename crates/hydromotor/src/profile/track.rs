@@ -92,8 +92,8 @@ impl Track<'_> {
             Side::Stator => (contact.s3, contact.rho3, contact.theta3, contact.kappa3),
             Side::Rotor => (contact.s1, contact.rho1, contact.theta1, contact.kappa1),
         };
-        let (sin, cos) = theta.sin_cos();
-        let (along_sin, along_cos) = (theta + FRAC_PI_2 - mu).sin_cos();
+        let (sin, cos) = libm::sincos(theta);
+        let (along_sin, along_cos) = libm::sincos(theta + FRAC_PI_2 - mu);
         match self.side {
             Side::Stator => {
                 Frame { s, at: [rho * cos, rho * sin], along: [along_cos, along_sin], curvature: kappa }

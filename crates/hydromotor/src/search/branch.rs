@@ -102,11 +102,11 @@ impl Branch {
         }
         // Displacement and radius as they are, since a radius may vanish at an end; the ripple by its logarithm.
         let volume = self.bound(i, |point| Some(point.working?.by_volume()));
-        let ripple = self.bound(i, |point| Some(-point.working?.ripple().ln()));
+        let ripple = self.bound(i, |point| Some(-libm::log(point.working?.ripple())));
         let radius = self.bound(i, |point| Some(point.radius));
         match (volume, ripple, radius) {
             (Some(volume), Some(ripple), Some(radius)) => {
-                Prospect::Values([volume.ln(), ripple, radius.ln()])
+                Prospect::Values([libm::log(volume), ripple, libm::log(radius)])
             }
             // Where an end is no motor at all; it lies a rounding off the interval's own.
             _ => Prospect::Refused,

@@ -42,7 +42,7 @@ pub struct SpacingError {
 impl SpacingError {
     /// From differences of logarithms.
     pub(super) fn of(excess: Value) -> Self {
-        let [displacement_by_volume, ripple, least_radius] = excess.map(f64::exp_m1);
+        let [displacement_by_volume, ripple, least_radius] = excess.map(libm::expm1);
         Self { displacement_by_volume, ripple, least_radius }
     }
 }

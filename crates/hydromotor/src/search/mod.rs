@@ -289,7 +289,7 @@ impl MotorSearch {
         let mut values = front_values(&branches);
         let grid = Cover::new(values.clone());
         // Half of the resolution, as logarithms.
-        let half = self.resolution.map(|resolution| 0.5 * resolution.ln_1p());
+        let half = self.resolution.map(|resolution| 0.5 * libm::log1p(resolution));
         if let Some(slack) = half {
             for number in 1.. {
                 let cover = Cover::new(values);

@@ -163,7 +163,7 @@ impl Point {
     /// Logarithms of the objectives, each the greater the better; none where a point was not worked.
     pub(super) fn value(&self) -> Option<Value> {
         let working = self.working?;
-        let value = [working.by_volume().ln(), -working.ripple().ln(), self.radius.ln()];
+        let value = [libm::log(working.by_volume()), -libm::log(working.ripple()), libm::log(self.radius)];
         value.iter().all(|part| part.is_finite()).then_some(value)
     }
 

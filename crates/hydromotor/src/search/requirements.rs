@@ -184,7 +184,7 @@ impl Sizing {
             Choice::Modules(modules) | Choice::Both { modules, .. } => (modules, None),
             Choice::Width(width) => (&[], Some([(wanted / (displacement * width)).sqrt(), *width])),
             Choice::Ratio(ratio) => {
-                let module = (wanted / (displacement * ratio * diameter)).cbrt();
+                let module = libm::cbrt(wanted / (displacement * ratio * diameter));
                 (&[], Some([module, ratio * diameter * module]))
             }
         };

@@ -134,7 +134,7 @@ fn words(gears: &[Analysis], rungs: &[Rung<'_>], counted: &[usize]) -> Vec<Strin
     let mut words = vec![];
     if let [first, .., last] = counted {
         let range = rungs[*last].ratio / rungs[*first].ratio;
-        let mean = range.powf(1.0 / (counted.len() - 1) as f64);
+        let mean = libm::pow(range, 1.0 / (counted.len() - 1) as f64);
         words.push(format!(
             "range {} over {} ratios, mean step {}",
             decimal(range),
@@ -172,7 +172,7 @@ impl Scale {
     }
 
     fn y(&self, ratio: f64) -> f64 {
-        self.height_mm * (ratio / self.low).ln() / (self.high / self.low).ln()
+        self.height_mm * libm::log(ratio / self.low) / libm::log(self.high / self.low)
     }
 
     fn ticks(&self) -> Vec<f64> {
@@ -200,7 +200,7 @@ impl Scale {
 
 /// 1, 2, 5 of the decade of a number, and the last before and the first after.
 fn marks(near: f64) -> [f64; 5] {
-    let decade = 10_f64.powf(near.log10().floor());
+    let decade = libm::pow(10_f64, libm::log10(near).floor());
     [0.5, 1.0, 2.0, 5.0, 10.0].map(|part| part * decade)
 }
 

@@ -317,14 +317,14 @@ impl Sheet<'_> {
                 middle
             } else {
                 let (dx, dy) = (other.at.x - one.at.x, other.at.y - one.at.y);
-                let length = dx.hypot(dy);
+                let length = libm::hypot(dx, dy);
                 let (dx, dy) = (dx / length, dy / length);
                 // In the middle, unless a speed is marked there.
                 let at = |part: f64| Point::new(one.at.x + part * length * dx, one.at.y + part * length * dy);
                 let speeds = || self.placed.iter().flatten().filter_map(|node| node.speed);
                 let is_clear = |part: &f64| {
                     let at = at(*part);
-                    speeds().all(|(_, speed)| (speed.x - at.x).hypot(speed.y - at.y) > CLUTCH_CLEAR_MM)
+                    speeds().all(|(_, speed)| libm::hypot(speed.x - at.x, speed.y - at.y) > CLUTCH_CLEAR_MM)
                 };
                 let middle = at([0.5, 0.35, 0.65, 0.25, 0.75].into_iter().find(is_clear).unwrap_or(0.5));
                 for (end, side) in [(one, -0.6), (other, 0.6)] {

@@ -181,7 +181,7 @@ impl Places {
     /// How a leader would run from its point to the end.
     fn way(&self, start: &Start, end: Point) -> Way {
         let at = start.at;
-        let length = (end.x - at.x).hypot(end.y - at.y);
+        let length = libm::hypot(end.x - at.x, end.y - at.y);
         let after = |off: f64| {
             let part = (off / length.max(off)).min(1.0);
             Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y))

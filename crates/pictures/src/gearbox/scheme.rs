@@ -386,7 +386,7 @@ impl<'a> Sheet<'a> {
     /// The direction of a power that is not small, where there is room for an arrow.
     fn arrow(&mut self, piece: &Piece) {
         let (from, to) = (self.at(piece.from), self.at(piece.to));
-        let length = (to.x - from.x).hypot(to.y - from.y);
+        let length = libm::hypot(to.x - from.x, to.y - from.y);
         let Some(power) = piece.power.filter(|power| power.abs() > 0.02) else { return };
         let size = 1.6 + 0.75 * power.abs() * self.entering_mm;
         if length < 2.2 * size {

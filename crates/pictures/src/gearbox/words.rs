@@ -13,7 +13,7 @@ pub(super) fn decimal(value: f64) -> String {
         return "0.000".into();
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 3 to 9
-    let decimals = if size < 0.1 { (3.0 - size.log10().floor()) as usize } else { 3 };
+    let decimals = if size < 0.1 { (3.0 - libm::log10(size).floor()) as usize } else { 3 };
     format!("{value:.decimals$}").replace('-', "−")
 }
 

@@ -165,7 +165,7 @@ fn construct(
     let (gamma, beta) = (rad(arcs.trough_angle()), rad(arcs.crest_angle()));
     let o = Point::default();
     let o2 = Point::new(a, 0.0);
-    let p = Point::new(a + r2 * beta.cos(), r2 * beta.sin());
+    let p = Point::new(a + r2 * libm::cos(beta), r2 * libm::sin(beta));
     let is_near = l <= REACH * outer;
     let reach = if is_near { l } else { 1.15 * outer };
     let o1 = Point::polar(o, l, theta);
@@ -195,7 +195,7 @@ fn construct(
         let arc_radius = 0.6 * r1;
         // Γ between O₁O and O₁P; O₁P points along O₁O₂, clockwise of the ray to O seen from outside.
         let start = theta + PI;
-        let to_p = (p.y - o1.y).atan2(p.x - o1.x);
+        let to_p = libm::atan2(p.y - o1.y, p.x - o1.x);
         let sweep = if turned_from(start, to_p) > 0.0 { gamma } else { -gamma };
         sheet
             .scene

@@ -44,9 +44,9 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), rad(rotation));
 
     for (chamber, wall) in all.iter().zip(middles) {
-        let angle = wall.y.atan2(wall.x);
+        let angle = libm::atan2(wall.y, wall.x);
         let at = |radius: f64| Point::polar(Point::default(), radius, angle);
-        sheet.line(leaders, at(wall.x.hypot(wall.y) + unit), at(outer + 2.0 * unit));
+        sheet.line(leaders, at(libm::hypot(wall.x, wall.y) + unit), at(outer + 2.0 * unit));
         let text = Text::new(at(outer + 5.0 * unit), sheet.letter(), chamber.index.to_string());
         sheet.scene.add(leaders, text);
     }

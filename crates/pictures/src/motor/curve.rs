@@ -50,7 +50,7 @@ impl Outline {
 }
 
 pub(super) fn turned(point: Point, angle_rad: f64) -> Point {
-    let (sin, cos) = angle_rad.sin_cos();
+    let (sin, cos) = libm::sincos(angle_rad);
     Point::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos)
 }
 
@@ -78,14 +78,14 @@ pub fn outline(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
         (Wheel::Stator, Some(arcs)) => {
             let (a, r2, beta) = (mm(arcs.crest_distance()), mm(arcs.crest_radius()), rad(arcs.crest_angle()));
             let gamma = rad(arcs.trough_angle());
-            let junction = Point::new(a + r2 * beta.cos(), r2 * beta.sin());
+            let junction = Point::new(a + r2 * libm::cos(beta), r2 * libm::sin(beta));
             let lobes = motor.numbers().stator_lobes();
             let of_lobe = |lobe: u32| {
                 let turn = TAU * f64::from(lobe) / f64::from(lobes);
                 let before = turned(Point::new(junction.x, -junction.y), turn);
                 [
-                    Vertex { at: before, bulge: (0.5 * beta).tan() },
-                    Vertex { at: turned(junction, turn), bulge: -(0.5 * gamma).tan() },
+                    Vertex { at: before, bulge: libm::tan(0.5 * beta) },
+                    Vertex { at: turned(junction, turn), bulge: -libm::tan(0.5 * gamma) },
                 ]
             };
             Ok(Outline { vertices: (0..lobes).flat_map(of_lobe).collect(), deviation_mm: 0.0 })
@@ -189,7 +189,7 @@ impl Biarc {
     fn new(start: &CurvePoint, end: &CurvePoint) -> Self {
         let at = |point: &CurvePoint| [mm(point.x), mm(point.y)];
         let direction = |point: &CurvePoint| {
-            let (sin, cos) = rad(point.tangent).sin_cos();
+            let (sin, cos) = libm::sincos(rad(point.tangent));
             [cos, sin]
         };
         let ([p0, p1], [t0, t1]) = ([at(start), at(end)], [direction(start), direction(end)]);
@@ -208,7 +208,7 @@ impl Biarc {
         let curvature =
             |chord: Vector, bulge: f64| 4.0 * bulge / (1.0 + bulge * bulge) / dot(chord, chord).sqrt();
         let curvatures = [curvature(one, bulges[0]), curvature(other, bulges[1])];
-        let (sin, cos) = (4.0 * bulges[0].atan()).sin_cos();
+        let (sin, cos) = libm::sincos(4.0 * libm::atan(bulges[0]));
         let turned = [t0[0] * cos - t0[1] * sin, t0[0] * sin + t0[1] * cos];
         Self { start: p0, middle, along: [t0, turned], bulges, curvatures }
     }
@@ -226,7 +226,7 @@ impl Biarc {
         let (t, kappa) = (self.along[second], self.curvatures[second]);
         let d = less(point, if second == 1 { self.middle } else { self.start });
         let (ahead, aside) = (dot(d, t), cross(t, d));
-        let to_centre = (1.0 - kappa * aside).hypot(kappa * ahead);
+        let to_centre = libm::hypot(1.0 - kappa * aside, kappa * ahead);
         ((2.0 * aside - kappa * dot(d, d)) / (1.0 + to_centre)).abs()
     }
 }

@@ -220,10 +220,10 @@ fn trough_distance(
 /// A circle of several equal ones with its number outside: at the first that has room for it.
 fn called(sheet: &mut Sheet, layer: LayerId, places: &[Point], radius: f64, words: &str, outer: f64) {
     for at in places {
-        let direction = at.y.atan2(at.x);
+        let direction = libm::atan2(at.y, at.x);
         for lean in [0.0, 0.15, -0.15, 0.3, -0.3] {
             let tip = Point::polar(*at, radius, direction + lean);
-            let end = Point::polar(Point::default(), 1.12 * outer, (tip.y.atan2(tip.x)) + 0.5 * lean);
+            let end = Point::polar(Point::default(), 1.12 * outer, (libm::atan2(tip.y, tip.x)) + 0.5 * lean);
             let left = end.x < 0.0;
             let align = if left { Align::Right } else { Align::Left };
             let to = Point::new(end.x + if left { -1.0 } else { 1.0 } * sheet.unit, end.y);
@@ -240,7 +240,7 @@ fn called(sheet: &mut Sheet, layer: LayerId, places: &[Point], radius: f64, word
                 && !others.any(|other| text::line_meets(&line, other))
             {
                 sheet.line(layer, tip, end);
-                let back = (tip.y - end.y).atan2(tip.x - end.x);
+                let back = libm::atan2(tip.y - end.y, tip.x - end.x);
                 arrow(sheet, layer, tip, back);
                 sheet.scene.add(layer, label);
                 return;

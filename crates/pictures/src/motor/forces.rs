@@ -69,7 +69,8 @@ pub fn forces(
         }
         // Where the force of the pressure does not go.
         let side = if on_flank.push == Some(Push::Forward) { -0.5 } else { 0.5 };
-        let beside = Point::polar(centre, 0.55 * r, centre.y.atan2(centre.x) + side * std::f64::consts::PI);
+        let beside =
+            Point::polar(centre, 0.55 * r, libm::atan2(centre.y, centre.x) + side * std::f64::consts::PI);
         sheet.scene.add(numbers, Text::new(beside, sheet.letter(), satellite.index.to_string()));
     }
     let is_loaded = newtons(bearing.force) > BALANCED * greatest;
@@ -129,7 +130,7 @@ impl Frame {
             Push::Back => -1.0,
         };
         let ray = rad(force.ray);
-        let along = mm(satellite.centre.x) * ray.cos() + mm(satellite.centre.y) * ray.sin();
+        let along = mm(satellite.centre.x) * libm::cos(ray) + mm(satellite.centre.y) * libm::sin(ray);
         Some(Self {
             ray,
             middle: Point::polar(Point::default(), along, ray),
@@ -141,7 +142,7 @@ impl Frame {
 
     /// From the frame into the drawing.
     fn turned(&self, [along, across]: [f64; 2]) -> [f64; 2] {
-        let (sin, cos) = self.ray.sin_cos();
+        let (sin, cos) = libm::sincos(self.ray);
         [along * cos - across * sin, along * sin + across * cos]
     }
 
@@ -151,7 +152,7 @@ impl Frame {
 
     /// Pitch points on stator and rotor, and the directions of the forces there on the satellite.
     fn contacts(&self) -> [(Point, [f64; 2]); 2] {
-        let (sin, cos) = self.inclination.sin_cos();
+        let (sin, cos) = libm::sincos(self.inclination);
         [(1.0, [-sin, -self.sigma * cos]), (-1.0, [sin, -self.sigma * cos])].map(|(side, way)| {
             let at = Point::polar(self.middle, side * self.half, self.ray);
             (at, self.turned(way))
@@ -162,5 +163,5 @@ impl Frame {
 fn arrow(sheet: &mut Sheet, layer: LayerId, from: Point, [dx, dy]: [f64; 2]) {
     let tip = Point::new(from.x + dx, from.y + dy);
     sheet.line(layer, from, tip);
-    sheet.arrowhead(layer, tip, dy.atan2(dx));
+    sheet.arrowhead(layer, tip, libm::atan2(dy, dx));
 }

@@ -150,7 +150,7 @@ pub(super) fn number(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.abs().to_string();
     }
-    let before = value.abs().log10().floor().clamp(-9.0, 9.0) as i32;
+    let before = libm::log10(value.abs()).floor().clamp(-9.0, 9.0) as i32;
     let decimals = usize::try_from(4 - before).unwrap_or(0);
     let text = format!("{value:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

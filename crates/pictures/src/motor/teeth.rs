@@ -67,7 +67,7 @@ pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
         let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
         sheet.circle(pitch, at, mm(motor.satellite_radius()));
         sheet.circle(marks, at, 0.3 * sheet.unit);
-        let beside = Point::polar(Point::default(), wall + 3.0 * sheet.unit, at.y.atan2(at.x));
+        let beside = Point::polar(Point::default(), wall + 3.0 * sheet.unit, libm::atan2(at.y, at.x));
         let text = Text::new(beside, sheet.letter(), satellite.index.to_string());
         sheet.scene.add(marks, text);
     }
@@ -107,7 +107,7 @@ fn round_up(value: f64) -> f64 {
     if value <= 0.0 {
         return 0.0;
     }
-    let digit = 10_f64.powf(value.log10().floor());
+    let digit = libm::pow(10_f64, libm::log10(value).floor());
     (value / digit).ceil() * digit
 }
 
@@ -120,7 +120,7 @@ fn sagitta(points: &[Point], segments: &[profile::Segment]) -> f64 {
         triples
             .map(|p| {
                 let (dx, dy) = (p[2].x - p[0].x, p[2].y - p[0].y);
-                let chord = dx.hypot(dy);
+                let chord = libm::hypot(dx, dy);
                 if chord == 0.0 {
                     0.0
                 } else {

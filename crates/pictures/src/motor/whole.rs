@@ -60,7 +60,7 @@ pub fn whole(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
         sheet.circle(marks, at, 0.3 * sheet.unit);
         let turn = rad(satellite.rotation);
         sheet.line(marks, Point::polar(at, 0.3 * r, turn), Point::polar(at, 0.9 * r, turn));
-        let beside = Point::polar(centre, wall + 3.0 * sheet.unit, at.y.atan2(at.x));
+        let beside = Point::polar(centre, wall + 3.0 * sheet.unit, libm::atan2(at.y, at.x));
         let number = Text::new(beside, sheet.letter(), satellite.index.to_string());
         sheet.scene.add(marks, number);
     }

@@ -165,7 +165,7 @@ pub(crate) fn crossed(scene: &Scene) -> Vec<String> {
     for leader in scene.items().iter().filter(is_leader) {
         let Some((at, end)) = line(leader) else { continue };
         let mut through = |what: &str| found.push(format!("a leader from {at:?} runs through {what}"));
-        let length = (end.x - at.x).hypot(end.y - at.y);
+        let length = libm::hypot(end.x - at.x, end.y - at.y);
         let part = (0.8 / length).min(1.0);
         let off = Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y));
         for item in scene.items().iter().filter(|item| *item != leader) {

@@ -105,7 +105,7 @@ impl SizeLimits {
 
     /// Whether tooth numbers keep to them, `cube` the cube of their relative ring diameter.
     pub(super) fn fits(self, cube: f64, teeth: &ToothNumbers) -> bool {
-        let ring = cube.cbrt();
+        let ring = libm::cbrt(cube);
         let module = ring / teeth.ring.as_f64();
         ring <= self.ring && self.module.is_none_or(|[least, greatest]| module >= least && module <= greatest)
     }

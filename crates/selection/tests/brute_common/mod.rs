@@ -145,7 +145,7 @@ impl Model {
             }
         }
         let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
-        let distance: f64 = k.iter().map(|k| (k.ln() - k.clamp(low, high).ln()).abs()).sum();
+        let distance: f64 = k.iter().map(|k| (libm::log(*k) - libm::log(k.clamp(low, high))).abs()).sum();
         let size = |set: usize| {
             relative_ring_diameter(k[set], torques[set], teeth[set].planets, &requirements.rating)
         };
@@ -166,7 +166,7 @@ pub(crate) fn nearest_on_a_grid(
     side: u32,
 ) -> Vec<(Structure, [f64; 2], f64)> {
     let (low, high) = (*requirements.limits.ring_to_sun.start(), *requirements.limits.ring_to_sun.end());
-    let rung = |step: u32| low * (high / low).powf(f64::from(step) / f64::from(side - 1));
+    let rung = |step: u32| low * libm::pow(high / low, f64::from(step) / f64::from(side - 1));
     let mut found = vec![];
     for &structure in structures {
         let Some(model) = Model::new(structure, requirements) else { continue };

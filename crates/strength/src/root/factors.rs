@@ -32,7 +32,8 @@ use crate::{Error, Quantity};
 /// `Y_F`, with the normal pressure angle, rad.
 #[must_use]
 pub fn form_factor(section: &RootSection, pressure_angle_rad: f64) -> f64 {
-    6.0 * section.arm * section.load_angle_rad.cos() / (section.thickness.powi(2) * pressure_angle_rad.cos())
+    6.0 * section.arm * libm::cos(section.load_angle_rad)
+        / (section.thickness.powi(2) * libm::cos(pressure_angle_rad))
 }
 
 /// `q_s`.
@@ -48,7 +49,7 @@ pub fn notch_parameter(section: &RootSection) -> f64 {
 pub fn stress_correction(section: &RootSection) -> Result<f64, Error> {
     let notch = within(Quantity::NotchParameter, notch_parameter(section), [1.0, 8.0], "")?;
     let l = section.thickness / section.arm;
-    Ok((1.2 + 0.13 * l) * notch.powf(1.0 / (1.21 + 2.3 / l)))
+    Ok((1.2 + 0.13 * l) * libm::pow(notch, 1.0 / (1.21 + 2.3 / l)))
 }
 
 /// `Y_β`, of the helix angle in rad.
@@ -66,7 +67,7 @@ pub fn rim_factor_external(over_tooth_height: f64) -> Result<f64, Error> {
         return Ok(1.0);
     }
     if over_tooth_height > 0.5 {
-        return Ok(1.6 * (2.242 / over_tooth_height).ln());
+        return Ok(1.6 * libm::log(2.242 / over_tooth_height));
     }
     Err(Error::NotAbove { quantity: Quantity::Rim, value: over_tooth_height, low: 0.5, unit: "" })
 }
@@ -80,7 +81,7 @@ pub fn rim_factor_internal(over_module: f64) -> Result<f64, Error> {
         return Ok(1.0);
     }
     if over_module > 1.75 {
-        return Ok(1.15 * (8.324 / over_module).ln());
+        return Ok(1.15 * libm::log(8.324 / over_module));
     }
     Err(Error::NotAbove { quantity: Quantity::RingRim, value: over_module, low: 1.75, unit: "" })
 }
@@ -168,7 +169,7 @@ pub fn surface_factor(class: Class, roughness_um: f64) -> Result<f64, Error> {
         | Class::CaseHardened
         | Class::SurfaceHardened => (1.12, 1.674, 0.529, 0.1),
     };
-    Ok(if rz < 1.0 { smooth } else { constant - slope * (rz + 1.0).powf(exponent) })
+    Ok(if rz < 1.0 { smooth } else { constant - slope * libm::pow(rz + 1.0, exponent) })
 }
 
 /// `Y_X`, of the normal module in mm.
@@ -229,10 +230,10 @@ mod tests {
 
     #[test]
     fn rims_thinner_than_the_standard_allows_are_refused() {
-        assert!((rim_factor_external(0.8).unwrap() - 1.6 * (2.242_f64 / 0.8).ln()).abs() < 1e-12);
+        assert!((rim_factor_external(0.8).unwrap() - 1.6 * libm::log(2.242_f64 / 0.8)).abs() < 1e-12);
         // Both formulas end at 1.
-        assert!((1.6 * (2.242_f64 / 1.2).ln() - 1.0).abs() < 1e-3);
-        assert!((1.15 * (8.324_f64 / 3.5).ln() - 1.0).abs() < 4e-3);
+        assert!((1.6 * libm::log(2.242_f64 / 1.2) - 1.0).abs() < 1e-3);
+        assert!((1.15 * libm::log(8.324_f64 / 3.5) - 1.0).abs() < 4e-3);
         let error = rim_factor_external(0.4).unwrap_err();
         assert_eq!(error.to_string(), "rim thickness over tooth height is 0.4; it must be above 0.5");
         assert!(rim_factor_internal(1.75).is_err() && rim_factor_internal(f64::NAN).is_err());

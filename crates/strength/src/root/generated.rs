@@ -16,13 +16,13 @@ type Point = [f64; 2];
 
 /// Turns a point so that a centre line at an angle from the y axis becomes upright.
 fn upright([x, y]: Point, angle: f64) -> Point {
-    [x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos()]
+    [x * libm::cos(angle) - y * libm::sin(angle), x * libm::sin(angle) + y * libm::cos(angle)]
 }
 
 /// The fillet point where the tip arc about `centre` touches it: on the normal through the pitch point.
 fn touched(centre: Point, pitch: Point, radius: f64) -> Point {
     let away = [centre[0] - pitch[0], centre[1] - pitch[1]];
-    let length = away[0].hypot(away[1]);
+    let length = libm::hypot(away[0], away[1]);
     [centre[0] + radius * away[0] / length, centre[1] + radius * away[1] / length]
 }
 
@@ -33,7 +33,8 @@ fn by_rack(gear: &InvoluteGear, travel: f64) -> Point {
     let depth = profile.rack.addendum + profile.rack.clearance;
     let rho = profile.fillet;
     let radius = gear.reference_diameter() / 2.0;
-    let from_middle = FRAC_PI_4 - depth * alpha.tan() - (1.0 - alpha.sin()) * rho / alpha.cos();
+    let from_middle =
+        FRAC_PI_4 - depth * libm::tan(alpha) - (1.0 - libm::sin(alpha)) * rho / libm::cos(alpha);
     let centre = [travel, radius - depth + rho + gear.shift()];
     let point = touched(centre, [0.0, radius], rho);
     let tooth = (travel - from_middle) / radius + PI / gear.teeth().as_f64();
@@ -48,17 +49,17 @@ fn by_shaper(ring: &InvoluteGear, shaper: Shaper, angle: f64) -> Point {
     let rho = profile.fillet;
     let (z, z0) = (ring.teeth().as_f64(), f64::from(shaper.teeth));
     let sum = ring.shift() + shaper.shift;
-    let working = angle_of_involute(involute(alpha) - 2.0 * alpha.tan() * sum / (z - z0)).unwrap();
-    let stretch = alpha.cos() / working.cos();
+    let working = angle_of_involute(involute(alpha) - 2.0 * libm::tan(alpha) * sum / (z - z0)).unwrap();
+    let stretch = libm::cos(alpha) / libm::cos(working);
     let (distance, pitch) = ((z - z0) / 2.0 * stretch, z / 2.0 * stretch);
     // The arc touches tip circle and flank: its centre lies on the involute moved inwards by the radius.
-    let base = z0 / 2.0 * alpha.cos();
+    let base = z0 / 2.0 * libm::cos(alpha);
     let centre_radius = z0 / 2.0 + shaper.shift + depth - rho;
     let along = (centre_radius * centre_radius - base * base).sqrt();
-    let half = (FRAC_PI_2 + 2.0 * shaper.shift * alpha.tan()) / z0 + involute(alpha);
-    let own = half - (along + rho) / base + (along / base).atan();
+    let half = (FRAC_PI_2 + 2.0 * shaper.shift * libm::tan(alpha)) / z0 + involute(alpha);
+    let own = half - (along + rho) / base + libm::atan(along / base);
     assert!(own >= 0.0, "the shaper has no room for the arc");
-    let centre = [centre_radius * angle.sin(), distance + centre_radius * angle.cos()];
+    let centre = [centre_radius * libm::sin(angle), distance + centre_radius * libm::cos(angle)];
     let point = touched(centre, [0.0, pitch], rho);
     upright(point, (angle - own) * z0 / z + PI / z)
 }
@@ -74,7 +75,7 @@ fn on(
     let step = 1e-5;
     let tangent = |at: f64| {
         let ([x1, y1], [x2, y2]) = (curve(at - step), curve(at + step));
-        (x2 - x1).atan2(up * (y2 - y1)).to_degrees()
+        libm::atan2(x2 - x1, up * (y2 - y1)).to_degrees()
     };
     assert!(tangent(low) > tangent_deg && tangent(high) < tangent_deg, "{} {}", tangent(low), tangent(high));
     for _ in 0..60 {
@@ -88,7 +89,7 @@ fn on(
     let wide = 1e-3;
     let [before, here, after] = [low - wide, low, low + wide].map(&curve);
     // The circle through three points.
-    let side = |a: Point, b: Point| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let side = |a: Point, b: Point| libm::hypot(a[0] - b[0], a[1] - b[1]);
     let area = ((here[0] - before[0]) * (after[1] - before[1])
         - (here[1] - before[1]) * (after[0] - before[0]))
         / 2.0;
@@ -100,14 +101,14 @@ fn on(
 fn load(gear: &InvoluteGear, diameter: f64) -> (f64, f64) {
     let flank = |diameter: f64| {
         let angle = gear.thickness_at(diameter) / diameter;
-        [diameter / 2.0 * angle.sin(), diameter / 2.0 * angle.cos()]
+        [diameter / 2.0 * libm::sin(angle), diameter / 2.0 * libm::cos(angle)]
     };
     let step = 1e-4;
     let ([x1, y1], [x2, y2]) = (flank(diameter - step), flank(diameter + step));
     let [x, y] = flank(diameter);
     // The normal of the flank runs to the centre line.
     let slope = -(x2 - x1) / (y2 - y1);
-    (y - x * slope, slope.atan().abs())
+    (y - x * slope, libm::atan(slope).abs())
 }
 
 fn gear(kind: GearKind, teeth: u32, shift: f64, fillet: f64) -> InvoluteGear {
@@ -123,7 +124,7 @@ fn generated(gear: &InvoluteGear, contact_ratio: f64, shaper: Option<Shaper>) ->
         Some(shaper) => (-1.0, on(|angle| by_shaper(gear, shaper, angle), -1.0, 60.0, [0.01, 0.2])),
     };
     let radius = to_tip - sign * base_pitch * (contact_ratio - 1.0);
-    let (crossing, load_angle_rad) = load(gear, gear.base_diameter().hypot(2.0 * radius));
+    let (crossing, load_angle_rad) = load(gear, libm::hypot(gear.base_diameter(), 2.0 * radius));
     RootSection { thickness: 2.0 * point[0].abs(), arm: (crossing - point[1]).abs(), fillet, load_angle_rad }
 }
 

@@ -100,10 +100,10 @@ pub(crate) fn section_of(
     let profile = gear.profile();
     let rack = &profile.rack;
     let alpha = radians(rack.pressure_angle);
-    let narrowing = base_helix.cos().powi(2);
+    let narrowing = libm::cos(base_helix).powi(2);
     let is_internal = gear.kind() == GearKind::Internal;
     let sign = if is_internal { -1.0 } else { 1.0 };
-    let z = sign * gear.teeth().as_f64() / (narrowing * radians(profile.helix_angle).cos());
+    let z = sign * gear.teeth().as_f64() / (narrowing * libm::cos(radians(profile.helix_angle)));
     let contact_ratio =
         within(Quantity::ContactRatio, contact_ratio / narrowing, [1.0, MOST_CONTACT_RATIO], "")?;
 
@@ -114,7 +114,7 @@ pub(crate) fn section_of(
     } else {
         profile.fillet
     };
-    let (sin, cos, tan) = (alpha.sin(), alpha.cos(), alpha.tan());
+    let (sin, cos, tan) = (libm::sin(alpha), libm::cos(alpha), libm::tan(alpha));
     let e = FRAC_PI_4 - depth * tan - (1.0 - sin) * fillet / cos;
     let g = fillet - depth + gear.shift();
     let (tangent, thickness_weight, arm_weight) =
@@ -122,9 +122,9 @@ pub(crate) fn section_of(
     let theta = theta(2.0 * g / z, 2.0 / z * (FRAC_PI_2 - e) - tangent)
         .ok_or_else(|| none("the fillet has no tangent at the standard's angle"))?;
 
-    let cos_theta = theta.cos();
+    let cos_theta = libm::cos(theta);
     let rest = g / cos_theta - fillet;
-    let thickness = z * (tangent - theta).sin() + thickness_weight * rest;
+    let thickness = z * libm::sin(tangent - theta) + thickness_weight * rest;
     let radius = fillet + 2.0 * g * g / (cos_theta * (z * cos_theta * cos_theta - 2.0 * g));
 
     let base = (z * cos).abs();
@@ -134,13 +134,13 @@ pub(crate) fn section_of(
     if load_radius <= 0.0 {
         return Err(none("the outer point of single contact lies within the base circle"));
     }
-    let load_diameter = 2.0 * load_radius.hypot(base / 2.0);
-    let alpha_e = (base / load_diameter).acos();
+    let load_diameter = 2.0 * libm::hypot(load_radius, base / 2.0);
+    let alpha_e = libm::acos(base / load_diameter);
     let gamma = (FRAC_PI_2 + 2.0 * gear.shift() * tan) / z + (tan - alpha) - involute(alpha_e);
     let load_angle_rad = alpha_e - gamma;
     let arm = 0.5
-        * ((gamma.cos() - gamma.sin() * load_angle_rad.tan()) * sign * load_diameter
-            - z * (tangent - theta).cos()
+        * ((libm::cos(gamma) - libm::sin(gamma) * libm::tan(load_angle_rad)) * sign * load_diameter
+            - z * libm::cos(tangent - theta)
             - arm_weight * rest);
     if !(thickness > 0.0 && radius > 0.0) {
         return Err(none("the fillets meet or have no radius"));
@@ -161,7 +161,7 @@ fn virtual_fillet(depth: f64, fillet: f64, shaper: Shaper) -> Result<f64, Error>
     let teeth = positive(Quantity::ShaperTeeth, f64::from(shaper.teeth), "teeth")?;
     let reach =
         not_negative(Quantity::ShaperShift, shaper.shift + depth - fillet, "modules above ρ_fP − h_fP")?;
-    Ok(fillet + reach.powf(1.95) / (3.156 * 1.036_f64.powf(teeth)))
+    Ok(fillet + libm::pow(reach, 1.95) / (3.156 * libm::pow(1.036_f64, teeth)))
 }
 
 /// The root of `θ − c·tan θ + H`, by Newton's method from 30°.
@@ -169,7 +169,7 @@ fn theta(c: f64, h: f64) -> Option<f64> {
     let mut theta = FRAC_PI_6;
     for _ in 0..MOST_STEPS {
         // 1/cos² = 1 + tan².
-        let tan = theta.tan();
+        let tan = libm::tan(theta);
         let step = (theta - c * tan + h) / (1.0 - c * (1.0 + tan * tan));
         theta -= step;
         if theta.is_nan() || theta.abs() >= FRAC_PI_2 {

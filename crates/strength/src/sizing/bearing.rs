@@ -58,7 +58,7 @@ impl Bearing {
         Self {
             designation: format!("2 x {}", self.designation),
             width: 2.0 * self.width,
-            load_rating: self.load_rating * 2_f64.powf(exponent),
+            load_rating: self.load_rating * libm::pow(2_f64, exponent),
             static_load_rating: self.static_load_rating.map(|rating| 2.0 * rating),
             ..self.clone()
         }

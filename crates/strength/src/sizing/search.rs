@@ -324,7 +324,7 @@ impl Search<'_> {
             requirement: Requirement::BearingLife,
             mesh: 0,
             gear: SimpleGear::Planet,
-            value: (hours(life) / hours(self.task.life)).powf(1.0 / bearing.rolling.exponent()),
+            value: libm::pow(hours(life) / hours(self.task.life), 1.0 / bearing.rolling.exponent()),
             required: 1.0,
         });
         let governing = least([over_duty].into_iter().chain(overload).chain(of_bearing)).unwrap_or(over_duty);
@@ -431,7 +431,7 @@ impl Search<'_> {
         let sharing = self.steps_of(own.planets).sharing;
         let centre_m = own.centre_mm / 1e3;
         let each = f64::from(own.planets) * centre_m * sun;
-        let [outer, inner] = own.pairs.map(|pair| pair.working_angle_rad().tan());
+        let [outer, inner] = own.pairs.map(|pair| libm::tan(pair.working_angle_rad()));
         let duty: Vec<BearingStep> = self
             .task
             .duty
@@ -443,7 +443,7 @@ impl Search<'_> {
                 let radial = first * outer - second * inner + centrifugal;
                 BearingStep {
                     share: step.share,
-                    load: force((first + second).hypot(radial)),
+                    load: force(libm::hypot(first + second, radial)),
                     speed: step.sun_speed.abs() * (sun / planet),
                     modification: 1.0,
                 }

@@ -63,7 +63,11 @@ impl Flows {
                 _ => return None,
             };
             let power = self.out_of(from, mesh, torques, sense);
-            Some(if power * sense >= 0.0 { power * efficiency.powf(sense.abs()) } else { power / efficiency })
+            Some(if power * sense >= 0.0 {
+                power * libm::pow(efficiency, sense.abs())
+            } else {
+                power / efficiency
+            })
         });
         own + brought.sum::<f64>()
     }

@@ -249,7 +249,7 @@ impl PlanetBearing {
 
     /// What other planets in mesh do to it: force outwards, N, and moment about the main axis, N·m.
     fn between(&self, torques_n_m: &[f64], planets: u32, radius: Length) -> Option<[f64; 2]> {
-        let (count, tan_alpha) = (f64::from(planets), radians(self.pressure_angle).tan());
+        let (count, tan_alpha) = (f64::from(planets), libm::tan(radians(self.pressure_angle)));
         let meshing = self.contacts.iter().filter(|contact| planet_of(contact.with).is_some());
         meshing.into_iter().try_fold([0.0, 0.0], |[out, about], contact| {
             let ([outwards_n, _], moment_n_m) =

@@ -555,7 +555,7 @@ pub(crate) fn loads(
                     .count()
         };
         for &(gears, eta) in &set.meshes {
-            let eta = eta.powf(share);
+            let eta = libm::pow(eta, share);
             let [on_first, on_second] = match signs[mesh] {
                 1 => [1.0, eta],
                 -1 => [eta, 1.0],

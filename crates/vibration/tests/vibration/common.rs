@@ -30,7 +30,7 @@ pub(crate) const CARRIER_RADIUS: f64 = 0.1;
 /// The example of Lin and Parker 1999. Base radii are those that a circle of planets of 0.1 m gives with 24.6°.
 pub(crate) fn lin_parker(planets: usize) -> PlanetarySet {
     let support = |radial, tangential| Support { radial: n_m(radial), tangential: n_m(tangential) };
-    let cos = 24.6_f64.to_radians().cos();
+    let cos = libm::cos(24.6_f64.to_radians());
     let [sun, ring, planet] = [0.045, 0.155, 0.055].map(|radius| radius * cos);
     let planet = Planet {
         body: body(0.66, 0.61, planet),

@@ -28,34 +28,35 @@ impl Finite {
         }
         for (n, psi) in self.angles.iter().enumerate() {
             let [x, y, _] = q[3 + n];
-            let centre = [self.carrier * psi.cos() + x, self.carrier * psi.sin() + y];
+            let centre = [self.carrier * libm::cos(*psi) + x, self.carrier * libm::sin(*psi) + y];
             let turned = psi + theta(2, self.carrier);
-            let pin = [q[2][0] + self.carrier * turned.cos(), q[2][1] + self.carrier * turned.sin()];
+            let pin =
+                [q[2][0] + self.carrier * libm::cos(turned), q[2][1] + self.carrier * libm::sin(turned)];
             energy += 0.5 * self.bearing * ((centre[0] - pin[0]).powi(2) + (centre[1] - pin[1]).powi(2));
 
             let planet = theta(3 + n, r_planet);
             let line = |from: usize, sum: f64| {
                 let [dx, dy] = [centre[0] - q[from][0], centre[1] - q[from][1]];
-                let distance = dx.hypot(dy);
-                let alpha = (sum / distance).acos();
+                let distance = libm::hypot(dx, dy);
+                let alpha = libm::acos(sum / distance);
                 // The angle from this planet's own place keeps the branch.
-                let (sin, cos) = psi.sin_cos();
-                let turn = (cos * dy - sin * dx).atan2(cos * dx + sin * dy);
-                (distance * alpha.sin(), turn, alpha)
+                let (sin, cos) = libm::sincos(*psi);
+                let turn = libm::atan2(cos * dy - sin * dx, cos * dx + sin * dy);
+                (distance * libm::sin(alpha), turn, alpha)
             };
             let a = r_sun + r_planet;
             let (length, turn, alpha) = line(0, a);
-            let at_rest = (a / self.carrier).acos();
+            let at_rest = libm::acos(a / self.carrier);
             let phi = turn - (alpha - at_rest);
-            let grown = length - self.carrier * at_rest.sin();
+            let grown = length - self.carrier * libm::sin(at_rest);
             let sun = r_sun * (theta(0, r_sun) - phi) + r_planet * (planet - phi) - grown;
             energy += 0.5 * self.meshes[0] * sun * sun;
 
             let a = r_ring - r_planet;
             let (length, turn, alpha) = line(1, a);
-            let at_rest = (a / self.carrier).acos();
+            let at_rest = libm::acos(a / self.carrier);
             let phi = turn + (alpha - at_rest);
-            let grown = length - self.carrier * at_rest.sin();
+            let grown = length - self.carrier * libm::sin(at_rest);
             let ring = grown + r_ring * (theta(1, r_ring) - phi) - r_planet * (planet - phi);
             energy += 0.5 * self.meshes[1] * ring * ring;
         }
@@ -67,8 +68,10 @@ impl Finite {
 fn uneven() -> (PlanetarySet, Finite) {
     let mut set = lin_parker(3);
     let (carrier, planet, alpha_s, alpha_r) = (0.1, 0.048, 24.6_f64, 19.0_f64);
-    let (sun, ring) =
-        (carrier * alpha_s.to_radians().cos() - planet, carrier * alpha_r.to_radians().cos() + planet);
+    let (sun, ring) = (
+        carrier * libm::cos(alpha_s.to_radians()) - planet,
+        carrier * libm::cos(alpha_r.to_radians()) + planet,
+    );
     set.sun.body = crate::common::body(0.4, 0.39, sun);
     set.ring.body = crate::common::body(2.35, 3.0, ring);
     set.ring_pressure_angle = crate::common::degrees(alpha_r);

@@ -89,7 +89,7 @@ fn a_finite_rotation_of_a_turning_carrier_with_its_planets_costs_no_energy() {
     let orbit = stiffness * radius / (stiffness - square);
     let energy = |carrier_angle: f64, planet: [f64; 2]| {
         let [x, y] = planet;
-        let pin = [radius * carrier_angle.cos(), radius * carrier_angle.sin()];
+        let pin = [radius * libm::cos(carrier_angle), radius * libm::sin(carrier_angle)];
         0.5 * stiffness * ((x - pin[0]).powi(2) + (y - pin[1]).powi(2)) - 0.5 * square * (x * x + y * y)
     };
     let u = 1e-4;
@@ -104,7 +104,7 @@ fn a_finite_rotation_of_a_turning_carrier_with_its_planets_costs_no_energy() {
         "{} for {of_load}",
         second(1.0) - stiffness
     );
-    let together = |angle: f64| energy(angle, [orbit * angle.cos(), orbit * angle.sin()]);
+    let together = |angle: f64| energy(angle, [orbit * libm::cos(angle), orbit * libm::sin(angle)]);
     assert!((together(0.3) - together(0.0)).abs() < 1e-10 * stiffness * radius * radius);
 }
 

@@ -212,8 +212,8 @@ fn sets() -> impl Strategy<Value = PlanetarySet> {
     (2_usize..7, masses, proptest::collection::vec(exponent, 8), 5.0_f64..35.0, 5.0_f64..35.0, 0.0_f64..0.8)
         .prop_map(|(count, masses, springs, alpha_s, alpha_r, uneven)| {
             let mut set = lin_parker(count);
-            let mass = |index: usize| 10_f64.powf(masses[index]);
-            let spring = |index: usize| n_m(10_f64.powf(springs[index]));
+            let mass = |index: usize| libm::pow(10_f64, masses[index]);
+            let spring = |index: usize| n_m(libm::pow(10_f64, springs[index]));
             set.sun.body = body(mass(0), mass(1), 0.04);
             set.ring.body = body(mass(2), mass(3), 0.15);
             set.carrier.body = body(mass(4), mass(5), 0.1);
@@ -225,7 +225,7 @@ fn sets() -> impl Strategy<Value = PlanetarySet> {
                 planet.bearing = spring(4);
                 planet.sun_mesh = spring(5) * (1.0 + 0.1 * uneven * index as f64);
                 planet.ring_mesh = spring(6);
-                planet.angle += degrees(10.0 * uneven * (index as f64).sin());
+                planet.angle += degrees(10.0 * uneven * libm::sin(index as f64));
             }
             set.sun_pressure_angle = degrees(alpha_s);
             set.ring_pressure_angle = degrees(alpha_r);

@@ -14,12 +14,12 @@ fn work(model: &Model, parts: &SetParts, group: &Group, periods: u64) -> f64 {
             let phase = periods as f64 * std::f64::consts::TAU * n as f64 / count as f64;
             for (meshes, own) in [(&parts.sun_meshes, 0.0), (&parts.ring_meshes, 0.7)] {
                 let part = model.elongation(meshes[n], shape).unwrap();
-                re += part * (phase + own).cos();
-                im += part * (phase + own).sin();
+                re += part * libm::cos(phase + own);
+                im += part * libm::sin(phase + own);
                 sums[1] += part.abs();
             }
         }
-        sums[0] += re.hypot(im);
+        sums[0] += libm::hypot(re, im);
     }
     sums[0] / sums[1]
 }

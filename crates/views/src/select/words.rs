@@ -96,7 +96,7 @@ fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
     if value == 0.0 {
         return 0.0;
     }
-    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
+    let unit = libm::pow(10_f64, libm::log10(value.abs()).floor() - 2.0);
     round(value / unit) * unit
 }
 

@@ -58,7 +58,7 @@ fn the_bearing_of_five_by_three_carries_34_8_kilonewtons() {
         let rotation = angle(motor.period() * f64::from(i) / 200.0);
         let at = motor.bearing_load(alpha(), rotation, mm(50.0), mpa(20.0)).unwrap();
         assert!(at.force <= load.force * (1.0 + 1e-12));
-        assert!((at.x.value.hypot(at.y.value) - at.force.value).abs() < 1e-9 * at.force.value);
+        assert!((libm::hypot(at.x.value, at.y.value) - at.force.value).abs() < 1e-9 * at.force.value);
         let reversed = motor.bearing_load(alpha(), -rotation, mm(50.0), mpa(-20.0)).unwrap();
         assert!((reversed.x - at.x).value.abs() < 1e-6 && (reversed.y + at.y).value.abs() < 1e-6);
     }
@@ -121,7 +121,7 @@ proptest! {
             let place = motor.place(rotation, j as u32);
             if let Some(push) = flanks[j].push {
                 let [cx, cy] = [place.on_rotor[0] - place.centre[0], place.on_rotor[1] - place.centre[1]];
-                let r = cx.hypot(cy);
+                let r = libm::hypot(cx, cy);
                 let turn = if push == Push::Forward { 1.0 } else { -1.0 } * (PI / 2.0 - radians(alpha));
                 let n = flanks[j].force.get::<newton>() / r;
                 add(place.on_rotor, turned([n * cx, n * cy], -turn));

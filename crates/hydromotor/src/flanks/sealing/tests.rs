@@ -152,7 +152,7 @@ proptest! {
     #[test]
     fn a_mean_over_the_contacts_adds_a_twentyfourth_of_the_squared_base_pitch(motor in any_motor(), phase in -9.0..9.0, alpha in 10.0..40.0_f64) {
         let contact = motor.shape.at(By::Phase, phase);
-        let pitch = PI * alpha.to_radians().cos();
+        let pitch = PI * libm::cos(alpha.to_radians());
         let mean = |f: &dyn Fn(f64) -> f64| quadrature(-0.5 * pitch, 0.5 * pitch, 1, f) / pitch;
         let sweep = mean(&|e3| mean(&|e1| sealed(&contact, [e3, e1])));
         prop_assert!((sweep - contact.flow() - pitch * pitch / 24.0).abs() < 1e-10 * contact.flow());
@@ -242,7 +242,7 @@ fn the_sweep_is_the_change_of_area_of_drawn_outlines() {
             let contact = motor.shape.at(By::Phase, phase);
             let seals = rows.at(&contact);
             let nearest = |points: &[[f64; 2]], [x, y]: [f64; 2]| {
-                let apart = |at: &[f64; 2]| (at[0] - x).hypot(at[1] - y);
+                let apart = |at: &[f64; 2]| libm::hypot(at[0] - x, at[1] - y);
                 let (index, at) =
                     points.iter().enumerate().min_by(|a, b| apart(a.1).total_cmp(&apart(b.1))).unwrap();
                 assert!(apart(at) < 4e-3, "no drawn point of contact: {} {numbers:?} {phase}", apart(at));

@@ -61,7 +61,7 @@ fn at_a_crest_the_closed_form_holds() {
             .curvature
             .get::<uom::si::curvature::radian_per_meter>();
     let radius = 5.0 * 2e-3;
-    let sin = (50.0_f64).to_radians().sin();
+    let sin = libm::sin((50.0_f64).to_radians());
     let closed = (20e6 * modulus.value * 2.0 / sin * (1.0 + radius / kappa) / PI).sqrt();
     let found =
         motor.contact_pressure(alpha(), Mesh::Rotor, angle(0.0), mm(0.0), mpa(20.0), modulus).unwrap();
@@ -75,7 +75,7 @@ fn the_relative_curvature_is_that_of_the_drawn_flanks() {
     let profile = Profile::new(&motor, ToothForm::default()).unwrap();
     let bend = |[a, b, c]: [[f64; 2]; 3]| {
         let (ux, uy, vx, vy) = (b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
-        let sides = ux.hypot(uy) * vx.hypot(vy) * (c[0] - b[0]).hypot(c[1] - b[1]);
+        let sides = libm::hypot(ux, uy) * libm::hypot(vx, vy) * libm::hypot(c[0] - b[0], c[1] - b[1]);
         (2.0 * (ux * vy - uy * vx) / sides).abs()
     };
     let (r, a) = (5.0, 25.0_f64.to_radians());
@@ -86,7 +86,7 @@ fn the_relative_curvature_is_that_of_the_drawn_flanks() {
                 let [from, to] = stretch.whole;
                 let (index, lobe) = profile.tooth_of(side, stretch.sign, stretch.pitch);
                 let s = 0.4 * from + 0.6 * to;
-                let e = stretch.sign * (s - stretch.pitch) * a.cos();
+                let e = stretch.sign * (s - stretch.pitch) * libm::cos(a);
                 let drawn = |s: f64| {
                     profile.wheel_loading(side, &teeth[index], stretch.sign, stretch.pitch - lobe, s - lobe).0
                 };

@@ -52,7 +52,7 @@ proptest! {
         let sigma = if held.push == Push::Forward { 1.0 } else { -1.0 };
         let line = |at: [f64; 2], outer: bool, sigma: f64| {
             let (x, y) = (place.centre[0] - at[0], place.centre[1] - at[1]);
-            let r = x.hypot(y);
+            let r = libm::hypot(x, y);
             // From the pitch point towards the centre, turned by 90° − α towards where the flank pushes.
             let by = sigma * (std::f64::consts::FRAC_PI_2 - radians(alpha)) * if outer { 1.0 } else { -1.0 };
             super::super::kernel::turned([x / r, y / r], by)
@@ -78,7 +78,7 @@ proptest! {
             sum = [sum[0] + force * fx, sum[1] + force * fy];
             moment += force * ((x - place.centre[0]) * fy - (y - place.centre[1]) * fx);
         }
-        prop_assert!(sum[0].hypot(sum[1]) < 1e-9 * scale && moment.abs() < 1e-8 * scale, "{sum:?} {moment} {held:?}");
+        prop_assert!(libm::hypot(sum[0], sum[1]) < 1e-9 * scale && moment.abs() < 1e-8 * scale, "{sum:?} {moment} {held:?}");
     }
 
     #[test]
@@ -140,14 +140,14 @@ fn moment(side: Side, sigma: f64) -> f64 {
 /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`.
 fn held(r: f64, alpha: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<([f64; 3], Side)> {
     let mu = contact.mu;
-    let (sin, cos) = mu.sin_cos();
+    let (sin, cos) = libm::sincos(mu);
     let front = Side::BOTH.map(|side| direction(side, sigma, alpha, mu));
     let k3 = [r * cos + e3 * front[0][0], e3 * front[0][1]];
     let k1 = [-r * cos + e1 * front[1][0], e1 * front[1][1]];
     let chord = [k3[0] - k1[0], k3[1] - k1[1]];
     let force = [-sigma * chord[1], sigma * chord[0]];
     let arm = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1]) - r * sin];
-    let turning = (arm[0] * force[1] - arm[1] * force[0]) / (r * alpha.cos());
+    let turning = (arm[0] * force[1] - arm[1] * force[0]) / (r * libm::cos(alpha));
     let solved = |side: Side| {
         let back = direction(side, -sigma, alpha, mu);
         let columns = [
@@ -218,7 +218,7 @@ proptest! {
     ) {
         let (r, sigma) = (motor.shape.satellite_radius(), if forward { 1.0 } else { -1.0 });
         let contact = motor.shape.at(By::Phase, phase);
-        prop_assume!((alpha + sigma * contact.mu).cos() > 0.01);
+        prop_assume!(libm::cos(alpha + sigma * contact.mu) > 0.01);
         let (slow, side) = held(r, alpha, &contact, sigma, [e3, e1]).unwrap();
         let fast = Inclined::new(alpha).held(r, &contact, sigma, [e3, e1]).unwrap();
         let back = if side == Side::Stator { -slow[2] } else { slow[2] };

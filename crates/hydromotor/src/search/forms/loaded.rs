@@ -142,7 +142,7 @@ impl FlankFigures {
 
     /// The figure that an objective goes by, as a logarithm, the greater the better; none of those of other kinds.
     pub(super) fn value(&self, objective: Objective) -> Option<f64> {
-        let log = |value: f64| if value > 0.0 { value.ln() } else { f64::NEG_INFINITY };
+        let log = |value: f64| if value > 0.0 { libm::log(value) } else { f64::NEG_INFINITY };
         Some(match objective {
             Objective::FlankRipple => -log(self.ripple),
             Objective::LeastTorque => log(self.least_over_mean),
@@ -172,7 +172,7 @@ impl PitchBound {
     /// The pressure drop that the contacts allow at most, Pa.
     fn by_contact(&self, materials: &MaterialLimits, form: ToothForm) -> f64 {
         let (limit, modulus) = (pascals(materials.contact), pascals(materials.modulus));
-        let severity = 2.0 / (2.0 * radians(form.pressure_angle)).sin() * self.bent / PI;
+        let severity = 2.0 / libm::sin(2.0 * radians(form.pressure_angle)) * self.bent / PI;
         limit * limit / (modulus * severity)
     }
 
@@ -196,7 +196,7 @@ impl PitchBound {
 
     /// The most that an objective can be, as [`FlankFigures::value`]: without a bound infinite.
     pub(super) fn value(&self, objective: Objective, order: &FlankOrder, form: ToothForm) -> f64 {
-        let allowed = self.by_contact(&order.materials, form).ln();
+        let allowed = libm::log(self.by_contact(&order.materials, form));
         match objective {
             Objective::ContactStress => 0.5 * allowed,
             Objective::AllowedPressure => allowed,

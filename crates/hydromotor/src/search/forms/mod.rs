@@ -241,7 +241,7 @@ impl FormSearch {
         let values: Vec<Value> = found.iter().map(|shape| self.values_of_shape(shape)).collect();
         let order = promising(&values);
 
-        let slack = self.resolution.map_or(0.0, f64::ln_1p);
+        let slack = self.resolution.map_or(0.0, libm::log1p);
         let pass = Pass::new(1, order.len(), watch)?;
         let (mut cover, mut designs) = (Cover::default(), Vec::new());
         for batch in order.chunks(BATCH) {
@@ -302,9 +302,9 @@ impl FormSearch {
         let mut value = Value::default();
         for &objective in &self.objectives {
             value[objective as usize] = match objective {
-                Objective::DisplacementByVolume => shape.working.by_volume().ln(),
-                Objective::Ripple => -shape.working.ripple().ln(),
-                Objective::LeastRadius => shape.radius.ln(),
+                Objective::DisplacementByVolume => libm::log(shape.working.by_volume()),
+                Objective::Ripple => -libm::log(shape.working.ripple()),
+                Objective::LeastRadius => libm::log(shape.radius),
                 _ => 0.0,
             };
         }
@@ -315,7 +315,7 @@ impl FormSearch {
     fn value(&self, of_shape: Value, contact_ratio: f64) -> Value {
         let mut value = of_shape;
         if self.objectives.contains(&Objective::ContactRatio) {
-            value[Objective::ContactRatio as usize] = contact_ratio.ln();
+            value[Objective::ContactRatio as usize] = libm::log(contact_ratio);
         }
         value
     }

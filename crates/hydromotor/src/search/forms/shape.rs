@@ -133,7 +133,7 @@ fn judge(
     if at_least(yardstick.ripple, working.ripple()) < 0.0 {
         return Err(ShapeReason::Ripple);
     }
-    let sound = [working.by_volume().ln(), working.ripple().ln(), radius.ln()];
+    let sound = [libm::log(working.by_volume()), libm::log(working.ripple()), libm::log(radius)];
     if sound.iter().any(|value| !value.is_finite()) {
         return Err(ShapeReason::NotClosed);
     }

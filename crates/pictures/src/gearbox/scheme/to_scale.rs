@@ -72,7 +72,7 @@ impl Scale {
     pub(super) fn bar(&self, most_mm: f64) -> Option<Bar> {
         let drawn = UP_MM * self.units_to_mm?;
         let most = most_mm / drawn;
-        let ten = 10_f64.powf(most.log10().floor());
+        let ten = libm::pow(10_f64, libm::log10(most).floor());
         let length_mm =
             [5.0, 2.0, 1.0].map(|times| times * ten).into_iter().find(|length| *length <= most)?;
         Some(Bar { length_mm, drawn_mm: drawn * length_mm })
@@ -172,7 +172,7 @@ pub fn to_scale(
 /// The next larger scale that is `n : 1` or `1 : n` with two digits in `n`.
 fn round(scale: f64) -> f64 {
     let one = if scale < 1.0 { 1.0 / scale } else { scale };
-    let digit = 10_f64.powf(one.log10().floor() - 1.0);
+    let digit = libm::pow(10_f64, libm::log10(one).floor() - 1.0);
     if scale < 1.0 { 1.0 / ((one / digit).floor() * digit) } else { (one / digit).ceil() * digit }
 }
 

@@ -1,0 +1,59 @@
+//! Pitch circles of simple and double-planet sets of which the ratio is known, and not all teeth.
+
+use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape};
+use epicyclic_train::PlanetSet;
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::set::SetKind;
+use std::f64::consts::TAU;
+
+/// Radius of each of two equal planets in mesh over the room between sun and ring: at a quarter they would stand on one line with the axis.
+const EACH_OF_TWO: f64 = 0.29;
+
+/// The circles of a set: the ring's is `k` times the sun's.
+pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
+    let k = set.ratio_between(0, 1).abs();
+    let count = set.planet_count().unwrap_or(SHOWN);
+    // Radii of centres and circles of the planets, and `(ω − ω_H)/(ω_1 − ω_H)` of each.
+    let planets: Vec<[f64; 3]> = match set.kind()? {
+        SetKind::Simple => {
+            let radius = 0.5 * (k - 1.0);
+            vec![[1.0 + radius, radius, -1.0 / radius]]
+        }
+        SetKind::DoublePlanet if k > 1.0 => {
+            let radius = EACH_OF_TWO * (k - 1.0);
+            vec![[1.0 + radius, radius, -1.0 / radius], [k - radius, radius, 1.0 / radius]]
+        }
+        _ => return None,
+    };
+    let circle = |of: GearOf, part: Part, radius: f64| FrontGear {
+        name: set.gear_name(of),
+        part,
+        teeth: set.teeth(of).map(epicyclic_gears::ToothCount::get),
+        pitch_radius: radius,
+        rim_radius: if part == Part::Ring { 1.08 * radius } else { radius },
+        turn_rad: 0.0,
+        outline: vec![],
+        speed_of_input: None,
+    };
+    let mut gears = vec![
+        (circle(GearOf::Central(0), Part::Sun, 1.0), 1.0),
+        (circle(GearOf::Central(1), Part::Ring, k), set.ratio_between(1, 0)),
+    ];
+    for (planet, [_, radius, factor]) in planets.iter().enumerate() {
+        gears.push((circle(GearOf::Planet(planet, 0), Part::Planet, *radius), *factor));
+    }
+    let apart = match planets.as_slice() {
+        [[first, radius, _], [second, ..]] => {
+            let between = 2.0 * radius;
+            libm::acos((first * first + second * second - between * between) / (2.0 * first * second))
+        }
+        _ => 0.0,
+    };
+    let standing = |copy: u32, planet: usize| FrontPlanet {
+        centre_distance: planets[planet][0],
+        angle_rad: TAU * f64::from(copy) / f64::from(count) + apart * planet as f64,
+        gears: vec![PlanetGear { gear: 2 + planet, turn_rad: 0.0 }],
+    };
+    let planets = (0..count).flat_map(|copy| (0..planets.len()).map(move |planet| (copy, planet)));
+    Some(Shape { gears, planets: planets.map(|(copy, planet)| standing(copy, planet)).collect() })
+}

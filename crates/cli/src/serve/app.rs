@@ -1,0 +1,76 @@
+//! The files of the app: in the program, or in a folder.
+
+use crate::failure::Failure;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What is asked for first.
+const PAGE: &str = "index.html";
+
+/// Files with their names, compressed by gzip.
+#[cfg(feature = "app")]
+const BUILT_IN: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/app.rs"));
+#[cfg(not(feature = "app"))]
+const BUILT_IN: &[(&str, &[u8])] = &[];
+
+/// The app.
+pub(super) enum App {
+    /// In the program.
+    BuiltIn,
+    /// In a folder, with the names of its files: nothing else of the disk is given out.
+    Folder(PathBuf, Vec<String>),
+}
+
+impl App {
+    /// The one of a folder, or the one in the program.
+    pub(super) fn of(folder: Option<&Path>) -> Result<Self, Failure> {
+        let refuse = |message: String| Failure::Option { option: "--app", message };
+        let Some(folder) = folder else {
+            let is_there = !BUILT_IN.is_empty();
+            return is_there.then_some(Self::BuiltIn).ok_or_else(|| {
+                refuse(
+                    "this program was built without the app; scripts/web build makes it in target/app, for --app target/app, and the feature \
+                     `app` builds it in"
+                        .to_owned(),
+                )
+            });
+        };
+        let unread = |source| Failure::Read { file: folder.to_owned(), source };
+        let mut names = vec![];
+        for entry in fs::read_dir(folder).map_err(unread)? {
+            let entry = entry.map_err(unread)?;
+            if entry.file_type().map_err(unread)?.is_file() {
+                names.extend(entry.file_name().into_string());
+            }
+        }
+        if !names.iter().any(|name| name == PAGE) {
+            return Err(refuse(format!(
+                "{}: there is no {PAGE} in it; scripts/web build leaves the app in target/app",
+                folder.display()
+            )));
+        }
+        Ok(Self::Folder(folder.to_owned(), names))
+    }
+
+    /// A file of it.
+    pub(super) fn file(&self, name: &str) -> Option<Vec<u8>> {
+        match self {
+            Self::BuiltIn => unpacked(BUILT_IN.iter().find(|(of, _)| *of == name)?.1),
+            Self::Folder(folder, names) => {
+                names.iter().find(|of| *of == name).and_then(|name| fs::read(folder.join(name)).ok())
+            }
+        }
+    }
+}
+
+#[cfg(feature = "app")]
+fn unpacked(bytes: &[u8]) -> Option<Vec<u8>> {
+    let mut file = vec![];
+    std::io::Read::read_to_end(&mut flate2::read::GzDecoder::new(bytes), &mut file).ok()?;
+    Some(file)
+}
+
+#[cfg(not(feature = "app"))]
+fn unpacked(_: &[u8]) -> Option<Vec<u8>> {
+    None
+}

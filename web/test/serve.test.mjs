@@ -1,0 +1,111 @@
+// The app as the program gives it out: `epicyclic serve`.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import http from 'node:http';
+import { networkInterfaces, tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { browser, open } from './serve.mjs';
+
+const program = process.env.EPICYCLIC ?? '../target/debug/epicyclic';
+const app = process.env.WEB ?? '../target/app';
+let chromium;
+
+before(async () => {
+  chromium = await browser();
+});
+after(() => chromium?.close());
+
+/** The program serving, and its address; it ends after what is done with it. */
+async function served(words, done, input = null) {
+  const running = spawn(program, ['serve', '--port', '0', '--no-browser', ...words], { stdio: [input === null ? 'ignore' : 'pipe', 'pipe', 'inherit'] });
+  try {
+    if (input !== null) running.stdin.end(input);
+    const address = await new Promise((resolve, reject) => {
+      running.stdout.on('data', (line) => resolve(String(line).trim()));
+      running.on('exit', (code) => reject(new Error(`ended with ${code}`)));
+    });
+    await done(address);
+  } finally {
+    running.kill();
+  }
+}
+
+const asked = (address, path, options = {}) =>
+  new Promise((resolve, reject) => {
+    const { hostname, port } = new URL(address);
+    http.request({ hostname, port, path, ...options }, (reply) => {
+      const parts = [];
+      reply.on('data', (part) => parts.push(part)).on('end', () => resolve({ code: reply.statusCode, headers: reply.headers, body: Buffer.concat(parts) }));
+    }).on('error', reject).end();
+  });
+
+test('the program holds the app as it was built', () =>
+  served([], async (address) => {
+    for (const file of readdirSync(app)) {
+      const { code, body } = await asked(address, `/${file}`);
+      assert.equal(code, 200, file);
+      assert.ok(body.equals(readFileSync(join(app, file))), file);
+    }
+    assert.equal((await asked(address, '/../Cargo.toml')).code, 404);
+    assert.equal((await asked(address, '/opened')).code, 404);
+    assert.equal((await asked(address, '/', { method: 'POST' })).code, 405);
+    assert.equal((await asked(address, '/', { method: 'HEAD' })).body.length, 0);
+  }));
+
+test('it answers this machine alone, under its own name', () =>
+  served([], async (address) => {
+    const { port } = new URL(address);
+    assert.equal((await asked(address, '/', { headers: { host: `elsewhere.example:${port}` } })).code, 403);
+    assert.equal((await asked(address, '/', { headers: { host: `localhost:${port}` } })).code, 200);
+    const others = Object.values(networkInterfaces()).flat().filter(({ internal, family }) => !internal && family === 'IPv4');
+    for (const { address: other } of others) {
+      await assert.rejects(asked(`http://${other}:${port}/`, '/'), /ECONNREFUSED/);
+    }
+  }));
+
+/** What the page shows of a file. */
+async function shown(words, done, input) {
+  await served(words, async (address) => {
+    const context = await chromium.newContext({ reducedMotion: 'reduce' });
+    const { page, faults } = await open(context, new URL('/', address).href, new URL(address).hash);
+    await done(page, address);
+    assert.deepEqual(faults, []);
+    await context.close();
+  }, input);
+}
+
+test('the page opens with the file that is named, and reads it anew', async () => {
+  const file = join(mkdtempSync(join(tmpdir(), 'epicyclic-')), 'box.yaml');
+  writeFileSync(file, readFileSync('../examples/scheme-ii-3.yaml'));
+  const name = readFileSync(file, 'utf8').match(/^gearbox: *(.*)$/m)[1].replaceAll(/['"]/g, '');
+  await shown([file], async (page, address) => {
+    assert.ok((await page.textContent('#title')).includes(name));
+    writeFileSync(file, readFileSync(file, 'utf8').replace(/^gearbox:.*$/m, 'gearbox: quite another'));
+    await page.goto('about:blank');
+    await page.goto(address);
+    await page.waitForFunction(() => document.querySelector('#title')?.textContent.includes('quite another'));
+  });
+});
+
+test('a motor opens on its page, from standard input, too', async () => {
+  const isMotor = (page) => page.getAttribute('#to-motor', 'aria-current').then((is) => assert.equal(is, 'page'));
+  await shown(['../examples/motor-5x3.yaml'], isMotor);
+  await shown(['-'], isMotor, readFileSync('../examples/motor-5x3.yaml'));
+});
+
+test('what cannot be served is told', () => {
+  const refused = (words) => {
+    const { status, stderr } = spawnSync(program, ['serve', '--no-browser', ...words], { encoding: 'utf8', timeout: 20_000 });
+    return [status, stderr];
+  };
+  const [missing, why] = refused(['not-there.yaml']);
+  assert.equal(missing, 3);
+  assert.match(why, /not-there\.yaml: cannot be read/);
+  return served([], async (address) => {
+    const [taken, told] = refused(['--port', new URL(address).port]);
+    assert.equal(taken, 2);
+    assert.match(told, /--port: \d+ on 127\.0\.0\.1: .*give another one, or 0/);
+  });
+});
