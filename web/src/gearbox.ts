@@ -30,6 +30,9 @@ export class GearboxPage {
   private tableTimer: ReturnType<typeof setTimeout> | undefined;
   /** Milliseconds from the last change to the pictures on the page. */
   lastChange = 0;
+  /** How many gearboxes were opened, and how many changes asked for: what comes late of another gearbox is dropped. */
+  private opened = 0;
+  private asked = 0;
 
   constructor(
     public state: GearboxState,
@@ -45,6 +48,7 @@ export class GearboxPage {
   /** Another gearbox, as its file. */
   async open(file: string, name: string): Promise<void> {
     Object.assign(this.state, { file, name, transmission: null, gear: null });
+    this.opened++;
     this.fill();
     await this.update(true);
   }
@@ -114,6 +118,7 @@ export class GearboxPage {
 
   private choose(transmission: string): void {
     Object.assign(this.state, { transmission: transmission || null, gear: null });
+    this.opened++;
     void this.update(true);
   }
 
@@ -194,10 +199,12 @@ export class GearboxPage {
   /** Calculates and draws anew what is seen; with `isAnother` the gearbox itself has changed. */
   async update(isAnother = false): Promise<void> {
     const began = performance.now();
+    const [opened, asked] = [this.opened, ++this.asked];
     const wanted = this.views.filter((view) => view.isSeen && !(view.name === 'speeds' && this.state.gear === null));
     const question = this.question();
     try {
       const look = await core.look(this.state.file, { ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
+      if (opened !== this.opened) return;
       if (look.transmissions && !look.analyze) {
         this.state.transmission = look.transmissions.transmissions[0]?.name ?? null;
         return this.update(isAnother);
@@ -208,7 +215,7 @@ export class GearboxPage {
       this.facts(look, isAnother);
       for (const view of wanted) drawn(view.picture, look.pictures?.[this.named(view)]);
       this.lastChange = performance.now() - began;
-      document.body.dataset['change'] = this.lastChange.toFixed(2);
+      if (asked === this.asked) document.body.dataset['change'] = this.lastChange.toFixed(2);
       this.changed();
       if (isAnother && this.state.gear === null) {
         const first = look.analyze?.gears.find((gear) => gear.state === 'driven');
@@ -221,19 +228,21 @@ export class GearboxPage {
         if (this.tablesSeen.all || this.tablesSeen.gear) void this.tabulate();
       }, 80);
     } catch (error) {
-      this.refuse(error);
+      if (opened === this.opened) this.refuse(error);
     }
   }
 
   private async tabulate(): Promise<void> {
+    const opened = this.opened;
     try {
       const { all, gear } = this.tablesSeen;
       const look = await core.look(this.state.file, { ...this.question(), tables: all, gear_tables: gear }, 'tables');
+      if (opened !== this.opened) return;
       if (look.tables !== undefined) tabled(this.tables, look.tables);
       if (gear) tabled(this.gearTables, look.gear_tables ?? '<p class="note">Choose a gear.</p>');
       document.body.dataset['tables'] = String(Date.now());
     } catch (error) {
-      this.refuse(error);
+      if (opened === this.opened) this.refuse(error);
     }
   }
 
@@ -298,8 +307,11 @@ export class GearboxPage {
   }
 
   private async adjust(place: number, to: string): Promise<void> {
+    const opened = this.opened;
+    this.asked++;
     try {
       const { file } = await core.changed(this.state.file, this.question(), place, to);
+      if (opened !== this.opened) return;
       this.state.file = file;
       at<HTMLTextAreaElement>('text').value = file;
       await this.update();
