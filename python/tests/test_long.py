@@ -46,14 +46,37 @@ def test_other_threads_go_on() -> None:
     assert counts[0] > 1000
 
 
+class CtrlC:
+    """Ctrl-C soon after the first progress; never after the work has ended."""
+
+    def __init__(self) -> None:
+        self.told: list[str] = []
+        self._begun = threading.Event()
+        self._ended = threading.Event()
+
+    def progress(self, line: str) -> None:
+        self.told.append(line)
+        self._begun.set()
+
+    def _press(self) -> None:
+        if self._begun.wait(60) and not self._ended.wait(0.3):
+            signal.raise_signal(signal.SIGINT)
+
+    def __enter__(self) -> CtrlC:
+        self._thread = threading.Thread(target=self._press)
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ended.set()
+        self._thread.join()
+
+
 def test_a_sweep_tells_its_progress_and_ends_by_ctrl_c() -> None:
-    told: list[str] = []
     k = np.full(20_000_000, 2.0)
-    timer = threading.Timer(2.0, lambda: signal.raise_signal(signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        two_sets().sweep({"1": k}, progress=told.append)
-    timer.cancel()
+    with CtrlC() as ctrl_c, pytest.raises(KeyboardInterrupt):
+        two_sets().sweep({"1": k}, progress=ctrl_c.progress)
+    told = ctrl_c.told
     assert told and all(line.endswith(" of 20000000") for line in told)
     # It has not come to its end.
     assert not told[-1].startswith("20000000")
@@ -68,22 +91,17 @@ def test_an_exception_of_the_progress_ends_the_work() -> None:
 
 
 def test_a_search_tells_its_progress_and_ends_by_ctrl_c() -> None:
-    told: list[str] = []
-    timer = threading.Timer(3.0, lambda: signal.raise_signal(signal.SIGINT))
     begun = time.monotonic()
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
+    with CtrlC() as ctrl_c, pytest.raises(KeyboardInterrupt):
         epicyclic.synthesize(
-            ratios="4.171 2.340 1.521 1.143 0.867 0.691 -3.403",
-            sets=3,
-            elements=6,
+            ratios="4.7143 3.1429 2.1064 1.6667 1.2854 1 0.8387 0.6667 -3.2952",
+            sets=4,
+            elements=5,
             engaged=3,
-            class_="all-sparse",
-            progress=told.append,
+            progress=ctrl_c.progress,
         )
-    timer.cancel()
     assert time.monotonic() - begun < 15
-    assert told and told[0].startswith("searching")
+    assert ctrl_c.told[0].startswith("searching")
 
 
 def test_after_an_end_the_next_call_answers() -> None:

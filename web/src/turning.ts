@@ -113,7 +113,7 @@ export class Turning {
       turning(s('g', {}, s('path', { class: 'g-ring g-edge', 'fill-rule': 'evenodd', d: around(ring.rim_radius) + body(ring) }), mark(0.97 * ring.rim_radius - dot)), ring.speed_of_input, ring.turn_rad),
     );
     const suns = sorted('sun').map((sun, place, all) =>
-      turning(s('g', {}, s('path', { class: 'g-sun g-edge', d: body(sun) }), mark(0.7 * sun.pitch_radius), ...(place === all.length - 1 ? [bore(0.25 * sun.pitch_radius)] : [])), sun.speed_of_input, sun.turn_rad),
+      turning(s('g', {}, s('path', { class: `g-sun g-edge${place < all.length - 1 ? ' g-behind' : ''}`, d: body(sun) }), mark(0.7 * sun.pitch_radius), ...(place === all.length - 1 ? [bore(0.25 * sun.pitch_radius)] : [])), sun.speed_of_input, sun.turn_rad),
     );
     const standing = set.planets.flatMap((at) => at.gears.map((own) => ({ at, own, gear: set.gears[own.gear]! })));
     standing.sort((one, other) => other.gear.rim_radius - one.gear.rim_radius);

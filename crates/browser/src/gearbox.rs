@@ -1,13 +1,13 @@
 //! A gearbox looked at: answers, tables and pictures of a file and a gear.
 
-use crate::layouts;
 use crate::reply::{Failure, json, object, refuse, refused, text};
+use crate::{documents, layouts};
 use epicyclic_answers::analyze::{self, Input};
 use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
 use epicyclic_answers::{adjust, front as from_the_front, transmissions};
 use epicyclic_drawing::{Scene, svg};
+use epicyclic_formats::Quantity;
 use epicyclic_formats::gearbox::written;
-use epicyclic_formats::{Document, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
@@ -92,8 +92,7 @@ fn with<T>(
     done: impl FnOnce(&Subject<'_>) -> Result<T, Failure>,
     several: impl FnOnce(&transmissions::Transmissions) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
-    let document =
-        Document::parse_one("gearbox.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
+    let document = documents::of("gearbox.yaml", file)?;
     match read(&document, &question.choice()?).map_err(refused)? {
         Content::One(subject) => done(&subject),
         Content::Several(all) => several(&transmissions::answer(&all)),

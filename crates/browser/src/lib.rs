@@ -2,7 +2,7 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | `call` | any command line of the program, with the feature `calls` |
+//! | `documents` | the file that was read last |
 //! | `gearbox` | a gearbox looked at: answers, tables and pictures of a file and a gear |
 //! | `layouts` | layouts of schemes, found once for each structure |
 //! | `motor` | a hydromotor looked at, and as it turns |
@@ -10,8 +10,7 @@
 //!
 //! A question and its reply are texts in JSON. The answers within are those of the program, key by key.
 
-#[cfg(feature = "calls")]
-pub mod call;
+mod documents;
 mod gearbox;
 mod layouts;
 mod motor;

@@ -1,14 +1,12 @@
 //! A hydromotor looked at, and as it turns.
 
+use crate::documents;
 use crate::reply::{Failure, json, object, refused, text};
 use epicyclic_answers::motor::{self, Designed, of_file};
-use epicyclic_formats::Document;
 use epicyclic_views::AsReport as _;
 
 fn designed(file: &str) -> Result<Designed, Failure> {
-    let document =
-        Document::parse_one("motor.yaml", file.as_bytes()).map_err(|error| refused(error.into()))?;
-    Ok(of_file(&document).map_err(refused)?.1)
+    Ok(of_file(&*documents::of("motor.yaml", file)?).map_err(refused)?.1)
 }
 
 /// The answer and its tables.

@@ -55,7 +55,7 @@ impl PlanetSpacing {
     }
 
     /// Slots occupied, ascending from 0.
-    pub fn occupied(&self) -> impl Iterator<Item = u64> + use<> {
+    pub fn occupied(&self) -> impl DoubleEndedIterator<Item = u64> + use<> {
         let (slots, planets) = (u128::from(self.slots), self.planets);
         // At most `slots`, which fits.
         (0..planets).map(move |j| (u128::from(j) * slots / u128::from(planets)) as u64)
@@ -155,7 +155,7 @@ mod tests {
         assert!(!wide.is_equal() && wide.greatest_deviation().get::<radian>() > 0.0);
         let crowded = spacing(most, most, most);
         assert!(crowded.is_equal());
-        assert_eq!(crowded.occupied().nth(most as usize - 1), Some(2 * u64::from(most - 1)));
+        assert_eq!(crowded.occupied().next_back(), Some(2 * u64::from(most - 1)));
         assert!((crowded.smallest_gap().get::<radian>() - TAU / f64::from(most)).abs() < 1e-24);
         assert_eq!(spacing(1, 1, 0).angles().len(), 0);
     }

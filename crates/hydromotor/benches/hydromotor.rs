@@ -166,9 +166,16 @@ fn trial(search: &MotorSearch) -> usize {
 
 /// The search with the tooth form free: all numbers, three families, 350 forms, on all cores.
 fn forms(c: &mut Criterion) {
-    let search = FormSearch::new(order().requirements);
+    let mut search = FormSearch::new(order().requirements);
+    // As a test it runs once and unoptimised: fewer forms do.
+    let is_measured = std::env::args().any(|arg| arg == "--bench");
+    if !is_measured {
+        search.forms.addendum = Steps { from: 0.9, to: 0.9, step: 0.05 };
+    }
     let found = search.front().expect("sound");
-    assert!(found.funnel.points() > 10_000_000 && found.designs.len() > 20);
+    assert!(
+        found.funnel.points() > if is_measured { 10_000_000 } else { 1_000_000 } && found.designs.len() > 20
+    );
     let mut group = c.benchmark_group("hydromotor/forms");
     group.sample_size(10);
     group.bench_function("all", |b| b.iter(|| black_box(&search).front()));

@@ -40,8 +40,9 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("views", &["answers", "pictures", "drawing", "formats"]),
     (
         "browser",
-        &["cli", "views", "answers", "pictures", "drawing", "formats", "layout", "schemes", "train", "gears"],
+        &["views", "answers", "pictures", "drawing", "formats", "layout", "schemes", "train", "gears"],
     ),
+    ("calls", &["cli"]),
     (
         "cli",
         &[

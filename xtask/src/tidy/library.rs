@@ -3,7 +3,7 @@
 use super::{Breach, source::Source};
 
 /// Crates that are no libraries.
-const PROGRAMS: [&str; 3] = ["browser", "cli", "python"];
+const PROGRAMS: [&str; 4] = ["browser", "calls", "cli", "python"];
 
 /// What a manifest says besides its name.
 const KEYS: [&str; 4] = ["description", "readme", "keywords", "categories"];

@@ -1,0 +1,432 @@
+//! The program from outside: what it prints, where, and its exit codes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use crate::common;
+
+use common::{PROGRAM, examples, here, output, session, sessions, text};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// A folder with the excavator's file, changed.
+fn with(old: &str, new: &str) -> tempfile::TempDir {
+    let folder = here();
+    let excavator = fs::read_to_string(examples().join("xe215cll-drive.yaml")).unwrap();
+    assert!(excavator.contains(old), "{old}");
+    fs::write(folder.path().join("drive.yaml"), excavator.replacen(old, new, 1)).unwrap();
+    folder
+}
+
+#[test]
+fn help_says_what_there_is() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &[],
+            &["--help"],
+            &["teeth", "--help"],
+            &["drive", "--help"],
+            &["analyze", "--help"],
+            &["strength", "--help"],
+            &["losses", "--help"],
+            &["vibrate", "--help"],
+            &["compare", "--help"],
+            &["select", "--help"],
+            &["schemes", "--help"],
+            &["schema", "--help"],
+            &["serve", "--help"],
+            &["completions", "--help"],
+            &["man", "--help"],
+            &["machine", "--help"],
+            &["machine", "speeds", "--help"],
+            &["machine", "drum", "--help"],
+            &["machine", "rotor", "--help"],
+            &["draw", "--help"],
+            &["motor", "--help"],
+            &["motor", "search", "--help"],
+            &["motor", "forms", "--help"],
+        ]
+    ));
+}
+
+#[test]
+fn a_drive_that_does_not_start_forward_is_warned_of() {
+    let at = |load: &str| {
+        let folder = with("carrier:\n", &format!("start: {{ load: {load} }}\ncarrier:\n"));
+        let answer = output(folder.path(), &["drive", "drive.yaml", "--format", "json"]).stdout;
+        let answer: serde_json::Value = serde_json::from_slice(&answer).unwrap();
+        let motion = answer["start"]["with_losses"].clone();
+        let outcome = motion["outcome"].as_str().unwrap().to_owned();
+        let acceleration = motion["acceleration_sun_rad_s2"].as_f64().unwrap();
+        let warning =
+            answer["warnings"].as_array().unwrap().last().unwrap()["message"].as_str().unwrap().to_owned();
+        (outcome, acceleration, motion["starting_time_s"].as_f64(), warning)
+    };
+    // Between 3000.4 and 3264.7 N·m the meshes hold it.
+    let (outcome, acceleration, time, warning) = at("3050 N·m");
+    assert_eq!((outcome.as_str(), acceleration, time), ("held", 0.0, None));
+    assert!(warning.contains("holds loads from 3000.4 to 3264.7 N·m"), "{warning}");
+    let (outcome, acceleration, time, warning) = at("3300 N·m");
+    assert_eq!((outcome.as_str(), time), ("runs_backward", None));
+    assert!(acceleration < 0.0 && warning.contains("turns the drive backward"), "{acceleration} {warning}");
+    let (outcome, acceleration, time, _) = at("2900 N·m");
+    assert_eq!(outcome, "starts");
+    assert!(acceleration > 0.0 && time.is_some());
+}
+
+#[test]
+fn a_unit_that_the_shell_parted_from_its_number_is_told() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--zs", "10", "--module", "2", "mm"],
+            &["analyze", "box.yaml", "--torque", "500", "N·m"],
+            &["machine", "speeds", "1", "m/s"],
+            &["teeth", "--ratio", "6", "mmm"],
+        ]
+    ));
+}
+
+/// The commands that the help of a command shows as its example.
+fn examples_in_help(command: &[&str]) -> Vec<String> {
+    let help = text(&output(here().path(), &[command, &["--help"]].concat()).stdout);
+    let after = help.split("Example:\n").nth(1).unwrap();
+    after.lines().take_while(|line| !line.is_empty()).map(|line| line.trim().to_owned()).collect()
+}
+
+#[test]
+fn the_examples_in_the_help_work_as_printed() {
+    let commands: [&[&str]; 15] = [
+        &["teeth"],
+        &["drive"],
+        &["analyze"],
+        &["select"],
+        &["schemes"],
+        &["machine"],
+        &["machine", "speeds"],
+        &["machine", "rotor"],
+        &["schema"],
+        &["completions"],
+        &["man"],
+        &["draw"],
+        &["motor"],
+        &["motor", "search"],
+        &["motor", "forms"],
+    ];
+    for command in commands {
+        let (folder, script) = (here(), examples_in_help(command).join("\n"));
+        let path = format!("{}:{}", Path::new(PROGRAM).parent().unwrap().display(), env!("PATH"));
+        let mut shell = Command::new("sh");
+        let output =
+            shell.args(["-ec", &script]).env("PATH", path).current_dir(folder.path()).output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{script}: {output:?}");
+        let printed = text(&output.stdout);
+        let written = fs::read_dir(folder.path()).unwrap().count();
+        assert!(printed.len() > 200 || written == 1, "{script}");
+        // Tables: JSON has lines of its own.
+        for line in printed.lines().take_while(|line| *line != "{") {
+            assert!(line.chars().count() <= 80, "{script}\n{line}");
+        }
+        let help = text(&common::output(folder.path(), &[command, &["--help"]].concat()).stdout);
+        for line in help.lines() {
+            assert!(line.trim_end().chars().count() <= 80, "{command:?}\n{line}");
+        }
+    }
+}
+
+#[test]
+fn tooth_numbers_as_tables() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "6", "--planets", "4", "--no-undercut"],
+            &["teeth", "--ratio", "3.94", "--spacing", "least-unequal", "--planets", "3..7", "--limit", "6"],
+            &[
+                "teeth",
+                "--ratio",
+                "-2.6",
+                "--mode",
+                "ab^H",
+                "--sun",
+                "..20",
+                "--ring",
+                "50..",
+                "--tolerance",
+                "0.5%"
+            ],
+            &["teeth", "--ratio", "6", "--sun", "20", "--planets", "4"],
+            &["teeth", "--ratio", "-1.6", "--double-planet", "--no-undercut", "--limit", "4"],
+            &[
+                "teeth",
+                "--ratio",
+                "0.605",
+                "--mode",
+                "bH^a",
+                "--double-planet",
+                "--spacing",
+                "least-unequal",
+                "--sun",
+                "31..35",
+                "--tolerance",
+                "0.2%"
+            ],
+        ]
+    ));
+}
+
+#[test]
+fn tooth_numbers_for_programs() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "6", "--sun", "20", "--format", "json"],
+            &["teeth", "--ratio", "6", "--limit", "2", "--format", "csv"],
+            &["teeth", "--ratio", "6.1", "--sun", "20", "--spacing", "least-unequal", "--format", "csv"],
+            &["teeth", "--ratio", "-1.6", "--double-planet", "--limit", "2", "--format", "csv"],
+        ]
+    ));
+}
+
+#[test]
+fn demands_that_no_gear_meets() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "60"],
+            &["teeth", "--ratio", "6", "--mode", "ab^H"],
+            &["teeth", "--ratio", "6", "--sun", "20", "--ring", "99", "--tolerance", "0"],
+            &["teeth", "--ratio", "0"],
+            &["teeth", "--ratio", "6", "--sun", "0..20"],
+            &["teeth", "--ratio", "6", "--planets", "9"],
+            &["teeth", "--ratio", "6", "--k", "0.5..2"],
+            &["teeth", "--ratio", "6", "--sun", "300.."],
+            &["teeth", "--ratio", "6", "--sun", "12..16", "--no-undercut"],
+            &["teeth", "--ratio", "6", "--tolerance", "-1%"],
+            &["teeth", "--ratio", "6", "--tip-gap", "-1"],
+            &["teeth", "--ratio", "6", "--ring", "..3000000"],
+            &["teeth", "--ratio", "6", "--addendum", "-1"],
+            &["teeth", "--ratio", "6", "--double-planet"],
+            &["teeth", "--ratio", "-60", "--double-planet"],
+            &["teeth", "--ratio", "6", "--save", "set.yaml", "--nth", "0"],
+            &["teeth", "--ratio", "6", "--save", "set.yaml", "--nth", "99999"],
+        ]
+    ));
+}
+
+/// Spaces too large are refused with their size, and what to narrow; the most exact are still to be had.
+#[test]
+fn spaces_beyond_memory_are_refused_with_their_size() {
+    let folder = here();
+    let wide = ["--sun", "1..10000", "--planet", "1..10000", "--ring", "1..10000", "--tolerance", "50%"];
+    let run = |args: &[&str]| {
+        let found = output(folder.path(), &[args, &wide].concat());
+        (found.status.code(), text(&found.stderr), text(&found.stdout).lines().count())
+    };
+    let (code, said, _) = run(&["teeth", "--ratio", "6", "--format", "csv"]);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.starts_with("error: --limit: 10517675 sets of tooth numbers are within the tolerance"),
+        "{said}"
+    );
+    assert!(said.contains("narrow --tolerance"), "{said}");
+    let (code, said, lines) = run(&["teeth", "--ratio", "6", "--format", "csv", "--limit", "1000"]);
+    assert_eq!((code, lines), (Some(0), 1001));
+    assert_eq!(said, "note: 10517675 sets of tooth numbers found, 1000 shown; --limit shows more.\n");
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth"]);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("22566387 combinations of tooth numbers a set")
+            && said.contains("narrow the ranges of teeth"),
+        "{said}"
+    );
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "10001"]);
+    assert!(code == Some(2) && said.contains("at most 10000"), "{said}");
+}
+
+#[test]
+fn wrong_usage() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth"],
+            &["teeth", "--ratio", "6,5"],
+            &["teeth", "--ratio", "nan"],
+            &["teeth", "--ratio", "6 mm"],
+            &["teeth", "--ratio", "6", "--mode", "aHb"],
+            &["teeth", "--ratio", "6", "--sun", "40..12"],
+            &["teeth", "--ratio", "6", "--sun", "12-40"],
+            &["teeth", "--ratio", "6", "--tolerance", "1 mm"],
+            &["teeth", "--ratio", "6", "--tolerance", "100%"],
+            &["teeth", "--ratio", "6", "--tolerance", "1e308"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "90deg"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "20"],
+            &["teeth", "--ratio", "6", "--format", "xml"],
+            &["drive"],
+            &["gears"],
+        ]
+    ));
+}
+
+#[test]
+fn the_excavator() {
+    let folder = examples();
+    insta::assert_snapshot!("excavator_table", session(&folder, &["drive", "xe215cll-drive.yaml"]));
+    insta::assert_snapshot!(
+        "excavator_json",
+        session(&folder, &["drive", "xe215cll-drive.yaml", "--format", "json"])
+    );
+    insta::assert_snapshot!(
+        "excavator_csv",
+        session(&folder, &["drive", "xe215cll-drive.yaml", "--format", "csv"])
+    );
+}
+
+#[test]
+fn the_least_file() {
+    insta::assert_snapshot!(session(&examples(), &["drive", "minimal-drive.yaml"]));
+}
+
+#[test]
+fn a_drive_with_less_load_and_more_inertia() {
+    let folder = with(
+        "ratio: 6\n",
+        "ratio: 6\nstart: { load: 2 kN·m }\nattached: { motor: 0.05 kg·m², machine: 12 kg·m² }\n",
+    );
+    let seen = session(folder.path(), &["drive", "drive.yaml"]);
+    insta::assert_snapshot!(&seen[seen.find("Equivalent inertia").unwrap()..]);
+}
+
+#[test]
+fn drive_files_that_are_refused() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("power: 106.5 kW", "power: 106,5 kW"),
+        ("power: 106.5 kW", "power: 106.5 N·m"),
+        ("speed: 1950 rpm", "speed: 1950"),
+        ("power: 106.5 kW", "powers: 106.5 kW"),
+        ("ratio: 6", "ratio: 60"),
+        ("sun: 20", "sun: 0"),
+        ("sun: 20", "sun: 20\n  sun: 21"),
+        ("bearing: 310", "bearing: 510"),
+        ("sun_bore: bearing", "sun_bore: 150 mm"),
+        ("speed: 1950 rpm", "speed: .nan"),
+        ("title", "\ttitle"),
+    ] {
+        seen += &session(with(old, new).path(), &["drive", "drive.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    let folder = here();
+    fs::create_dir(folder.path().join("folder")).unwrap();
+    fs::write(folder.path().join("empty.yaml"), "").unwrap();
+    fs::write(folder.path().join("latin1.yaml"), b"title: Getriebe f\xfcr Bagger\n").unwrap();
+    let read = |file| session(folder.path(), &["drive", file]);
+    insta::assert_snapshot!(["missing.yaml", "folder", "empty.yaml", "latin1.yaml"].map(read).join("\n"));
+}
+
+#[test]
+fn an_answer_is_written_whole_or_not_at_all() {
+    let folder = here();
+    let answer = folder.path().join("answer.csv");
+    let write = |args: &[&str]| {
+        let mut all = vec!["teeth", "--format", "csv", "-o", "answer.csv", "--ratio"];
+        all.extend(args);
+        output(folder.path(), &all)
+    };
+    let done = write(&["6"]);
+    assert!(done.status.success() && done.stdout.is_empty() && done.stderr.is_empty(), "{done:?}");
+    let first = fs::read_to_string(&answer).unwrap();
+    assert_eq!(first.lines().count(), 48);
+
+    // No answer: the old one stays.
+    assert_eq!(write(&["60"]).status.code(), Some(1));
+    assert_eq!(fs::read_to_string(&answer).unwrap(), first);
+
+    // It may not be written: the same.
+    let mut permissions = fs::metadata(&answer).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&answer, permissions).unwrap();
+    let refused = write(&["5"]);
+    assert_eq!(refused.status.code(), Some(3));
+    assert_eq!(
+        text(&refused.stderr),
+        "error: answer.csv: cannot be written: permission denied; it is unchanged\n"
+    );
+    assert_eq!(fs::read_to_string(&answer).unwrap(), first);
+
+    // Nothing is left beside it.
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_answer_keeps_permissions_and_links() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = here();
+    let (kept, link) = (folder.path().join("kept.txt"), folder.path().join("link.txt"));
+    fs::write(&kept, "old").unwrap();
+    fs::set_permissions(&kept, fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("kept.txt", &link).unwrap();
+    assert!(output(folder.path(), &["teeth", "--ratio", "6", "-o", "link.txt"]).status.success());
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(&kept).unwrap().starts_with("Ratio 6"));
+    assert_eq!(fs::metadata(&kept).unwrap().permissions().mode() & 0o777, 0o640);
+    assert!(output(folder.path(), &["teeth", "--ratio", "6", "-o", "/dev/null"]).status.success());
+    assert!(!fs::metadata("/dev/null").unwrap().is_file());
+}
+
+#[test]
+fn answers_that_cannot_be_written() {
+    let folder = here();
+    fs::create_dir(folder.path().join("folder")).unwrap();
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[&["teeth", "--ratio", "6", "-o", "folder"], &["teeth", "--ratio", "6", "-o", "missing/answer.txt"],]
+    ));
+}
+
+#[test]
+fn warnings_are_shown_where_the_answer_goes_to_a_file() {
+    let folder = with("planets: 4", "planets: 4");
+    let done = output(folder.path(), &["drive", "drive.yaml", "-o", "answer.txt"]);
+    assert!(done.status.success() && done.stdout.is_empty());
+    assert_eq!(text(&done.stderr).matches("warning: the ").count(), 3);
+    assert!(fs::read_to_string(folder.path().join("answer.txt")).unwrap().contains("Warnings"));
+}
+
+#[test]
+fn tables_fit_eighty_columns_and_json_is_json() {
+    let folder = with("ratio: 6\n", "ratio: 6\nstart: { load: 20 kN·m }\n");
+    for args in [
+        &["drive", "drive.yaml"][..],
+        &["teeth", "--ratio", "1.7", "--spacing", "least-unequal", "--planets", "8", "--mode", "bH^a"],
+        &[
+            "teeth",
+            "--ratio",
+            "3.94",
+            "--sun",
+            "100..2000",
+            "--planet",
+            "100..2000",
+            "--ring",
+            "200..4000",
+            "--tolerance",
+            "0.01%",
+        ],
+    ] {
+        let table = text(&output(folder.path(), args).stdout);
+        assert!(!table.is_empty());
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+        let as_json = [args, &["--format", "json"]].concat();
+        let json: serde_json::Value =
+            serde_json::from_slice(&output(folder.path(), &as_json).stdout).unwrap();
+        assert!(json.is_object());
+    }
+}

@@ -1,0 +1,1397 @@
+//! The commands for gearboxes of several speeds: analyze, select, schemes, machine.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use crate::common;
+
+use common::{examples, here, output, session, sessions, text};
+use std::fs;
+
+const BOXES: &str = "real-transmissions.yaml";
+
+#[test]
+fn a_gearbox_at_a_glance() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml"][..],
+            &["analyze", "scheme-ii-3.yaml", "--speed", "1475 rpm", "--power", "75 kW"],
+            &["analyze", BOXES],
+            &["analyze", BOXES, "--transmission", "8HP45", "--efficiency", "0.97"],
+            &["analyze", BOXES, "--transmission", "prius"],
+        ]
+    ));
+}
+
+#[test]
+fn a_gear_in_full() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--torque", "500 N·m", "--speed", "1475 rpm"]
+                [..],
+            &["analyze", BOXES, "--transmission", "8HP45", "--gear", "3"],
+            &["analyze", BOXES, "--transmission", "NREL", "--gear", "overall out/in"],
+            &["analyze", "closed-by-planetary-gear.yaml", "--gear", "closed", "--torque", "-100 N·m"],
+        ]
+    ));
+}
+
+#[test]
+fn shifts_and_progressions() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", BOXES, "--transmission", "8HP45", "--shifts"][..],
+            &["analyze", "ravigneaux.yaml", "--shifts", "--speed", "2000 rpm", "--format", "csv"],
+            &["analyze", "wolfrom.yaml", "--shifts"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "1"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "3"],
+            &["analyze", "scheme-ii-3.yaml", "--shifts", "--gear", "slow"],
+        ]
+    ));
+}
+
+#[test]
+fn shifts_of_many_gears_are_left_out_and_that_is_told() {
+    let folder = here();
+    let gears = |count: usize| {
+        let gear = |place: usize| format!("  - {{ name: g{place}, engaged: [K{}] }}\n", 1 + place % 2);
+        let gears: String = (0..count).map(gear).collect();
+        let file = format!(
+            "gearbox: many\ninput: D\noutput: B\nsets: [{{ id: P, sun: D, ring: T, carrier: B, k: 3 }}]\nbrakes: [{{ id: K1, link: T \
+             }}]\nclutches: [{{ id: K2, links: [D, B] }}]\ngears:\n{gears}"
+        );
+        fs::write(folder.path().join("many.yaml"), file).unwrap();
+    };
+    gears(65);
+    let told = output(folder.path(), &["analyze", "many.yaml"]);
+    assert!(text(&told.stdout).contains("shifts are told of at most 64 gears; these are 65"));
+    let refused = output(folder.path(), &["analyze", "many.yaml", "--shifts"]);
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("at most 64"), "{refused:?}");
+    gears(64);
+    let done = output(folder.path(), &["analyze", "many.yaml", "--shifts", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    // Each of the 32 slow gears to each of the 32 fast ones.
+    assert_eq!(told["shifts"].as_array().unwrap().len(), 32 * 32);
+}
+
+const WIND: [&str; 6] = ["strength", "wind-stage.yaml", "--torque", "999.650881 kN·m", "--speed", "47.8 rpm"];
+
+#[test]
+fn the_strength_of_a_wind_stage() {
+    let factors = [&WIND[..], &["--factors"]].concat();
+    let csv = [&WIND[..], &["--factors", "--format", "csv"]].concat();
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &WIND[..],
+            &factors,
+            &csv,
+            &["strength", "wind-stage.yaml", "--factors"],
+            &["strength", "wind-stage.yaml", "--factors", "--format", "csv"],
+            &["strength", "every-gearbox-key.yaml", "--torque", "4 kN·m", "--speed", "100 rpm"],
+            &["strength", "every-gearbox-key.yaml"],
+        ]
+    ));
+}
+
+/// As printed by the commercial calculation: safeties of sun, planet at the sun, planet at the ring, ring. The ring's root contains a `Y_S` that is compared
+/// only.
+#[test]
+fn the_safeties_of_the_wind_stage_are_those_printed() {
+    let done = output(&examples(), &[&WIND[..], &["--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let rows = told["at_point"].as_array().unwrap();
+    let of = |key: &str| rows.iter().map(|row| row[key].as_f64().unwrap()).collect::<Vec<_>>();
+    for (key, printed) in [
+        ("flank_safety", &[1.21, 1.38, 3.43, 1.81][..]),
+        ("root_safety", &[2.82, 2.04, 4.18]),
+        ("contact_stress_pa", &[1071.17e6, 994.13e6, 404.76e6, 404.76e6]),
+        ("root_stress_pa", &[209.38e6, 210.14e6, 102.77e6]),
+    ] {
+        for (value, printed) in of(key).iter().zip(printed) {
+            assert!((value / printed - 1.0).abs() < 0.01, "{key}: {value}, printed {printed}");
+        }
+    }
+    // 1 N·m of the ring's torque is printed beyond six digits.
+    assert!(of("tangential_force_n").iter().all(|force| (force / 285_900.438 - 1.0).abs() < 1e-6));
+}
+
+/// With the deviations of grade 6, bores and blank factor of the same calculation, `K_v` is the printed one of each mesh.
+#[test]
+fn the_dynamic_factors_of_the_wind_stage_are_those_printed() {
+    let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    let given = "K_v: 1.061, K_H_alpha: 1, K_F_alpha: 1 }";
+    let accuracy = "accuracy: { pitch_deviations: [16.9 µm, 17.9 µm, 20.7 µm], profile_deviations: [21 µm, 23 µm, 27 µm], \
+                    sun_bore: 194.32 mm, blank_factor: 0.862 }";
+    let changed = wind.replace(&format!("{given}\n"), &format!("}}\n      {accuracy}\n"));
+    let changed = changed.replace("    module: 21 mm\n", "    module: 21 mm\n    planet_bore: 576.96 mm\n");
+    let folder = here();
+    fs::write(folder.path().join("wind-stage.yaml"), changed).unwrap();
+    let done = output(folder.path(), &[&WIND[..], &["--factors", "--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let rows = told["at_point"].as_array().unwrap();
+    let factor = |row: usize, symbol: &str| {
+        let mut all = rows[row]["factors"].as_array().unwrap().iter();
+        all.find(|factor| factor["symbol"] == symbol).unwrap()["value"].as_f64().unwrap()
+    };
+    for (row, printed) in [(0, 1.02), (1, 1.02), (2, 1.061), (3, 1.061)] {
+        let dynamic = factor(row, "K_v");
+        assert!((dynamic - printed).abs() <= if row < 2 { 0.005 } else { 0.0005 }, "{dynamic}");
+        assert_eq!([factor(row, "K_Hα"), factor(row, "K_Fα")], [1.0, 1.0]);
+    }
+}
+
+/// By hand: without `K_A` and `K_v` stresses of the flank are those of 2500 kN·m over `√(1.25·1.061)`, limits the static ones, `σ_Hlim·1.6` of case-hardened
+/// steel; of the root `σ_Flim·2·2.5·Y_δrelT,stat·Y_M`.
+#[test]
+fn the_overload_is_held_against_the_static_limits() {
+    let done = output(&examples(), &[&WIND[..], &["--factors", "--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let [point, peak] = ["at_point", "overload"].map(|key| told[key].as_array().unwrap().clone());
+    assert_eq!((point.len(), peak.len()), (4, 4));
+    let more = 2500.0 / 999.650881 / (1.25 * 1.061);
+    for (one, other) in point.iter().zip(&peak).take(3) {
+        let number = |of: &serde_json::Value, key: &str| of[key].as_f64().unwrap();
+        let stress = number(one, "contact_stress_pa") / 1e6 * f64::sqrt(more);
+        assert!((number(other, "flank_safety") / (1500.0 * 1.6 / stress) - 1.0).abs() < 1e-9, "{other}");
+        let factor = |symbol: &str| {
+            let mut all = one["factors"].as_array().unwrap().iter();
+            all.find(|factor| factor["symbol"] == symbol).unwrap()["value"].as_f64().unwrap()
+        };
+        let notch = 0.44 * factor("Y_S") + 0.12;
+        let limit = 430.0 * 2.0 * 2.5 * notch * factor("Y_M");
+        let stress = number(one, "root_stress_pa") / 1e6 * more;
+        assert!((number(other, "root_safety") / (limit / stress) - 1.0).abs() < 1e-9, "{other}");
+    }
+}
+
+/// Stresses depend on the size of the load alone: braked, the safeties are the same.
+#[test]
+fn the_direction_of_power_does_not_change_the_safeties() {
+    let at = |torque: &str| -> serde_json::Value {
+        let line =
+            ["strength", "wind-stage.yaml", "--torque", torque, "--speed", "40 rpm", "--format", "json"];
+        let told: serde_json::Value = serde_json::from_slice(&output(&examples(), &line).stdout).unwrap();
+        told["at_point"].clone()
+    };
+    assert_eq!(at("500 kN·m"), at("-500 kN·m"));
+}
+
+#[test]
+fn data_sheets_of_gears() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["sheet", "wind-stage.yaml"],
+            &["sheet", "every-gearbox-key.yaml"],
+            &["sheet", "every-gearbox-key.yaml", "--set", "auxiliary", "--format", "csv"],
+        ]
+    ));
+}
+
+/// As printed by the commercial calculation, to all digits. The file has the shifts with the digits that the printed centre distance asks for, which round to the
+/// four that are printed.
+#[test]
+fn the_data_sheets_of_the_wind_stage_are_those_printed() {
+    let done = output(&examples(), &["sheet", "wind-stage.yaml", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let set = &told["sets"][0];
+    let is = |value: &serde_json::Value, scale: f64, printed: f64| {
+        let value = value.as_f64().unwrap() * scale;
+        assert!((value - printed).abs() <= 0.5001e-3, "{value}, printed {printed}");
+    };
+    is(&set["centre_distance_m"], 1e3, 584.0);
+    for (key, printed) in [
+        ("reference_diameter_m", [378.0, 756.0, 1953.0]),
+        ("base_diameter_m", [355.204, 710.408, 1835.220]),
+        ("tip_diameter_m", [432.838, 815.663, 1906.081]),
+        ("root_diameter_m", [341.838, 724.663, 2000.581]),
+        ("tip_thickness_m", [12.910, 14.858, 18.937]),
+        ("span_m", [165.869, 296.803, 676.615]),
+        ("over_balls_m", [466.306, 836.492, 1900.511]),
+    ] {
+        for (gear, printed) in set["gears"].as_array().unwrap().iter().zip(printed) {
+            is(&gear[key], 1e3, printed);
+        }
+    }
+    let spanned: Vec<u64> =
+        set["gears"].as_array().unwrap().iter().map(|gear| gear["spanned_teeth"].as_u64().unwrap()).collect();
+    assert_eq!(spanned, [3, 5, 11]);
+    for (mesh, angle, contact, working, clearances, sliding) in [
+        (0, 24.169, 1.370, [389.333, 778.667], [5.250, 5.250], [0.533, 0.614]),
+        (1, 15.630, 1.618, [737.684, 1905.684], [8.459, 6.709], [0.309, -0.005]),
+    ] {
+        let of = &set["meshes"][mesh];
+        is(&of["working_angle_rad"], 180.0 / std::f64::consts::PI, angle);
+        is(&of["contact_ratio"], 1.0, contact);
+        for (place, gear) in of["gears"].as_array().unwrap().iter().enumerate() {
+            is(&gear["working_diameter_m"], 1e3, working[place]);
+            is(&gear["tip_clearance_m"], 1e3, clearances[place]);
+            is(&gear["sliding_at_tip"], 1.0, sliding[place]);
+        }
+    }
+}
+
+#[test]
+fn data_sheets_that_are_refused() {
+    let every = fs::read_to_string(examples().join("every-gearbox-key.yaml")).unwrap();
+    let folder = here();
+    let mut files = vec![];
+    for (place, (from, to)) in [
+        ("ball_diameters: [8 mm", "ball_diameters: [0 mm"),
+        ("ball_diameters: [8 mm", "ball_diameters: [8"),
+        ("[-90 µm, -60 µm], [-90 µm", "[-60 µm, -90 µm], [-90 µm"),
+        ("[-90 µm, -60 µm], [-90 µm", "[-9 mm, -60 µm], [-90 µm"),
+        ("[-0.02 mm, 0.02 mm]", "[0.02 mm, -0.02 mm]"),
+        ("[-0.02 mm, 0.02 mm]", "[-90 mm, 0.02 mm]"),
+        ("    module: 4 mm\n    face_width: 100 mm", "    face_width: 100 mm"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(every.contains(from), "{from}");
+        let name = format!("{place}.yaml");
+        fs::write(folder.path().join(&name), every.replacen(from, to, 1)).unwrap();
+        files.push(name);
+    }
+    let lines: Vec<[&str; 2]> = files.iter().map(|file| ["sheet", file]).collect();
+    let mut lines: Vec<&[&str]> = lines.iter().map(|line| &line[..]).collect();
+    for name in ["scheme-ii-3.yaml", BOXES, "wind-stage.yaml"] {
+        fs::copy(examples().join(name), folder.path().join(name)).unwrap();
+    }
+    lines.push(&["sheet", "scheme-ii-3.yaml"]);
+    lines.push(&["sheet", BOXES]);
+    lines.push(&["sheet", "wind-stage.yaml", "--set", "2"]);
+    insta::assert_snapshot!(sessions(folder.path(), &lines));
+}
+
+#[test]
+fn strength_that_is_refused() {
+    let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    let folder = here();
+    let mut files = vec![];
+    // Before the factors that are left, on a line of its own.
+    let with_accuracy = |deviation: &str, bore: &str| {
+        format!(
+            "K_H_beta: 1.2 }}\n      accuracy: {{ pitch_deviations: [{deviation}, 18 µm, 21 µm], profile_deviations: [21 µm, 23 µm, 27 µm], \
+             sun_bore: {bore} }}\n      planet_factors: {{ Y_M: 0.7 }} # "
+        )
+    };
+    let [negative, wide] = [with_accuracy("-17 µm", "20 mm"), with_accuracy("17 µm", "500 mm")];
+    for (place, (from, to)) in [
+        ("share: 50 %", "share: 60 %"),
+        ("share: 50 %", "share: -50 %"),
+        ("gear: only, share: 50 %", "gear: first, share: 50 %"),
+        ("18CrNiMo7-6, 18CrNiMo7-6, 34CrNiMo6]", "18CrNiMo7-6, 18CrNiMo, 34CrNiMo6]"),
+        ("shaper: { teeth: 30, fillet: 0.30 }", "shaper: { fillet: 0.30 }"),
+        ("shaper: { teeth: 30, ", "shaper: { teeth: 0, "),
+        ("shaper: { teeth: 30, fillet: 0.30 }", "shaper: { teeth: 30, fillet: 3 }"),
+        ("      shaper", "      helix: 8 deg\n      shaper"),
+        ("K_v: 1.061", "K_w: 1.061"),
+        ("K_v: 1.061", "K_v: -1"),
+        ("K_v: 1.061, ", ""),
+        ("Y_delta_rel_T_stat: 1", "K_v: 1"),
+        ("      ring_factors", "      planet_factors: { K_A: 1 }\n      ring_factors"),
+        ("      ring_factors", "      sun_factors: { Y_G: 1 }\n      ring_factors"),
+        ("      ring_factors", "      long_life_factor: 0.8\n      ring_factors"),
+        ("K_v: 1.061, ", &negative[..]),
+        ("K_v: 1.061, ", &wide[..]),
+        ("flank_roughness: [4.8 µm", "flank_roughness: [0 µm"),
+        ("viscosity: 220 mm²/s", "viscosity: 220"),
+        ("life: 175200 h", ""),
+        ("life: 175200 h", "life: 0 h"),
+        ("flank: 1.2", "flank: 0"),
+        ("    module: 21 mm\n    face_width: 550 mm\n", ""),
+        ("    profile_shifts: [0.3890, 0.503873, 0.117115]", "   "),
+        ("    profile_shifts: [0.3890, 0.503873, 0.117115]", "    profile_shifts: [0.3890, 0.503873, -9]"),
+        ("duty:", "materials: [{ name: iron, class: grey_iron, contact_limit: 300 MPa, root_limit: 80 MPa }]\nduty:"),
+        (
+            "duty:",
+            "materials: [{ name: 34CrNiMo6, class: nitrided, contact_limit: 1 GPa, root_limit: 300 MPa }]\nduty:",
+        ),
+        ("torque: 600 kN·m", "torque: 600 kN"),
+        ("gear: only, torque: 2500", "gear: fast, torque: 2500"),
+        ("torque: 2500 kN·m", "torque: 0 kN·m"),
+        ("torque: 2500 kN·m", "torque: 2500"),
+        ("flank: 1, root: 1.4", "flank: 1, root: 0"),
+        ("flank: 1, root: 1.4", "flank: 1"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(wind.contains(from), "{from}");
+        // Alterations of tips are of shifts.
+        let changed = wind.replacen(from, to, 1);
+        let changed = if to.trim().is_empty() && from.contains("profile_shifts") {
+            changed.replace("    tip_alterations: [-0.0833333, -0.0833333, 0] # 1.75 mm shorter\n", "")
+        } else {
+            changed
+        };
+        let name = format!("{place}.yaml");
+        fs::write(folder.path().join(&name), changed).unwrap();
+        files.push(name);
+    }
+    let lines: Vec<[&str; 2]> = files.iter().map(|file| ["strength", file]).collect();
+    let mut lines: Vec<&[&str]> = lines.iter().map(|line| &line[..]).collect();
+    let examples = examples();
+    for name in ["scheme-ii-3.yaml", BOXES, "wind-stage.yaml"] {
+        fs::copy(examples.join(name), folder.path().join(name)).unwrap();
+    }
+    lines.push(&["strength", "scheme-ii-3.yaml"]);
+    lines.push(&["strength", BOXES]);
+    lines.push(&["strength", "wind-stage.yaml", "--torque", "1 kN·m"]);
+    lines.push(&["strength", "wind-stage.yaml", "--gear", "only"]);
+    lines.push(&["strength", "wind-stage.yaml", "--torque", "1 kN·m", "--speed", "1 rpm", "--gear", "two"]);
+    insta::assert_snapshot!(sessions(folder.path(), &lines));
+}
+
+#[test]
+fn gearboxes_side_by_side() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["compare", BOXES, "--transmission", "8HP45", "--transmission", "AOD", "--efficiency", "0.97"][..],
+            &["compare", "ravigneaux.yaml", "sized-gearbox.yaml", "II-3", "--k1", "2.15", "--k2", "2.35"],
+            &[
+                "compare",
+                "II-3",
+                "D.T2.B+T1.B.T2",
+                "--ratio1",
+                "1.465",
+                "--ratio2",
+                "2.56",
+                "--format",
+                "csv"
+            ],
+            &["compare", "II-3", "-", "-"],
+            &["compare", "II-3", "II-4"],
+            &["compare", "scheme-ii-3.yaml"],
+            &["compare", BOXES, "scheme-ii-3.yaml"],
+            &["compare", "minimal-drive.yaml", "scheme-ii-3.yaml"],
+        ]
+    ));
+}
+
+/// Gear names that two makers give in opposite order of the ratios name different gears; the order of a file says nothing of steps.
+#[test]
+fn gears_of_one_name_and_other_order_stand_by_their_ratios() {
+    let folder = here();
+    let file = fs::read_to_string(examples().join("scheme-ii-3.yaml")).unwrap();
+    let swapped = file
+        .replace("name: slow", "name: X")
+        .replace("name: middle", "name: slow")
+        .replace("name: X", "name: middle");
+    assert_ne!(file, swapped);
+    fs::write(folder.path().join("one.yaml"), &file).unwrap();
+    fs::write(folder.path().join("other.yaml"), swapped).unwrap();
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        let done = output(folder.path(), &[arguments, &["--format", "json"]].concat());
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    assert_eq!(json(&["compare", "one.yaml", "one.yaml"])["gears_by"], "name");
+    let compared = json(&["compare", "one.yaml", "other.yaml"]);
+    assert_eq!(compared["gears_by"], "ratio");
+    for gear in compared["gears"].as_array().unwrap() {
+        let ratio =
+            gear["figures"].as_array().unwrap().iter().find(|figure| figure["figure"] == "ratio").unwrap();
+        let values = ratio["values"].as_array().unwrap();
+        assert_eq!(values[0]["value"], values[1]["value"], "{gear}");
+    }
+    let steps = |file: &str| -> Vec<(String, f64)> {
+        let gears = json(&["analyze", file])["gears"].as_array().unwrap().clone();
+        let mut steps: Vec<(String, f64)> = gears
+            .iter()
+            .filter_map(|gear| Some((gear["ratio"].as_f64()?.to_string(), gear["step"].as_f64()?)))
+            .collect();
+        steps.sort_by(|one, other| one.0.cmp(&other.0));
+        steps
+    };
+    assert_eq!(steps("one.yaml"), steps("other.yaml"));
+    assert!(steps("one.yaml").iter().all(|(_, step)| *step > 1.0));
+}
+
+#[test]
+fn ratios_as_formulas() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", BOXES, "--transmission", "8HP45", "--formula"][..],
+            &["analyze", "ravigneaux.yaml", "--formula"],
+            &["analyze", "power-split.yaml", "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--formula", "--format", "csv"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slwo", "--formula"],
+            &["analyze", BOXES, "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--formula", "--torque", "5 N·m"],
+        ]
+    ));
+}
+
+#[test]
+fn schemes_and_structures_by_their_names() {
+    let names = ["analyze", "II-3", "--formula"];
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &names[..],
+            &["analyze", "II-3", "--k1", "2.15", "--k2", "2.35", "--efficiency", "0.97"],
+            &["analyze", "II-3"],
+            &["analyze", "II-3", "--formula", "--steps"],
+            &["analyze", "II-9", "--formula"],
+            &["analyze", "D.T1.B+D.T1.B", "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--k1", "2"],
+        ]
+    ));
+    let ratios = |args: &[&str]| {
+        let done = output(&examples(), &[&["analyze"], args, &["--format", "json"]].concat());
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        [0, 1].map(|gear| told["gears"][gear]["ratio"].as_f64().unwrap())
+    };
+    // A scheme is what its file says; a structure is the same in any order of its sets and brakes.
+    let [slow, fast] = ratios(&["scheme-ii-3.yaml"]);
+    let file = [fast, slow];
+    let by_ratio = ratios(&["II-3", "--ratio1", &file[0].to_string(), "--ratio2", &file[1].to_string()]);
+    let [one, two] = ratios(&["D.T1.B+T2.B.T1", "--k1", "2.5", "--k2", "1.618"]);
+    let sets = ratios(&["T2.B.T1+D.T1.B", "--k1", "1.618", "--k2", "2.5"]);
+    let brakes = ratios(&["D.T2.B+T1.B.T2", "--k1", "2.5", "--k2", "1.618"]);
+    let sizes = ["--ratio1", &one.to_string(), "--ratio2", &two.to_string()].map(str::to_owned);
+    let sizes: Vec<&str> = sizes.iter().map(String::as_str).collect();
+    let again = ratios(&[&["T2.B.T1+D.T1.B"], &sizes[..]].concat());
+    for (found, known) in [(by_ratio, file), (sets, [one, two]), (brakes, [two, one]), (again, [one, two])] {
+        for (found, known) in std::iter::zip(found, known) {
+            assert!((found / known - 1.0).abs() < 1e-12, "{found} {known}");
+        }
+    }
+}
+
+#[test]
+fn the_way_to_a_ratio() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--steps"][..],
+            &["analyze", BOXES, "--transmission", "8HP45", "--gear", "5", "--steps"],
+            &["analyze", BOXES, "--transmission", "prius", "--steps"],
+            &["analyze", "wolfrom.yaml", "--steps"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--steps", "--format", "csv"],
+        ]
+    ));
+}
+
+/// The terms of the record, multiplied and summed here, give the ratio of the same gear's analysis.
+#[test]
+fn the_terms_of_a_formula_give_the_ratio() {
+    let mut formulas = 0;
+    for file in [
+        "scheme-ii-3.yaml",
+        "ravigneaux.yaml",
+        "wolfrom.yaml",
+        "wolfrom-self-locking.yaml",
+        "power-split.yaml",
+        "closed-by-planetary-gear.yaml",
+        "closed-by-ordinary-train.yaml",
+        "every-gearbox-key.yaml",
+        "sized-gearbox.yaml",
+    ] {
+        let json = |more: &[&str]| -> serde_json::Value {
+            let done = output(&examples(), &[&["analyze", file, "--format", "json"], more].concat());
+            serde_json::from_slice(&done.stdout).unwrap()
+        };
+        let (told, plain) = (json(&["--formula"]), json(&[]));
+        let value = |symbol: &serde_json::Value| {
+            let all = told["symbols"].as_array().unwrap();
+            all.iter().find(|one| one["symbol"] == *symbol).unwrap()["value"].as_f64().unwrap()
+        };
+        let term = |term: &serde_json::Value| {
+            let symbols = term["symbols"].as_array().unwrap();
+            term["coefficient"].as_f64().unwrap() * symbols.iter().map(value).product::<f64>()
+        };
+        let factor =
+            |factor: &serde_json::Value| factor["terms"].as_array().unwrap().iter().map(term).sum::<f64>();
+        for (gear, same) in told["gears"].as_array().unwrap().iter().zip(plain["gears"].as_array().unwrap()) {
+            assert_eq!(gear["ratio"], same["ratio"], "{file}");
+            let Some(ratio) = same["ratio"].as_f64() else {
+                assert!(gear["formula"].is_null() && gear["no_formula"]["reason"] == "no_ratio", "{file}");
+                continue;
+            };
+            let side =
+                |side: &str| gear["formula"][side].as_array().unwrap().iter().map(factor).product::<f64>();
+            assert!((side("numerator") / side("denominator") / ratio - 1.0).abs() < 1e-12, "{file} {gear}");
+            assert!(
+                (gear["formula"]["value"].as_f64().unwrap() / ratio - 1.0).abs() < 1e-12,
+                "{file} {gear}"
+            );
+            formulas += 1;
+        }
+    }
+    assert!(formulas > 15, "{formulas}");
+}
+
+#[test]
+fn the_torques_of_the_steps_balance_on_each_link() {
+    let mut links = 0;
+    for file in ["scheme-ii-3.yaml", "ravigneaux.yaml", "wolfrom.yaml", "closed-by-planetary-gear.yaml"] {
+        let done = output(&examples(), &["analyze", file, "--steps", "--format", "json"]);
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        for gear in told["gears"].as_array().unwrap() {
+            for link in gear["steps"]["torques"]["links"].as_array().unwrap() {
+                let torques = link["torques"].as_array().unwrap().iter();
+                let torques: Vec<f64> = torques.map(|one| one["torque_of_input"].as_f64().unwrap()).collect();
+                let largest = torques.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+                assert!(torques.iter().sum::<f64>().abs() < 1e-9 * largest, "{file} {link}");
+                links += 1;
+            }
+        }
+    }
+    assert!(links > 20, "{links}");
+}
+
+#[test]
+fn a_load_that_turns_a_one_way_clutch_free_is_told() {
+    let told = |gear: &[&str], load: &[&str]| {
+        let done = output(&examples(), &[&["analyze", "ravigneaux.yaml"], gear, load].concat());
+        assert!(done.status.success());
+        text(&done.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let first = ["--gear", "1"];
+    let reversed = "F1 would be reversed, so it overruns; engage LR besides";
+    for load in [
+        &["--torque", "-100 N·m"][..],
+        &["--power", "-20 kW", "--speed", "2000 rpm"],
+        &["--torque", "-100 N·m", "--speed", "-2000 rpm"],
+    ] {
+        assert!(told(&first, load).contains(reversed) && told(&[], load).contains(reversed), "{load:?}");
+        assert!(told(&["--gear", "1 low"], load).ends_with("No warnings."), "{load:?}");
+    }
+    for load in [&["--torque", "100 N·m"][..], &["--torque", "100 N·m", "--speed", "-2000 rpm"]] {
+        assert!(told(&first, load).ends_with("No warnings."), "{load:?}");
+    }
+    let several = told(&first, &["--speeds", "turbine=1000rpm", "--torques", "turbine=-100 N·m"]);
+    assert!(several.contains("F1 would overrun at these torques"), "{several}");
+}
+
+#[test]
+fn forces_on_the_bearings_of_planets() {
+    let folder = examples();
+    let forces = |args: &[&str]| {
+        let seen = session(&folder, &[&["analyze"], args].concat());
+        let from = seen.find("Force on").or_else(|| seen.find("Torque of the planet pins")).unwrap();
+        let to = seen[from..].find("\n\n").unwrap();
+        format!("$ {}\n{}\n", args.join(" "), &seen[from..from + to])
+    };
+    let sized = "sized-gearbox.yaml";
+    insta::assert_snapshot!(
+        [
+            forces(&[sized]),
+            forces(&[sized, "--torque", "500 N·m"]),
+            forces(&[sized, "--speed", "1475 rpm"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "75 kW"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "-75 kW", "--gear", "slow"]),
+            forces(&["scheme-ii-3.yaml", "--gear", "slow"]),
+            forces(&["real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn sizes_that_are_refused() {
+    let folder = here();
+    let sized = fs::read_to_string(examples().join("sized-gearbox.yaml")).unwrap();
+    let mut seen = String::new();
+    for (old, new) in [
+        ("module: 4 mm, face", "module: -4 mm, face"),
+        ("2.1 kg", "0 kg"),
+        ("2.1 kg", "2.1"),
+        ("planet_bore: 50 mm", "planet_bore: 500 mm"),
+        ("97 %", "970 %"),
+        ("97 %", "97"),
+        ("97 %", "97 mm"),
+        ("density: 7850 kg/m³", "pressure_angle: 90 deg"),
+    ] {
+        assert!(sized.contains(old), "{old}");
+        fs::write(folder.path().join("box.yaml"), sized.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &["analyze", "box.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn every_combination_of_shift_elements() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--all-combinations"][..],
+            &["analyze", BOXES, "--transmission", "AOD", "--all-combinations", "--format", "csv"],
+        ]
+    ));
+}
+
+#[test]
+fn gearboxes_for_programs() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--format", "csv", "--speed", "1475 rpm", "--torque", "500 N·m"]
+                [..],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--format", "json", "--speed", "1475 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "fast", "--format", "csv", "--torque", "500 N·m"],
+        ]
+    ));
+}
+
+/// A folder with scheme II-3, changed.
+fn with(old: &str, new: &str) -> tempfile::TempDir {
+    let folder = here();
+    let scheme = fs::read_to_string(examples().join("scheme-ii-3.yaml")).unwrap();
+    assert!(scheme.contains(old), "{old}");
+    fs::write(folder.path().join("box.yaml"), scheme.replacen(old, new, 1)).unwrap();
+    folder
+}
+
+#[test]
+fn gears_that_are_not_driven_say_what_they_are() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [] }"),
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [K1, K2] }"),
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [K2, L] }"),
+    ] {
+        let args = ["analyze", "box.yaml", "--gear", "slow", "--torque", "100 N·m"];
+        seen += &session(with(old, new).path(), &args);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn gearbox_files_that_are_refused() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("k: 2.15", "k: 0.9"),
+        ("k: 2.15", "k: 2,15"),
+        ("k: 2.15", "kk: 2.15"),
+        ("k: 2.15", "k: 2.15, teeth: [20, 43]"),
+        ("sun: T1, ring: D", "sun: T1, ring: T1"),
+        ("{ id: K2, link: T2 }", "{ id: K2, link: T3 }"),
+        ("{ id: K2, link: T2 }", "{ id: K1, link: T2 }"),
+        ("links: [D, B]", "links: [D, D]"),
+        ("engaged: [K2]", "engaged: [K3]"),
+        ("output: B", "output: ground"),
+        ("output: B", "output: C"),
+        ("meshes: [0.98, 0.99]", "meshes: [0.98]"),
+        ("meshes: [0.98, 0.99]", "meshes: [0.98, 1.2]"),
+        ("name: middle", "name: slow"),
+        ("gearbox: II-3", "title: II-3"),
+    ] {
+        seen += &session(with(old, new).path(), &["analyze", "box.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn transmissions_that_are_refused() {
+    let folder = here();
+    let all = fs::read_to_string(examples().join(BOXES)).unwrap();
+    let mut seen = String::new();
+    for (old, new) in [
+        ("n_C3: [C3]", "n_C3: [C3, R1]"),
+        ("n_C3: [C3]", "n_C3: []"),
+        ("B: [n_R1, ground]", "B: [n_R1, n_R1]"),
+        ("engaged: [A, B, C]", "engaged: [A, B, F]"),
+        ("z_s: 48, z_r: 96", "z_r: 96"),
+        ("input: n_in", "input: n_inn"),
+    ] {
+        assert!(all.contains(old), "{old}");
+        fs::write(folder.path().join("t.yaml"), all.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &["analyze", "t.yaml", "--transmission", "8HP"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn questions_to_gearboxes_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "nothing.yaml"][..],
+            &["analyze", "minimal-drive.yaml"],
+            &["analyze", BOXES, "--gear", "1"],
+            &["analyze", BOXES, "--transmission", "GM Powerglide"],
+            &["analyze", BOXES, "--transmission", "o"],
+            &["analyze", "scheme-ii-3.yaml", "--transmission", "GM"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "reverse"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--all-combinations"],
+            &["analyze", "scheme-ii-3.yaml", "--power", "75 kW"],
+            &["analyze", "scheme-ii-3.yaml", "--power", "75 kW", "--speed", "0 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--torque", "75 kW"],
+            &["analyze", "scheme-ii-3.yaml", "--torque", "75 N·m", "--power", "7 kW", "--speed", "1 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--efficiency", "97"],
+        ]
+    ));
+}
+
+#[test]
+fn the_catalogue() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["schemes"][..],
+            &["schemes", "--k", "1.3..10", "--format", "csv"],
+            &["schemes", "III-1"],
+            &["schemes", "iii-1", "--ratio1", "-2.56", "--ratio2", "-1.465"],
+            &["schemes", "I", "--ratio1", "3.94", "--format", "json"],
+            &["schemes", "II", "--k1", "12"],
+        ]
+    ));
+}
+
+#[test]
+fn schemes_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["schemes", "IV"][..],
+            &["schemes", "II-3", "--k1", "2"],
+            &["schemes", "II-3", "--k1", "0.9", "--k2", "2"],
+            &["schemes", "II", "--ratio1", "2.5"],
+            &["schemes", "II", "--k1", "2", "--k2", "3"],
+            &["schemes", "II-3", "--ratio2", "3"],
+            &["schemes", "--k1", "3"],
+            &["schemes", "--k", "1..5"],
+            &["schemes", "I", "--k1", "3", "--efficiency", "0"],
+        ]
+    ));
+}
+
+#[test]
+fn machines_and_the_speeds_they_need() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["machine", "list"][..],
+            &["machine", "list", "РЕ-1", "--format", "json"],
+            &["machine", "speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+            &["machine", "speeds", "48 m/min, 3.15 m/s", "--format", "csv"],
+            &[
+                "machine",
+                "chain-cutter",
+                "--pick-spacing",
+                "40 cm",
+                "--feed",
+                "5 m/min",
+                "--chip",
+                "2.5 cm",
+                "--force",
+                "4 kN",
+                "--other-forces",
+                "5 kN, 6.5 kN"
+            ],
+            &[
+                "machine",
+                "drum",
+                "--diameter",
+                "1.4 m",
+                "--feed",
+                "4 m/min",
+                "--chip",
+                "5 cm",
+                "--picks",
+                "2"
+            ],
+        ]
+    ));
+}
+
+/// A bucket wheel with these options in addition.
+fn rotor(more: &[&str]) -> String {
+    let wheel = [
+        "machine",
+        "rotor",
+        "--boom-radius",
+        "20 m",
+        "--slewing",
+        "0.02 rad/s",
+        "--chip-width",
+        "0.3 m",
+        "--buckets",
+        "8",
+        "--boom-angle",
+        "60 deg",
+        "--wheel-radius",
+        "3 m",
+    ];
+    session(here().path(), &[&wheel, more].concat())
+}
+
+#[test]
+fn bucket_wheels() {
+    let thrown = ["--release", "70 deg", "--chute", "95 deg, 110 deg", "--radius-ratio", "0.6"];
+    let in_json = [&thrown[..], &["--format", "json"]].concat();
+    insta::assert_snapshot!(
+        [
+            rotor(&["--discharge", "0.3"]),
+            rotor(&thrown),
+            rotor(&in_json),
+            rotor(&["--discharge", "10"]),
+            rotor(&[]),
+            rotor(&["--discharge", "-1"]),
+            rotor(&["--release", "70 deg", "--chute", "10 deg", "--radius-ratio", "0.6"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn machines_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["machine"][..],
+            &["machine", "list", "СП-62"],
+            &["machine", "speeds", "1 m/s"],
+            &["machine", "speeds", "2 m/s, 1 m/s"],
+            &["machine", "speeds", "0,76 m/s, 1,33 m/s"],
+            &["machine", "speeds", "0.76, 1.33 m/s"],
+            &[
+                "machine",
+                "drum",
+                "--diameter",
+                "1.4 m",
+                "--feed",
+                "4 m/min",
+                "--chip",
+                "0 cm",
+                "--picks",
+                "2"
+            ],
+            &["machine", "drum", "--diameter", "1.4 m"],
+        ]
+    ));
+}
+
+const CONVEYOR: &str = "0.8 m/s, 3.15 m/s";
+const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
+
+#[test]
+fn the_gearbox_of_a_conveyor() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select", "--speeds", CONVEYOR][..],
+            &["select", "--speeds", CONVEYOR, "--same-direction", "--order", "size", "--format", "csv"],
+            &["select", "--speeds", CONVEYOR, "--torque", "500 N·m", "--load-factor", "2 MPa"],
+        ]
+    ));
+}
+
+#[test]
+fn the_gearbox_of_a_bucket_wheel() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select", "--speeds", WHEEL][..],
+            &["select", "--speeds", WHEEL, "--same-direction"],
+            &["select", "--speeds", WHEEL, "--all-structures", "--limit", "4", "--planet-speed", "2.3"],
+            &[
+                "select",
+                "--ratios",
+                "-2.56, -1.465",
+                "--brakes",
+                "as-given",
+                "--signs",
+                "as-given",
+                "--format",
+                "json"
+            ],
+        ]
+    ));
+}
+
+#[test]
+fn a_gearbox_at_its_power_and_speed() {
+    let duty = |more: &[&str]| {
+        let seen = session(here().path(), &[&["select", "--speeds"], more].concat());
+        let from = seen.find(": output, rpm").or_else(|| seen.find(": torques of shafts")).unwrap();
+        format!("$ {}\n{}", more.join(" "), &seen[seen[..from].rfind('\n').unwrap()..])
+    };
+    insta::assert_snapshot!(
+        [
+            duty(&[CONVEYOR, "--power", "75 kW", "--input", "1475 rpm"]),
+            duty(&[CONVEYOR, "--input", "1475 rpm"]),
+            duty(&[CONVEYOR, "--torque", "500 N·m"]),
+            duty(&[WHEEL, "--all-structures", "--power", "75 kW", "--input", "1475 rpm"]),
+            duty(&[WHEEL, "--teeth", "--ring", "..90", "--limit", "1", "--torque", "500 N·m"]),
+        ]
+        .join("\n")
+    );
+}
+
+/// The torques at the load are those of the lists times the input's, and powers balance.
+#[test]
+fn torques_and_powers_at_a_load_agree_with_the_lists() {
+    let args = ["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm", "--format", "json"];
+    let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
+    let speed = 1475.0 * std::f64::consts::PI / 30.0;
+    let torque = 75e3 / speed;
+    let near = |one: f64, other: f64| (one - other).abs() < 1e-9 * torque.max(other.abs());
+    let mut checked = 0;
+    for candidate in json["candidates"].as_array().unwrap() {
+        for row in candidate["operation"].as_array().unwrap() {
+            let of = |key: &str| row[key].as_f64().unwrap();
+            assert!(near(of("input_torque_n_m"), torque));
+            assert!(near(of("entering_w"), of("leaving_w") + of("loss_w")));
+            assert!(near(of("output_torque_n_m") * of("output_speed_rad_s"), -of("leaving_w")));
+            let clutches = candidate["direct_drive_clutches"].as_array().unwrap();
+            let (key, of_input) = match row["gear"].as_str().unwrap() {
+                "1" => ("k1_torque_n_m", &candidate["gears"][0]["brake_torque_of_input"]),
+                "2" => ("k2_torque_n_m", &candidate["gears"][1]["brake_torque_of_input"]),
+                _ => (
+                    "direct_drive_clutch_torque_n_m",
+                    &clutches.iter().find(|clutch| clutch["chosen"] == true).unwrap()["torque_of_input"],
+                ),
+            };
+            assert!(near(of(key), of_input.as_f64().unwrap() * torque), "{row} {candidate}");
+            checked += 1;
+        }
+    }
+    assert!(checked >= 6, "{checked}");
+}
+
+#[test]
+fn tooth_numbers_of_two_rows() {
+    let search = ["select", "--speeds", WHEEL, "--teeth", "--all-structures", "--ring", "..90"];
+    let two = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let by_module = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
+    let named =
+        ["--torque", "500 N·m", "--load-factor", "2 MPa", "--ring-diameter", "180 mm", "--order", "size"];
+    insta::assert_snapshot!(
+        [
+            two(&["--limit", "3"]),
+            two(&["--limit", "2", "--format", "csv"]),
+            two(&[&named[..], &["--limit", "2"]].concat()),
+            two(&[&by_module[..], &["--limit", "1", "--format", "csv"]].concat()),
+            two(&[&by_module[..], &["--greatest-module", "2 mm"]].concat()),
+            session(here().path(), &["select", "--ratios", "1.4, 9", "--teeth", "--ring", "..60"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn tooth_numbers_of_one_set_for_two_speeds() {
+    let search = ["select", "--speeds", CONVEYOR, "--teeth", "--ring", "..90"];
+    let one = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let sized = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
+    insta::assert_snapshot!(
+        [
+            one(&["--limit", "3"]),
+            one(&[
+                "--all-structures",
+                "--signs",
+                "any",
+                "--order",
+                "size",
+                "--limit",
+                "2",
+                "--format",
+                "csv"
+            ]),
+            one(&[&sized[..], &["--limit", "2"]].concat()),
+            one(&["--ring", "..40"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn selections_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select"][..],
+            &["select", "--speeds", "3.15 m/s, 0.8 m/s"],
+            &["select", "--speeds", "0.8 m/s"],
+            &["select", "--speeds", "0,8 m/s, 3,15 m/s"],
+            &["select", "--speeds", "0.8 N·m, 3.15 m/s"],
+            &["select", "--ratios", "1, 2"],
+            &["select", "--ratios", "1.5,2.5"],
+            &["select", "--ratios", "2.5", "--speeds", CONVEYOR],
+            &["select", "--ratios", "2.5", "--teeth", "--order", "circulation"],
+            &["select", "--ratios", "2.5", "--teeth", "--limit", "10001"],
+            &["select", "--ratios", "2.5", "--order", "mass"],
+            &["select", "--ratios", "2.5", "--order", "size, size"],
+            &["select", "--ratios", "2.5", "--k", "1..5"],
+            &["select", "--ratios", "2.5", "--prefer", "4.."],
+            &["select", "--ratios", "2.5", "--tolerance", "200%"],
+            &["select", "--ratios", "2.5", "--efficiency", "1.2"],
+            &["select", "--ratios", "2.5", "--planets", "1"],
+            &["select", "--ratios", "2.5", "--mesh-load-factors", "1, 1.1"],
+            &["select", "--ratios", "2.5", "--load-factor", "2 MPa"],
+            &["select", "--ratios", "2.5", "--torque", "0 N·m"],
+            &["select", "--ratios", "2.5", "--torque", "5 N·m", "--load-factor", "-2 MPa"],
+            &[
+                "select",
+                "--ratios",
+                "2.5",
+                "--torque",
+                "5 N·m",
+                "--load-factor",
+                "2 MPa",
+                "--face-width-ratio",
+                "0"
+            ],
+            &["select", "--ratios", "2.5", "--mesh-load-factors", "1, 1, 1, 1, 0, 1, 1"],
+            &["select", "--ratios", "2.5", "--power", "75 kW"],
+            &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "0 rpm"],
+            &["select", "--ratios", "2.5", "--power", "-75 kW", "--input", "1475 rpm"],
+            &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "1475 rpm", "--torque", "5 N·m"],
+            &["select", "--ratios", "1.5, 2.5, 3.5"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--planet-count", "9"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring", "0.."],
+            &["select", "--ratios", "2.5", "--least-efficiency", "-1%"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring-diameter", "100 mm"],
+        ]
+    ));
+}
+
+#[test]
+fn tables_fit_eighty_columns_and_json_is_json() {
+    let folder = examples();
+    for args in [
+        &["analyze", BOXES, "--transmission", "prius", "--gear", "all tied", "--torque", "123456 N·m"][..],
+        &[
+            "analyze",
+            BOXES,
+            "--transmission",
+            "8HP",
+            "--gear",
+            "R",
+            "--power",
+            "123 MW",
+            "--speed",
+            "15000 rpm",
+        ],
+        &["analyze", BOXES, "--transmission", "prius", "--speed", "15000 rpm", "--torque", "1 MN·m"],
+        &["analyze", BOXES, "--transmission", "8HP", "--all-combinations"],
+        &["analyze", "sized-gearbox.yaml", "--power", "12345 kW", "--speed", "15000 rpm"],
+        &["select", "--speeds", WHEEL, "--all-structures", "--power", "12345 kW", "--input", "15000 rpm"],
+        &["select", "--ratios", "30", "--k", "..40", "--power", "99 MW", "--input", "15 rpm"],
+        &["schemes", "I-1", "--k1", "9", "--k2", "9"],
+        &["schemes"],
+        &["machine", "list"],
+        &["machine", "speeds", "0.1 m/s, 1.3 m/s, 17 m/s, 250 m/s"],
+        &["select", "--ratios", "4, 7", "--all-structures", "--signs", "any", "--limit", "100"],
+        &["select", "--ratios", "4, 7", "--all-structures", "--teeth", "--limit", "30", "--signs", "any"],
+    ] {
+        let table = text(&output(&folder, args).stdout);
+        assert!(!table.is_empty(), "{args:?}");
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{args:?}\n{line}");
+            assert!(!line.contains("NaN") && !line.contains("inf "), "{line}");
+        }
+        let as_json = [args, &["--format", "json"]].concat();
+        let json: serde_json::Value = serde_json::from_slice(&output(&folder, &as_json).stdout).unwrap();
+        assert!(json.is_object());
+    }
+}
+
+#[test]
+fn no_key_of_an_answer_hides_another() {
+    let folder = examples();
+    for args in [
+        &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--torque", "500 N·m", "--speed", "1475 rpm"][..],
+        &["schemes", "II-3", "--k1", "2.15", "--k2", "2.35"],
+        &["machine", "speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+    ] {
+        let csv = text(&output(&folder, &[args, &["--format", "csv"]].concat()).stdout);
+        let mut keys: Vec<&str> =
+            csv.lines().skip(1).map(|line| line.rsplitn(3, ',').last().unwrap()).collect();
+        let all = keys.len();
+        keys.sort_unstable();
+        keys.dedup();
+        assert_eq!(keys.len(), all, "{csv}");
+    }
+}
+
+#[test]
+fn lists_of_an_answer_count_alike() {
+    let args = ["select", "--ratios", "2.5, 4", "--all-structures", "--limit", "2", "--format", "json"];
+    let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
+    let candidates = json["candidates"].as_array().unwrap();
+    assert_eq!(candidates.len(), 4);
+    for candidate in candidates {
+        let count = |list: &str| candidate[list].as_array().unwrap().len();
+        let lists = ["sets", "gears", "direct_drive_clutches", "engagement_table", "criteria", "operation"];
+        assert_eq!(lists.map(count), [2, 2, 6, 3, 9, 0], "{candidate}");
+    }
+}
+
+#[test]
+fn progress_is_for_terminals_only() {
+    let done = output(here().path(), &["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "1"]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+}
+
+/// The ratios of a file's gears by `analyze`.
+fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
+    let done = output(folder, &["analyze", file, "--format", "json"]);
+    assert!(done.status.success(), "{done:?}");
+    let answer: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let gears = answer["gears"].as_array().unwrap();
+    gears
+        .iter()
+        .map(|gear| (gear["gear"].as_str().unwrap().to_owned(), gear["ratio"].as_f64().unwrap()))
+        .collect()
+}
+
+/// In every mode, of simple and of double-planet sets: the ratio of the file is that of the list, exactly.
+#[test]
+fn a_saved_set_of_tooth_numbers_has_its_ratio() {
+    let folder = here();
+    let run = |args: &[&str]| {
+        let done = output(folder.path(), args);
+        assert!(done.status.success(), "{args:?} {done:?}");
+        done
+    };
+    let double = ["--double-planet"];
+    for (ratio, mode, more) in [
+        ("6", "aH^b", &[][..]),
+        ("-4", "ab^H", &[]),
+        ("1.3", "bH^a", &[]),
+        ("-0.3", "ba^H", &[]),
+        ("0.2", "Ha^b", &[]),
+        ("-1.6", "aH^b", &double),
+        ("2.6", "ab^H", &double),
+        ("0.6", "bH^a", &double),
+        ("0.4", "ba^H", &double),
+        ("1.6", "Hb^a", &double),
+    ] {
+        let list = ["teeth", "--ratio", ratio, "--mode", mode, "--no-undercut", "--format", "json"];
+        let saved = [&list[..], &["--limit", "2", "--save", "set.yaml", "--nth", "3"], more].concat();
+        let told: serde_json::Value = serde_json::from_slice(&run(&saved).stdout).unwrap();
+        // The third is saved, and two are shown.
+        assert_eq!(told["tooth_numbers"].as_array().unwrap().len(), 2);
+        let three = [&list[..], &["--limit", "3"], more].concat();
+        let found: serde_json::Value = serde_json::from_slice(&run(&three).stdout).unwrap();
+        let set = &found["tooth_numbers"][2];
+        let read = run(&["analyze", "set.yaml", "--format", "json"]);
+        let read: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
+        assert_eq!(read["gears"][0]["exact_ratio"], set["exact_ratio"], "{mode} {more:?}");
+        // The teeth fit together.
+        let warnings = read["warnings"].as_array().unwrap();
+        assert!(warnings.iter().all(|warning| warning["name"] == "planet-speed"), "{read}");
+        run(&["draw", "set.yaml", "-o", "set.svg"]);
+        run(&["report", "set.yaml", "-o", "set.html"]);
+    }
+    let refused = output(folder.path(), &["teeth", "--ratio", "6", "--save", "no.yaml", "--nth", "999"]);
+    assert!(text(&refused.stderr).starts_with("error: --nth: 999: there are sets 1 to "), "{refused:?}");
+    assert!(!folder.path().join("no.yaml").exists());
+}
+
+/// What keeps everything out names the options that let something in, and these do.
+#[test]
+fn options_that_are_named_where_nothing_is_found_do_help() {
+    let wheel = "0.76 m/s, 1.33 m/s, 1.95 m/s";
+    let list: &[(&[&str], &[&str])] = &[
+        (&["select", "--speeds", wheel, "--same-direction"], &["--planet-speed 2.29"]),
+        (&["select", "--ratios", "2.5,1.5", "--same-direction"], &["--planet-speed 2.4"]),
+        (&["select", "--ratios", "3.9375", "--least-efficiency", "0.99"], &["--least-efficiency 0.977"]),
+        (&["select", "--ratios", "12.5", "--k", "1.3..10"], &["--k 1.3..11.5"]),
+        (&["select", "--ratios", "2, 1.3", "--planet-speed", "1.2"], &["--all-structures"]),
+    ];
+    for (args, options) in list {
+        let done = output(&examples(), args);
+        let said = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(1), "{args:?} {done:?}");
+        for option in *options {
+            assert!(text(&done.stdout).contains(option), "{args:?}: {option} in {}", text(&done.stdout));
+            let words: Vec<&str> = option.split(' ').collect();
+            let mut line: Vec<&str> = args.to_vec();
+            if let Some(at) = line.iter().position(|word| *word == words[0]) {
+                line.drain(at..at + 2);
+            }
+            let helped = output(&examples(), &[&line[..], &words].concat());
+            assert_eq!(helped.status.code(), Some(0), "{line:?} {option}");
+        }
+        assert!(said.starts_with("error: no design meets every criterion; --"), "{said}");
+    }
+}
+
+/// At a load factor the file has what it asks for: then forces on the planets follow.
+#[test]
+fn a_saved_design_has_the_module_and_face_width_of_its_load_factor() {
+    let folder = here();
+    let line = ["select", "--ratios", "3.9375", "--teeth", "--torque", "500 N·m", "--load-factor", "2 MPa"];
+    let done = output(folder.path(), &[&line[..], &["--save", "set.yaml", "--format", "json"]].concat());
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let module = 1000.0 * found["designs"][0]["tooth_numbers"][0]["module_m"].as_f64().unwrap();
+    let saved = std::fs::read_to_string(folder.path().join("set.yaml")).unwrap();
+    let written = saved.split("module: ").nth(1).unwrap().split(' ').next().unwrap();
+    assert!((written.parse::<f64>().unwrap() / module - 1.0).abs() < 1e-4, "{saved}");
+    assert!(saved.contains("face_width: "), "{saved}");
+    let read = output(folder.path(), &["analyze", "set.yaml", "--torque", "500 N·m", "--format", "json"]);
+    let read: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
+    assert!(read["planet_bearings"][0]["carrier_radius_m"].as_f64().unwrap() > 0.0, "{read}");
+}
+
+/// One design of each scheme stands beside the first of the front, which are much alike.
+#[test]
+fn the_best_design_of_each_scheme_is_told() {
+    let line = ["select", "--ratios", "1.465,2.56", "--teeth", "--ring", "..60", "--planet-speed", "4"];
+    let done = output(&examples(), &[&line[..], &["--all-structures", "--format", "json"]].concat());
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let best = found["best_of_structures"].as_array().unwrap();
+    let first = &found["designs"][0];
+    assert_eq!(best[0]["structure"], first["candidate"]["structure"]);
+    assert_eq!(best[0]["tooth_numbers"], first["tooth_numbers"]);
+    let structures: std::collections::BTreeSet<String> =
+        best.iter().map(|one| one["structure"].to_string()).collect();
+    assert!(best.len() > 3 && structures.len() == best.len(), "{}", best.len());
+    let efficiency = |one: &serde_json::Value| one["objectives"]["efficiency"].as_f64().unwrap();
+    assert!(best.windows(2).all(|pair| efficiency(&pair[0]) >= efficiency(&pair[1])));
+    // A scheme by itself has no other best design.
+    let other = best[1]["structure"].as_str().unwrap();
+    assert!(
+        found["designs"].as_array().unwrap().iter().all(|one| one["candidate"]["structure"] != *other)
+            || efficiency(&best[1]) <= efficiency(&best[0])
+    );
+}
+
+/// A brake may be called as another column is.
+#[test]
+fn columns_of_csv_have_names_of_their_own() {
+    let folder = here();
+    let file = "gearbox: clash\ninput: D\noutput: B\nsets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\nbrakes: [{ id: output, \
+                link: T1 }]\ngears: [{ name: slow, engaged: [output] }]\n";
+    std::fs::write(folder.path().join("clash.yaml"), file).unwrap();
+    let done = output(folder.path(), &["analyze", "clash.yaml", "--format", "csv"]);
+    let header: Vec<String> =
+        text(&done.stdout).lines().next().unwrap().split(',').map(str::to_owned).collect();
+    let names: std::collections::BTreeSet<&String> = header.iter().collect();
+    assert_eq!(names.len(), header.len(), "{header:?}");
+    for name in ["output_torque_n_m", "output.torque_n_m", "output_slip_of_input"] {
+        assert!(header.iter().any(|other| other == name), "{name} in {header:?}");
+    }
+    let done = output(&examples(), &["analyze", "ravigneaux.yaml", "--format", "csv"]);
+    assert!(text(&done.stdout).lines().any(|line| line.starts_with("1,FWD+F1,")), "{done:?}");
+}
+
+/// The second of the designs for two speeds, read back.
+#[test]
+fn a_saved_set_of_two_speeds_has_the_teeth_that_were_chosen() {
+    let folder = here();
+    let list = ["select", "--ratios", "3.9375", "--teeth", "--limit", "3", "--format", "json"];
+    let done = output(folder.path(), &[&list[..], &["--save", "set.yaml", "--nth", "2"]].concat());
+    assert!(done.status.success(), "{done:?}");
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let design = &found["designs"][1];
+    let text = std::fs::read_to_string(folder.path().join("set.yaml")).unwrap();
+    let of = |member: &str| design["tooth_numbers"][0][member].to_string();
+    let [sun, planet, ring, planets] = ["sun", "planet", "ring", "planets"].map(of);
+    let teeth = format!("teeth: [{sun}, {ring}], planet_teeth: [{planet}], planets: {planets}");
+    assert!(text.contains(&teeth), "{teeth} in\n{text}");
+    let gears = analyzed(folder.path(), "set.yaml");
+    let ratio = design["candidate"]["gears"][0]["ratio"].as_f64().unwrap();
+    assert_eq!(gears[0].0, "1");
+    assert!((gears[0].1 - ratio).abs() < 1e-12 && gears[1] == ("2".to_owned(), 1.0), "{gears:?}");
+    for args in [&["draw", "set.yaml", "-o", "set.svg"][..], &["report", "set.yaml", "-o", "set.html"]] {
+        assert!(output(folder.path(), args).status.success(), "{args:?}");
+    }
+}
+
+/// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be drawn.
+#[test]
+fn a_saved_choice_has_its_ratios_and_its_direct_drive_clutch() {
+    let folder = here();
+    let list = ["select", "--ratios", "1.465, 2.56", "--planet-speed", "3", "--format", "json"];
+    let run = |more: &[&str]| {
+        let done = output(folder.path(), &[&list[..], more].concat());
+        assert!(done.status.success(), "{done:?}");
+        serde_json::from_slice::<serde_json::Value>(&done.stdout).unwrap()
+    };
+    let teeth = ["--save", "teeth.yaml", "--teeth", "--ring", "..60", "--limit", "1"];
+    let found = [run(&["--save", "k.yaml", "--nth", "2"]), run(&teeth)];
+    let chosen = [&found[0]["candidates"][1], &found[1]["designs"][0]["candidate"]];
+    for (file, candidate) in ["k.yaml", "teeth.yaml"].into_iter().zip(chosen) {
+        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        assert!(text.contains("teeth: [") == (file == "teeth.yaml"), "{text}");
+        let clutches = candidate["direct_drive_clutches"].as_array().unwrap();
+        let clutch = clutches.iter().find(|clutch| clutch["chosen"] == true).unwrap();
+        let links = clutch["links"].as_array().unwrap().iter().map(|link| format!("{link}"));
+        let links = format!("links: [{}]", links.collect::<Vec<_>>().join(", "));
+        assert!(text.contains(&links), "{links} in {text}");
+        let analyzed = analyzed(folder.path(), file);
+        let gears = candidate["gears"].as_array().unwrap().iter();
+        let mut due: Vec<f64> = gears.map(|gear| gear["ratio"].as_f64().unwrap()).chain([1.0]).collect();
+        due.sort_by(|one, other| (*one < 0.0).cmp(&(*other < 0.0)).then(other.abs().total_cmp(&one.abs())));
+        assert_eq!(analyzed.len(), due.len());
+        for (place, ((name, ratio), due)) in analyzed.iter().zip(due).enumerate() {
+            // Numbered as they are driven: the slowest first, with reverse gears behind them.
+            let number = if due > 0.0 { (place + 1).to_string() } else { format!("R{place}") };
+            assert!(*name == number && (ratio / due - 1.0).abs() < 1e-9, "{file} {name} {ratio} {due}");
+        }
+    }
+    for line in [&["draw", "k.yaml", "-o", "k.svg"][..], &["report", "teeth.yaml", "-o", "teeth.html"]] {
+        let done = output(folder.path(), line);
+        assert!(done.status.success(), "{line:?}: {done:?}");
+    }
+    let refused = output(folder.path(), &[&list[..], &["--save", "no.yaml", "--nth", "99"]].concat());
+    assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
+}
+
+#[test]
+fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
+    let folder = here();
+    let list = [
+        "synthesize",
+        "--ratios",
+        "3.059, 1.625, 1, 0.696, -2.294",
+        "--sets",
+        "2",
+        "--elements",
+        "5",
+        "--engaged",
+        "2",
+    ];
+    let run = |more: &[&str]| {
+        let done = output(folder.path(), &[&list[..], &["--class", "all-sparse"], more].concat());
+        assert!(done.status.success(), "{done:?}");
+        String::from_utf8(done.stdout).unwrap()
+    };
+    let wanted = [("1", 3.059), ("2", 1.625), ("3", 1.0), ("4", 0.696), ("R", -2.294)];
+    for (file, more) in [("k.yaml", &["--nth", "2"][..]), ("teeth.yaml", &["--teeth", "--limit", "1"])] {
+        run(&[&["--save", file], more].concat());
+        for ((gear, ratio), (name, wanted)) in analyzed(folder.path(), file).iter().zip(wanted) {
+            assert_eq!(gear, name, "{file}");
+            assert!((ratio / wanted - 1.0).abs() <= 0.01, "{file}: {gear} {ratio}");
+        }
+    }
+    for line in [&["draw", "k.yaml", "-o", "k.svg"][..], &["report", "teeth.yaml", "-o", "teeth.html"]] {
+        let done = output(folder.path(), line);
+        assert!(done.status.success(), "{line:?}: {done:?}");
+    }
+    // The saved gearbox is the second of the search, by its structure and shift elements.
+    let told = run(&["--explain", "k.yaml", "--limit", "1"]);
+    assert!(told.contains("it is gearbox 2 of the search"), "{told}");
+    // A page has the best of each of the three families, or the first ten of all; the last families and gearboxes are not drawable.
+    // The best stands at the head of the page once more.
+    for (more, drawn) in [(&[][..], 3), (&["--all-gearboxes"], 7)] {
+        let page = run(&[&["-o", "search.html"], more].concat());
+        assert!(page.is_empty());
+        let page = std::fs::read_to_string(folder.path().join("search.html")).unwrap();
+        assert!(page.starts_with("<!DOCTYPE html>"), "{}", page.len());
+        assert_eq!(page.matches("<svg").count(), drawn, "{more:?}");
+    }
+    let refused = output(
+        folder.path(),
+        &[&list[..], &["--class", "all-sparse", "--save", "no.yaml", "--nth", "15"]].concat(),
+    );
+    assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
+}

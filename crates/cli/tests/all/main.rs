@@ -1,0 +1,24 @@
+//! The program from outside. One program: its tests run side by side.
+
+mod book;
+mod calls;
+mod cli;
+#[path = "../common/mod.rs"]
+mod common;
+mod draw;
+mod every_input;
+mod files;
+mod gearboxes;
+mod json;
+mod json_page;
+mod motor;
+mod motor_forms;
+mod pictures;
+mod readme;
+mod report;
+mod serve;
+mod shards;
+mod shells;
+mod simulate;
+mod streams;
+mod vibration;

@@ -1,0 +1,286 @@
+//! The command `vibrate`.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use crate::common;
+
+use common::{examples, here, output, sessions, text};
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::fs;
+
+/// The answer in JSON on an example in which parts are replaced.
+fn answer(example: &str, parts: &[(&str, &str)], options: &[&str]) -> Value {
+    let folder = here();
+    let mut file = fs::read_to_string(examples().join(example)).unwrap();
+    for (from, to) in parts {
+        assert!(file.contains(from), "{from}");
+        file = file.replace(from, to);
+    }
+    fs::write(folder.path().join("box.yaml"), file).unwrap();
+    let line = [&["vibrate", "box.yaml", "--format", "json"], options].concat();
+    let output = output(folder.path(), &line);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn list<'a>(value: &'a Value, key: &str) -> &'a Vec<Value> {
+    value[key].as_array().unwrap()
+}
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap()
+}
+
+/// Three prints are inaccurate: the source has 1536.6, 727.0 and 1091.0 where its data give 1536.54, 727.27 and 1091.16.
+#[test]
+fn the_example_of_lin_and_parker_has_its_printed_frequencies() {
+    let answer = answer("lin-parker.yaml", &[], &[]);
+    let modes = list(&answer["sets"][0], "modes");
+    let table = [
+        ("rotational", 1, vec![0.0, 1536.54, 1970.6, 2625.7, 7773.6, 13071.1]),
+        ("translational", 2, vec![727.27, 1091.16, 1892.8, 2342.5, 7189.9, 10437.6]),
+        ("planet", 1, vec![1808.2, 5963.8, 6981.7]),
+    ];
+    for (kind, multiplicity, printed) in table {
+        let own: Vec<&Value> = modes.iter().filter(|mode| mode["kind"] == kind).collect();
+        assert_eq!(own.len(), printed.len(), "{kind}");
+        for (mode, printed) in own.into_iter().zip(printed) {
+            let frequency = number(mode, "frequency_hz");
+            assert!((frequency - printed).abs() <= 0.05 + 1e-9, "{kind}: {frequency} for {printed}");
+            assert_eq!(mode["multiplicity"], multiplicity);
+        }
+    }
+}
+
+#[test]
+fn springs_that_stiffen_raise_a_frequency_by_half_their_share() {
+    const STEP: f64 = 1e-4;
+    let base = answer("lin-parker.yaml", &[], &[]);
+    for (from, to, share) in [
+        ("mesh_stiffness: [5e8", "mesh_stiffness: [5.0005e8", "sun_meshes"),
+        ("5e8 N/m, 5e8 N/m]", "5e8 N/m, 5.0005e8 N/m]", "ring_meshes"),
+        ("planet_bearing: 1e8", "planet_bearing: 1.0001e8", "planet_bearings"),
+    ] {
+        let stiffer = answer("lin-parker.yaml", &[(from, to)], &[]);
+        let modes = list(&base["sets"][0], "modes").iter().zip(list(&stiffer["sets"][0], "modes"));
+        for (mode, stiffer) in modes.skip(1) {
+            let [before, after] = [mode, stiffer].map(|mode| number(mode, "frequency_hz"));
+            let (rise, half) = ((after / before - 1.0) / STEP, number(&mode["strain"], share) / 2.0);
+            // The second derivative leaves some steps of the size of the first.
+            assert!((rise - half).abs() < 20.0 * STEP, "{share} of mode {}: {rise}, {half}", mode["mode"]);
+        }
+    }
+}
+
+#[test]
+fn resonances_lie_on_an_order_and_on_a_branch_of_the_kind_that_it_excites() {
+    let answer = answer("vibration.yaml", &[], &["--speeds", "100rpm..9000rpm/13"]);
+    let (orders, campbell) = (list(&answer, "orders"), &answer["campbell"][0]);
+    let speeds: Vec<f64> =
+        list(campbell, "input_speeds_rad_s").iter().map(|one| one.as_f64().unwrap()).collect();
+    let resonances = list(&answer, "resonances");
+    for one in resonances {
+        let is_own =
+            |order: &&Value| order["source"] == one["source"] && order["harmonic"] == one["harmonic"];
+        let order = orders.iter().find(is_own).unwrap();
+        assert!(order["excites"].is_null() || order["excites"] == one["kind"], "{one}");
+        let (speed, frequency) = (number(one, "input_speed_rad_s"), number(one, "frequency_hz"));
+        assert!((number(order, "of_input") * speed / TAU / frequency - 1.0).abs() < 1e-9, "{one}");
+        // Branches are nearly straight between the places.
+        let place = speeds.iter().rposition(|place| *place <= speed).unwrap();
+        let part = (speed - speeds[place]) / (speeds[place + 1] - speeds[place]);
+        let is_near =
+            list(campbell, "branches").iter().filter(|branch| branch["mode"] == one["mode"]).any(|branch| {
+                let [low, high] = [place, place + 1].map(|at| branch["frequencies_hz"][at].as_f64().unwrap());
+                ((low + part * (high - low)) / frequency - 1.0).abs() < 1e-3
+            });
+        assert!(is_near, "{one}");
+    }
+    // Every order crosses every branch of its kind as often as the signs between the places tell.
+    let mut crossings = 0;
+    for order in orders {
+        let of_input = number(order, "of_input");
+        for branch in list(campbell, "branches") {
+            let is_excited = order["excites"].is_null() || order["excites"] == branch["kind"];
+            let above: Vec<bool> = list(branch, "frequencies_hz")
+                .iter()
+                .zip(&speeds)
+                .map(|(frequency, speed)| frequency.as_f64().unwrap() > of_input * speed / TAU)
+                .collect();
+            crossings += above.windows(2).filter(|pair| is_excited && pair[0] != pair[1]).count();
+        }
+    }
+    assert!(crossings > 10 && resonances.len() == crossings, "{crossings} for {}", resonances.len());
+}
+
+#[test]
+fn four_planets_on_25_teeth_part_the_harmonics_of_the_meshes_by_kind() {
+    let answer = answer("vibration.yaml", &[], &["--speeds", "0rpm..3000rpm/2", "--harmonics", "8"]);
+    let meshes = list(&answer, "orders").iter().filter(|order| order["source"] == "mesh");
+    let kinds: Vec<&str> = meshes.map(|order| order["excites"].as_str().unwrap()).collect();
+    let period = ["translational", "planet", "translational", "rotational"];
+    assert_eq!(kinds, [period, period].concat());
+    // A ring held and a sun that drives: z_s·|n_s − n_c| = 25·83/108 a turn of the sun.
+    let first = list(&answer, "orders").iter().find(|order| order["source"] == "mesh").unwrap();
+    assert!((number(first, "of_input") - 25.0 * 83.0 / 108.0).abs() < 1e-12);
+}
+
+/// With the carrier at rest nothing turns with it, so that nothing depends on the speed.
+#[test]
+fn without_a_carrier_that_turns_branches_are_level() {
+    let parts = [("ring: ring\n    carrier: fan", "ring: fan\n    carrier: ring")];
+    let answer = answer("vibration.yaml", &parts, &["--speeds", "0rpm..9000rpm/4", "--gear", "slow"]);
+    for branch in list(&answer["campbell"][0], "branches") {
+        let frequencies = list(branch, "frequencies_hz");
+        assert!(frequencies.iter().all(|one| one == &frequencies[0]), "{branch}");
+    }
+}
+
+/// On a soft shaft the impeller and the gearbox swing as two inertias, `ω² = k·(1/J_1 + 1/J_2)`. That of the gearbox at its output is by the speeds of
+/// its bodies: in the gear `slow` those of a set with a held ring, in `fast` all as one.
+#[test]
+fn on_a_soft_shaft_the_gearbox_is_one_inertia() {
+    let stiff = ("tangential_support: 900 N/µm", "tangential_support: 1000000 N/µm");
+    let answer = answer("vibration.yaml", &[("stiffness: 40 kN·m/rad", "stiffness: 40 N·m/rad"), stiff], &[]);
+    let bodies = list(&answer["sets"][0], "bodies");
+    let [sun, ring, carrier, planet] = [0, 1, 2, 3].map(|body| number(&bodies[body], "inertia_kg_m2"));
+    let orbit = number(&bodies[3], "mass_kg") * number(&bodies[2], "radius_m").powi(2);
+    // Teeth 25, 29 and 83; a planet turns 25/29 as fast on the carrier as the sun, the other way.
+    let (of_sun, of_planet) = (1.0 + 83.0 / 25.0, 1.0 - 83.0 / 29.0);
+    let slow = carrier + 4.0 * (orbit + planet * of_planet * of_planet) + (sun + 0.02) * of_sun * of_sun;
+    let fast = carrier + 4.0 * (orbit + planet) + sun + 0.02 + ring;
+    for (gear, inertia) in list(&answer, "torsional").iter().zip([slow, fast]) {
+        assert_eq!(gear["freedoms"], 1);
+        let wanted = (40.0 * (1.0 / 3.5 + 1.0 / inertia)).sqrt() / TAU;
+        let found = number(&list(gear, "modes")[1], "frequency_hz");
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{}: {found} {wanted}", gear["gear"]);
+    }
+}
+
+/// Rotational modes of a set whose centres are held and whose bearings are rigid are the torsional modes of the gearbox of this set.
+#[test]
+fn the_planar_set_on_rigid_bearings_has_the_torsional_frequencies() {
+    let parts = [
+        ("planet_bearing: 400 N/µm", "planet_bearing: 1000000 N/µm"),
+        ("links: [impeller]\n", ""),
+        ("ties: [[fan, impeller]]\n", ""),
+        ("  link_inertias: { motor: 0.02 kg·m², impeller: 3.5 kg·m² }\n", ""),
+        ("  shafts: [{ id: output, between: [fan, impeller], stiffness: 40 kN·m/rad }]\n", ""),
+        ("vibration: # of the whole", "note: # of the whole"),
+    ];
+    let answer = answer("vibration.yaml", &parts, &["--gear", "slow"]);
+    let planar = list(&answer["sets"][0], "modes").iter().filter(|mode| mode["kind"] == "rotational");
+    let planar: Vec<f64> = planar.map(|mode| number(mode, "frequency_hz")).collect();
+    let torsional = list(&answer["torsional"][0], "modes").iter().filter(|mode| mode["multiplicity"] == 1);
+    let torsional: Vec<f64> = torsional.map(|mode| number(mode, "frequency_hz")).collect();
+    assert_eq!(torsional.len(), 4);
+    for (planar, torsional) in planar.iter().zip(&torsional).skip(1) {
+        // A thousandth is what the bearings leave, which are a thousand times as stiff as the meshes.
+        assert!((planar / torsional - 1.0).abs() < 2e-3, "{planar} {torsional}");
+    }
+}
+
+/// In rotational modes all planets do the same, seen from each; in translational ones centres of central members move alike.
+#[test]
+fn shapes_are_those_of_their_kind() {
+    let answer = answer("vibration.yaml", &[], &[]);
+    for mode in list(&answer["sets"][0], "modes") {
+        let shape = list(mode, "shape");
+        let of = |body: usize, key: &str| number(&shape[body], key);
+        let largest = (0..7)
+            .map(|body| libm::hypot(of(body, "x"), of(body, "y")).max(of(body, "u").abs()))
+            .fold(0.0, f64::max);
+        assert!((largest - 1.0).abs() < 1e-12, "{mode}");
+        let central = |key: &str| (0..3).map(|body| of(body, key).abs()).fold(0.0, f64::max);
+        match mode["kind"].as_str().unwrap() {
+            "rotational" => {
+                assert!(central("x") == 0.0 && central("y") == 0.0 && central("u") > 0.0);
+                assert!((3..7).all(|planet| (of(planet, "u") - of(3, "u")).abs() < 1e-6));
+                // A quarter of a turn further on: what is x there is y here.
+                assert!((of(4, "y") - of(3, "x")).abs() < 1e-6 && (of(4, "x") + of(3, "y")).abs() < 1e-6);
+            }
+            "translational" => {
+                assert!(central("u") == 0.0 && of(0, "x") > 0.0 && of(0, "y") == 0.0, "{mode}");
+                // Planets that stand opposite rotate against each other.
+                assert!((of(3, "u") + of(5, "u")).abs() < 1e-6 && (of(4, "u") + of(6, "u")).abs() < 1e-6);
+            }
+            _ => assert!(central("x") == 0.0 && central("y") == 0.0 && central("u") == 0.0),
+        }
+    }
+}
+
+#[test]
+fn the_vibration_of_a_fan_drive() {
+    let folder = here();
+    for name in ["vibration.yaml", "every-gearbox-key.yaml"] {
+        fs::copy(examples().join(name), folder.path().join(name)).unwrap();
+    }
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[
+            &["vibrate", "vibration.yaml", "--speeds", "500rpm..3000rpm/6"],
+            &["vibrate", "every-gearbox-key.yaml", "--set", "auxiliary", "--format", "csv"],
+        ]
+    ));
+}
+
+#[test]
+fn vibration_that_is_refused() {
+    let folder = here();
+    let fan = fs::read_to_string(examples().join("vibration.yaml")).unwrap();
+    let mut files = vec![];
+    for (place, (from, to)) in [
+        ("planet_bearing: 400 N/µm", "planet_bearing: 0 N/µm"),
+        ("planet_bearing: 400 N/µm", "planet_bearing: 400 N"),
+        ("support: 20 N/µm", "support: -20 N/µm"),
+        ("bore: 25 mm", "bore: 250 mm"),
+        ("outside_diameter: 300 mm", "outside_diameter: 200 mm"),
+        ("inertia: 0.12 kg·m²", "inertia: 0.12 kg·m², rotary_mass: 2 kg"),
+        ("inertia: 0.12 kg·m²", "inertia: 0 kg·m²"),
+        ("    vibration:", "    vibrations:"),
+        ("planets: 4", "planets: 5"),
+        ("    face_width: 45 mm\n", ""),
+        ("outside_diameter: 300 mm, ", ""),
+        ("mass: 14 kg, ", ""),
+        ("module: 3 mm", "module: 0 mm"),
+        ("face_width: 45 mm", "face_width: 0 mm"),
+        ("teeth: [25, 83]", "k: 3.32"),
+        ("    vibration: #", "    vibration:\n      pressure_angles: [20 deg, 91 deg] #"),
+        ("between: [fan, impeller]", "between: [fan, motor]"),
+        ("between: [fan, impeller]", "between: [fan, rotor]"),
+        ("stiffness: 40 kN·m/rad", "stiffness: 0 kN·m/rad"),
+        ("stiffness: 40 kN·m/rad", "stiffness: 40 kN·m"),
+        ("motor: 0.02 kg·m²", "rotor: 0.02 kg·m²"),
+        ("motor: 0.02 kg·m²", "motor: -0.02 kg·m²"),
+        (", impeller: 3.5 kg·m²", ""),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(fan.contains(from), "{from}");
+        let name = format!("{place}.yaml");
+        fs::write(folder.path().join(&name), fan.replacen(from, to, 1)).unwrap();
+        files.push(name);
+    }
+    let lines: Vec<[&str; 2]> = files.iter().map(|file| ["vibrate", file]).collect();
+    let mut lines: Vec<&[&str]> = lines.iter().map(|line| &line[..]).collect();
+    for name in ["vibration.yaml", "scheme-ii-3.yaml", "real-transmissions.yaml"] {
+        fs::copy(examples().join(name), folder.path().join(name)).unwrap();
+    }
+    lines.extend([
+        &["vibrate", "scheme-ii-3.yaml"][..],
+        &["vibrate", "real-transmissions.yaml"],
+        &["vibrate", "vibration.yaml", "--gear", "fast"],
+        &["vibrate", "vibration.yaml", "--gear", "third"],
+        &["vibrate", "vibration.yaml", "--set", "Q"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/1"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--harmonics", "21"],
+        &["vibrate", "vibration.yaml", "--harmonics", "2"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--campbell", "c.gif"],
+        &["vibrate", "vibration.yaml", "--gear", "fast", "--shapes", "modes.svg"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..900000rpm/2"],
+    ]);
+    insta::assert_snapshot!(sessions(folder.path(), &lines));
+}

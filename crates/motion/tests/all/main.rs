@@ -1,0 +1,11 @@
+//! Motions against second ways. One program: its tests run side by side.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod cycle;
+mod dogs;
+mod drives;
+mod exact;
+mod properties;
+mod refusals;
+mod shafts;
