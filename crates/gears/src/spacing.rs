@@ -55,6 +55,7 @@ impl PlanetSpacing {
     }
 
     /// Slots occupied, ascending from 0.
+    #[must_use]
     pub fn occupied(&self) -> impl DoubleEndedIterator<Item = u64> + use<> {
         let (slots, planets) = (u128::from(self.slots), self.planets);
         // At most `slots`, which fits.

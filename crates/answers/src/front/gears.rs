@@ -152,7 +152,7 @@ fn have_room(gears: &[Placed], places: &[[f64; 2]], count: u32) -> bool {
         pairs.into_iter().all(|(one, other)| {
             let ([r1, a1], [r2, a2]) = (places[one], places[other]);
             let angle = a2 + step * f64::from(copy) - a1;
-            let apart = libm::sqrt(r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * libm::cos(angle));
+            let apart = (r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * libm::cos(angle)).sqrt();
             apart > tip(one) + tip(other)
         })
     })
