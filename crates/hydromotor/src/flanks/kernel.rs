@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
 
 /// Pieces in which a smooth stretch is looked at for its extremes.
-const PIECES: u32 = 8;
+const PIECES: usize = 16;
 
 /// The most steps towards a greatest value: as many golden sections leave a hundred-thousandth of the bracket, and of a flat value its square.
 const STEPS: u32 = 40;
@@ -151,39 +151,38 @@ pub(super) struct Top {
 /// The greatest values of some functions at once that are smooth on some pieces.
 ///
 /// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does not, but jumps, is taken a
-/// `hair` of the piece within. Each piece is sampled, all functions in the same places; of each function those pieces are refined about their best
-/// sample that reach the best of all if they rise from there by as much as they have come from its neighbours.
+/// `hair` of the piece within. Each piece is sampled, all functions in the same places; of each function those samples that no neighbour exceeds are
+/// refined if they reach the best of all by rising from there by twice as much as they have come from the lower neighbour.
 pub(super) fn greatest_of<const N: usize>(
     pieces: &[[f64; 2]],
     hair: f64,
     f: impl Fn(usize, f64) -> [f64; N],
 ) -> [Top; N] {
     let mut best = [Top { piece: 0, place: f64::NAN, value: f64::NEG_INFINITY }; N];
-    let mut tops: Vec<[(f64, Bracket); N]> = Vec::with_capacity(pieces.len());
+    let mut tops: [Vec<(f64, usize, Bracket)>; N] = std::array::from_fn(|_| Vec::new());
     for (piece, &[from, to]) in pieces.iter().enumerate() {
         let hair = hair * (to - from);
         let (from, to) = (from + hair, to - hair);
-        let place = |i: usize| from + (to - from) * i as f64 / f64::from(PIECES);
-        let values: [[f64; N]; PIECES as usize + 1] = std::array::from_fn(|i| f(piece, place(i)));
-        tops.push(std::array::from_fn(|k| {
-            let mut top = 0;
-            for (i, value) in values.iter().enumerate() {
-                if value[k] > values[top][k] || values[top][k].is_nan() {
-                    top = i;
+        let place = |i: usize| from + (to - from) * i as f64 / PIECES as f64;
+        let values: [[f64; N]; PIECES + 1] = std::array::from_fn(|i| f(piece, place(i)));
+        for (k, tops) in tops.iter_mut().enumerate() {
+            for i in 0..=PIECES {
+                let around = [i.saturating_sub(1), i, (i + 1).min(PIECES)];
+                let [before, value, after] = around.map(|i| values[i][k]);
+                // Nothing is above or below what is no number.
+                if value.is_nan() || value < before || value < after {
+                    continue;
                 }
+                if value > best[k].value {
+                    best[k] = Top { piece, place: place(i), value };
+                }
+                let rise = (value - before).max(value - after).max(0.0);
+                tops.push((value + 2.0 * rise, piece, around.map(|i| (place(i), values[i][k]))));
             }
-            let (low, high) = (top.saturating_sub(1), (top + 1).min(PIECES as usize));
-            let greatest = values[top][k];
-            let rise = (greatest - values[low][k]).max(greatest - values[high][k]).max(0.0);
-            if greatest > best[k].value {
-                best[k] = Top { piece, place: place(top), value: greatest };
-            }
-            (greatest + rise, [low, top, high].map(|i| (place(i), values[i][k])))
-        }));
+        }
     }
     for (k, best) in best.iter_mut().enumerate() {
-        for (piece, top) in tops.iter().enumerate() {
-            let (reach, bracket) = top[k];
+        for &(reach, piece, bracket) in &tops[k] {
             if reach > best.value {
                 let (place, value) = summit(bracket, |place| f(piece, place)[k]);
                 if value > best.value {

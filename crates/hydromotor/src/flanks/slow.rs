@@ -5,44 +5,35 @@ use crate::motor::Motor;
 use crate::roots::{bracketed, golden};
 use crate::tolerance::BESIDE_JUMP;
 
-const PIECES: u32 = 8;
+/// Samples of a piece: peaks of extreme motors rise within a fiftieth of it.
+const PIECES: u32 = 128;
 
 /// A hundred-thousandth of the bracket is left, and of a flat value its square.
 const STEPS: u32 = 24;
 
-/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value.
+/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value. Every sample that its neighbours do not
+/// exceed is a summit to look at.
 pub(super) fn greatest_of(
     pieces: &[[f64; 2]],
     hair: f64,
     f: impl Fn(usize, f64) -> f64,
 ) -> (usize, f64, f64) {
     let mut best = (0, f64::NAN, f64::NEG_INFINITY);
-    let mut tops = Vec::with_capacity(pieces.len());
     for (piece, &[from, to]) in pieces.iter().enumerate() {
         let hair = hair * (to - from);
         let (from, to) = (from + hair, to - hair);
         let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
-        let mut values = [0.0; PIECES as usize + 1];
-        let mut top = 0;
-        for (i, value) in values.iter_mut().enumerate() {
-            *value = f(piece, place(i as u32));
-        }
-        for (i, &value) in values.iter().enumerate() {
-            if value > values[top] || values[top].is_nan() {
-                top = i;
+        let values: Vec<f64> = (0..=PIECES).map(|i| f(piece, place(i))).collect();
+        for i in 0..=PIECES {
+            let (low, high) = (i.saturating_sub(1), (i + 1).min(PIECES));
+            let [value, before, after] = [i, low, high].map(|i| values[i as usize]);
+            if value > best.2 {
+                best = (piece, place(i), value);
             }
-        }
-        let around = &values[top.saturating_sub(1)..=(top + 1).min(PIECES as usize)];
-        let rise = around.iter().map(|value| values[top] - value).fold(0.0, f64::max);
-        if values[top] > best.2 {
-            best = (piece, place(top as u32), values[top]);
-        }
-        let i = top as u32;
-        tops.push((values[top] + rise, [place(i.saturating_sub(1)), place((i + 1).min(PIECES))]));
-    }
-    for (piece, (reach, [low, high])) in tops.into_iter().enumerate() {
-        if reach > best.2 {
-            let (at, least) = golden(low, high, STEPS, |x| -f(piece, x));
+            if value.is_nan() || value < before || value < after {
+                continue;
+            }
+            let (at, least) = golden(place(low), place(high), STEPS, |x| -f(piece, x));
             if -least > best.2 {
                 best = (piece, at, -least);
             }
