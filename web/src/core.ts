@@ -34,6 +34,8 @@ export interface Look {
 /** A hydromotor looked at. */
 export interface LookedMotor {
   motor: Motor;
+  /** What it is chosen by: names, and figures with their units. */
+  key: [string, string][];
   tables: string;
 }
 

@@ -1,6 +1,6 @@
 // The page of a hydromotor: its numbers, its figures, its chambers as they fill.
 import { core, Failure, Overtaken } from './core.js';
-import { at, h, s, save, shown, tell } from './dom.js';
+import { at, h, s, save, tell } from './dom.js';
 import { download } from './download.js';
 import { tabled } from './gearbox.js';
 import { examples } from './generated/examples.js';
@@ -144,10 +144,10 @@ export class MotorPage {
   /** Calculates anew. */
   async update(): Promise<void> {
     try {
-      const { motor, tables } = await core.motor(this.file);
+      const { motor, key, tables } = await core.motor(this.file);
       at('motor-refused').textContent = '';
       tabled(this.tables, tables);
-      this.figures(motor);
+      this.figures(motor, key);
       this.changed();
       this.moving = await core.moving(this.file, FRAMES);
       this.draw(this.moving);
@@ -158,17 +158,10 @@ export class MotorPage {
     }
   }
 
-  private figures({ numbers, work }: Motor): void {
+  private figures({ numbers }: Motor, key: [string, string][]): void {
     at('motor-title').textContent = `Motor ${numbers.stator_lobes}×${numbers.rotor_lobes}: chambers as the rotor turns`;
-    const fact = (name: string, value: string) => [h('div', {}, h('dt', {}, name), h('dd', {}, value))];
-    this.key.replaceChildren(
-      ...fact('Satellites', String(numbers.satellites)),
-      ...fact('Ripple of the flow', `${shown(100 * work.ripple, 3)} %`),
-      ...(work.displacement_m3 ? fact('Displacement', `${shown(work.displacement_m3 * 1e6, 4)} cm³/rev`) : []),
-      ...(work.torque_n_m ? fact('Torque, mean', `${shown(work.torque_n_m, 4)} N·m`) : []),
-      ...(work.flow_m3_s ? fact('Flow, mean', `${shown(work.flow_m3_s * 60000, 4)} l/min`) : []),
-      ...(work.power_w ? fact('Power', `${shown(work.power_w / 1000, 4)} kW`) : []),
-    );
+    const shown = (name: string) => name.charAt(0).toUpperCase() + name.slice(1);
+    this.key.replaceChildren(...key.map(([name, value]) => h('div', {}, h('dt', {}, shown(name)), h('dd', {}, value))));
   }
 
   private draw(moving: MotorMoving): void {

@@ -90,6 +90,7 @@ export class Turning {
     if (front.sets.some((set) => !set.has_teeth)) words.push('Circles are pitch circles, where the file has k and no teeth.');
     if (front.sets.some((set) => !set.planets_are_given)) words.push('Where the file does not say how many planets there are, three are shown.');
     if (front.left_out.length) words.push(`Not shown, since they stand on fixed axes, have bevel gears, or do not say their teeth: ${front.left_out.join(', ')}.`);
+    for (const { set, why } of front.uncut) words.push(`The teeth of ${set} are not shown: ${why}.`);
     this.note.textContent = words.join(' ');
     this.place();
   }

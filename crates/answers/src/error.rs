@@ -272,6 +272,22 @@ pub enum Error {
         /// The most there can be.
         most: u32,
     },
+    /// A damping ratio with which nothing rings, or for ever.
+    #[error("damping ratio {given}: {low} to {high} are allowed")]
+    DampingRatio {
+        /// What was given.
+        given: f64,
+        /// The least allowed.
+        low: f64,
+        /// The greatest.
+        high: f64,
+    },
+    /// An amplitude that is none, or nothing but zeros.
+    #[error("a transmission error of {} µm: amplitudes are 0 or above, and one above 0", crate::number::short(given_m * 1e6))]
+    TransmissionError {
+        /// What was given.
+        given_m: f64,
+    },
     /// A set that does not exist.
     #[error("no set `{name}`: there are {}", sets.join(", "))]
     NoSet {
@@ -377,6 +393,8 @@ impl Error {
             Self::NothingDescribed { .. } => "nothing-described",
             Self::NothingVibrates { .. } => "nothing-vibrates",
             Self::Harmonics { .. } => "harmonics",
+            Self::DampingRatio { .. } => "damping-ratio",
+            Self::TransmissionError { .. } => "transmission-error",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
             Self::Sweep { .. } => "sweep",

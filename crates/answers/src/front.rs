@@ -30,6 +30,18 @@ pub struct Front {
     pub sets: Vec<FrontSet>,
     /// Sets that are not: pairs on fixed axes, bevel gears, and those whose tooth numbers are not known or leave their planets apart.
     pub left_out: Vec<String>,
+    /// Sets whose tooth numbers are known and whose teeth are not shown, since no tool leaves them.
+    pub uncut: Vec<Uncut>,
+}
+
+/// A set with teeth that no tool leaves.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Uncut {
+    /// The set.
+    pub set: String,
+    /// What is wrong with its teeth.
+    pub why: String,
 }
 
 impl Answer for Front {
@@ -114,14 +126,20 @@ pub struct PlanetGear {
 
 /// The planet sets of a gearbox, in a gear or at rest.
 ///
+/// A set whose teeth no tool leaves is shown as its pitch circles, where it is a simple one.
+///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::Gear`] for teeth that cannot be.
+/// [`Error::NoGear`].
 pub fn answer(subject: &Subject<'_>, gear: Option<&str>) -> Result<Front, Error> {
     let gearbox = &subject.gearbox;
     let analysis = gear.map(|gear| crate::analyze::analysis(gearbox, gear)).transpose()?;
-    let (mut sets, mut left_out) = (vec![], vec![]);
+    let (mut sets, mut left_out, mut uncut) = (vec![], vec![], vec![]);
     for (place, set) in gearbox.sets().iter().enumerate() {
-        let shape = match gears::of(set, &subject.rack)? {
+        let with_teeth = gears::of(set, &subject.rack).unwrap_or_else(|error| {
+            uncut.push(Uncut { set: set.id().to_owned(), why: error.to_string() });
+            None
+        });
+        let shape = match with_teeth {
             Some(shape) => Some((shape, true)),
             None => circles::of(set).map(|shape| (shape, false)),
         };
@@ -135,6 +153,7 @@ pub fn answer(subject: &Subject<'_>, gear: Option<&str>) -> Result<Front, Error>
         gear: analysis.map(|analysis| analysis.gear().name().to_owned()),
         sets,
         left_out,
+        uncut,
     })
 }
 

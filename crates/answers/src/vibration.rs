@@ -1,4 +1,4 @@
-//! Free vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances over the speed.
+//! Vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances and forces over the speed.
 //!
 //! | module | is |
 //! |---|---|
@@ -8,6 +8,7 @@
 //! | `torsional` | all sets on the links of a gear, torsional |
 //! | `shapes` | what the bodies do in a mode |
 //! | `branches` | natural frequencies over the speed, and where orders meet them |
+//! | `response` | forces of the meshes by transmission errors, over the speed |
 //!
 //! Each set stands alone, planar, on its supports. A member whose link is held in a gear does not rotate, or rotates against its
 //! tangential support; any other member is free to rotate.
@@ -16,6 +17,7 @@ mod branches;
 mod orders;
 mod prepared;
 pub mod records;
+mod response;
 mod shapes;
 mod torsional;
 
@@ -32,9 +34,11 @@ use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
 use epicyclic_vibration::{BodyId, Group, Model, SetParts, SpringId};
 use prepared::{Of, Prepared};
 use records::{
-    Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, SetModes,
-    StrainShares, TorsionalModes, What,
+    Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, Response,
+    SetModes, StrainShares, TorsionalModes, What,
 };
+pub use response::Excitation;
+use response::Excited;
 use schemars::JsonSchema;
 use serde::Serialize;
 use torsional::{Train, TrainSet};
@@ -51,6 +55,8 @@ pub struct Wanted {
     pub speeds: Option<Places<AngularVelocity>>,
     /// How many harmonics of the meshes are told.
     pub harmonics: u32,
+    /// Transmission errors, for forces over the speeds.
+    pub excitation: Option<Excitation>,
 }
 
 impl Wanted {
@@ -72,6 +78,8 @@ pub struct Vibration {
     pub resonances: Vec<Resonance>,
     /// Natural frequencies over the speeds; empty without speeds.
     pub campbell: Vec<Campbell>,
+    /// Forces that transmission errors make over the speeds; empty without such.
+    pub responses: Vec<Response>,
     /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks something.
     pub torsional: Vec<TorsionalModes>,
     /// What is not calculated.
@@ -96,10 +104,14 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 ///
 /// # Errors
 /// - [`Error::NoGear`], [`Error::NoSet`], [`Error::Harmonics`], [`Error::NothingVibrates`] where no set says enough.
+/// - [`Error::DampingRatio`], [`Error::TransmissionError`].
 /// - [`Error::Document`] for what the file says wrong, with its place.
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
     if !(1..=Wanted::MOST_HARMONICS).contains(&wanted.harmonics) {
         return Err(Error::Harmonics { harmonics: wanted.harmonics, most: Wanted::MOST_HARMONICS });
+    }
+    if let Some(excitation) = &wanted.excitation {
+        excitation.check(Wanted::MOST_HARMONICS)?;
     }
     let found = vibrating(subject, wanted)?;
     if found.sets.is_empty() && found.torsional.is_empty() {
@@ -128,6 +140,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
         orders: vec![],
         resonances: vec![],
         campbell: vec![],
+        responses: vec![],
         torsional: vec![],
         not_calculated: vec![],
         warnings: warnings::of_gearbox(subject),
@@ -177,7 +190,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             };
             if let Some(speeds) = &wanted.speeds {
                 for gear in &names {
-                    over_speeds(&of, &prepared, &found, (place, gear), speeds, wanted.harmonics, &mut all)?;
+                    over_speeds(&of, &prepared, &found, (place, gear), speeds, wanted, &mut all)?;
                 }
             }
             all.sets.push(found.told(&of, &prepared, held, names)?);
@@ -202,7 +215,7 @@ fn over_speeds(
     found: &Found,
     (place, gear): (usize, &str),
     speeds: &Places<AngularVelocity>,
-    harmonics: u32,
+    wanted: &Wanted,
     all: &mut Vibration,
 ) -> Result<(), Error> {
     let set = of.entry.id.clone();
@@ -222,7 +235,15 @@ fn over_speeds(
     let branches =
         Branches::new(found, carrier, &speeds).map_err(|error| of.refused(&["vibration"], &error))?;
     if let Some(teeth) = prepared.teeth {
-        let orders = orders::all(&set, gear, teeth, prepared.planets, [sun, ring, carrier], harmonics);
+        let of_teeth =
+            |harmonics| orders::all(&set, gear, teeth, prepared.planets, [sun, ring, carrier], harmonics);
+        if let Some(excitation) = &wanted.excitation {
+            let torque = analysis.ideal().and_then(|case| case.members[place].as_ref()?.first().copied());
+            let sun_drives = torque.unwrap_or_default() * (sun - carrier) >= 0.0;
+            let excited = Excited { of, prepared, found, teeth, sun_drives, excitation };
+            all.responses.extend(excited.response(&of_teeth(excitation.harmonics()), &speeds)?);
+        }
+        let orders = of_teeth(wanted.harmonics);
         for order in &orders {
             let met =
                 branches.resonances(found, order).map_err(|error| of.refused(&["vibration"], &error))?;
@@ -302,6 +323,12 @@ struct Found {
 }
 
 impl Found {
+    /// Base radius of the sun, m.
+    fn sun_radius_m(&self) -> f64 {
+        let sun = self.built.bodies.iter().find(|body| body.body == Member::Sun);
+        sun.map_or(0.0, |sun| sun.radius_m)
+    }
+
     fn of(of: &Of<'_>, prepared: &Prepared, held: [bool; 3]) -> Result<Result<Self, Vec<String>>, Error> {
         let built = match prepared.built(held) {
             Ok(built) => built,

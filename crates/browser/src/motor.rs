@@ -9,10 +9,12 @@ fn designed(file: &str) -> Result<Designed, Failure> {
     Ok(of_file(&*documents::of("motor.yaml", file)?).map_err(refused)?.1)
 }
 
-/// The answer and its tables.
+/// The answer, what the motor is chosen by, and its tables.
 pub(crate) fn look(file: &str) -> Result<String, Failure> {
     let answer = motor::answer(&designed(file)?).map_err(refused)?;
-    Ok(object(&[("motor", json(&answer)?), ("tables", text(&answer.report().html()))]))
+    let key = epicyclic_views::motor::key(&answer);
+    let key = serde_json::to_string(&key).unwrap_or_default();
+    Ok(object(&[("motor", json(&answer)?), ("key", key), ("tables", text(&answer.report().html()))]))
 }
 
 /// The motor as it turns.

@@ -130,6 +130,7 @@ mod tests {
             "draw --dxf <FILE>",
             "draw --svg <FILE>",
             "vibrate --campbell <FILE>",
+            "vibrate --response <FILE>",
             "vibrate --shapes <FILE>",
             "motor --csv <FILE>",
             "motor --dxf <FILE>",

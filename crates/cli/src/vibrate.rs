@@ -8,16 +8,18 @@ use crate::input;
 use crate::losses::Range;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
-use epicyclic_answers::vibration::{self as answers, Vibration, Wanted};
+use epicyclic_answers::vibration::{self as answers, Excitation, Vibration, Wanted};
 use epicyclic_drawing::Scene;
+use epicyclic_formats::Quantity as Given;
 use epicyclic_views::vibration as views;
 use std::path::{Path, PathBuf};
-use uom::si::f64::AngularVelocity;
+use uom::si::f64::{AngularVelocity, Length, Ratio};
 
 /// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
 ///
 /// Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With --speeds also what excites it
-/// in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which it meets them.
+/// in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which it meets them;
+/// with --transmission-error the forces in the meshes.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -33,6 +35,8 @@ Example:
   epicyclic vibrate hoist.yaml --shapes modes.svg
   epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --harmonics 2
   epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --campbell c.pdf
+  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/100 \\
+    --transmission-error 3um,1um --damping 3% --response forces.svg
 
 Keys of the file beyond those of `epicyclic analyze`:
   sets: vibration: planet_bearing, mesh_stiffness, pressure_angles, base_radii;
@@ -61,6 +65,28 @@ pub(crate) struct Args {
     #[arg(long, value_name = "COUNT", default_value_t = 3, requires = "speeds")]
     harmonics: u32,
 
+    /// Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes.
+    #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true, requires_all = ["speeds", "damping"])]
+    transmission_error: Vec<Given<Length>>,
+
+    /// The same of the ring's meshes, where it is another.
+    #[arg(
+        long,
+        value_name = "AMPLITUDES",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        requires = "transmission_error"
+    )]
+    ring_transmission_error: Vec<Given<Length>>,
+
+    /// Damping ratio of every mode, such as 0.03 or 3%.
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "transmission_error")]
+    damping: Option<Given<Ratio>>,
+
+    /// File for a picture of these forces of one set in one gear over the speed, as for --campbell.
+    #[arg(long, value_name = "FILE", requires = "transmission_error")]
+    response: Option<PathBuf>,
+
     /// File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png, otherwise SVG.
     #[arg(long, value_name = "FILE", requires = "speeds")]
     campbell: Option<PathBuf>,
@@ -78,15 +104,37 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
     let speeds = args.speeds.as_ref().map(|range| range.places("--speeds")).transpose()?;
-    let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), speeds, harmonics: args.harmonics };
+    let excitation = args.damping.map(|damping| {
+        let given = |all: &[Given<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
+        let ring = if args.ring_transmission_error.is_empty() {
+            &args.transmission_error
+        } else {
+            &args.ring_transmission_error
+        };
+        Excitation { sun: given(&args.transmission_error), ring: given(ring), damping_ratio: damping.0.value }
+    });
+    let wanted = Wanted {
+        gear: args.gear.clone(),
+        set: args.set.clone(),
+        speeds,
+        harmonics: args.harmonics,
+        excitation,
+    };
     let answer = answers::answer(&subject, &wanted).map_err(|error| match error {
         Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
         Error::Harmonics { .. } => Failure::Option { option: "--harmonics", message: error.to_string() },
+        Error::DampingRatio { .. } => Failure::Option { option: "--damping", message: error.to_string() },
+        Error::TransmissionError { .. } => {
+            Failure::Option { option: "--transmission-error", message: error.to_string() }
+        }
         error => refuse(error),
     })?;
     let mut files = vec![];
     if let Some(file) = &args.campbell {
         files.push(drawn(file, "--campbell", &campbell(&answer)?)?);
+    }
+    if let Some(file) = &args.response {
+        files.push(drawn(file, "--response", &response(&answer)?)?);
     }
     if let Some(file) = &args.shapes {
         files.push(drawn(file, "--shapes", &shapes(&answer)?)?);
@@ -119,6 +167,14 @@ fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
     let all = answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
     only("--campbell", &all.collect::<Vec<_>>())?;
     let picture = views::campbell(answer, 0).ok_or_else(|| none("--campbell"))?;
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The forces over the speed.
+fn response(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.responses.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
+    only("--response", &all.collect::<Vec<_>>())?;
+    let picture = views::response(answer, 0).ok_or_else(|| none("--response"))?;
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 

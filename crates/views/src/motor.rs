@@ -73,6 +73,16 @@ impl AsReport for Motor {
     }
 }
 
+/// What a motor is chosen by, each with its name and as a table has it: rows that its width, pressure, or speed would give are left out
+/// without them.
+#[must_use]
+pub fn key(motor: &Motor) -> Vec<[String; 2]> {
+    const KEY: [&str; 6] = ["satellites", "ripple", "displacement", "torque", "flow", "power"];
+    let rows = numbers(&motor.numbers).into_iter().chain(work(motor));
+    let chosen = rows.filter(|row| KEY.contains(&row.name));
+    chosen.map(|row| [row.label.to_owned(), row.cells.iter().map(Figure::table).collect()]).collect()
+}
+
 /// The motor in a line.
 #[must_use]
 pub fn title(numbers: &Numbers) -> String {

@@ -2,18 +2,21 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, count, text};
-use crate::quantities::{column, optional};
+use crate::quantities::{column, optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, View, warned};
 use crate::units::{hertz_of_rpm, rpm};
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{
-    self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, SetModes, Source,
+    self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
     StiffnessOrigin, StrainPart, TorsionalModes, What,
 };
-use epicyclic_formats::Dimension::{AngularSpeed, Frequency, Inertia, Length, Mass, Stiffness};
+use epicyclic_formats::Dimension::{
+    AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque,
+};
 use epicyclic_formats::quantity::format::in_unit;
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
+use epicyclic_pictures::plot::{Curve, Plot};
 use std::f64::consts::TAU;
 
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
@@ -48,6 +51,33 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
         rays: all.orders.iter().filter(|order| is_own(&order.set, &order.gear)).map(ray).collect(),
         meetings: met.map(|met| [rpm(met.input_speed_rad_s), met.frequency_hz]).collect(),
     })
+}
+
+/// The forces that transmission errors make in a set in a gear over the speed as a plot; its place is that in the answer.
+#[must_use]
+pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
+    let one = all.responses.get(place)?;
+    let damping = Figure::Share(one.damping_ratio).table();
+    let title = format!(
+        "{}, set {}, gear {}: forces of the meshes, damping {damping}",
+        all.gearbox, one.set, one.gear
+    );
+    let mut plot = Plot::new(title, "speed of the input, rpm", "amplitude of the force, N");
+    for harmonic in &one.harmonics {
+        let own = [
+            ("sun", harmonic.sun_error_m, &harmonic.sun_forces_n),
+            ("ring", harmonic.ring_error_m, &harmonic.ring_forces_n),
+        ];
+        for (name, error, forces) in own {
+            let points = std::iter::zip(&harmonic.input_speeds_rad_s, forces);
+            let points = points.map(|(speed, force)| [rpm(*speed), *force]).collect();
+            plot = plot.with(Curve::new(
+                format!("{name}, harmonic {}: {}", harmonic.harmonic, words(Length, error, 3)),
+                points,
+            ));
+        }
+    }
+    Some(plot)
 }
 
 /// The modes of a set as pictures along the axis; its place is that in the answer.
@@ -91,6 +121,9 @@ impl AsReport for Vibration {
         }
         if !self.campbell.is_empty() {
             parts.push(Part::Records(resonances(&self.resonances)));
+            if !self.responses.is_empty() {
+                parts.push(Part::Records(responses(&self.responses)));
+            }
             parts.push(Part::Records(orders(&self.orders)));
         }
         if !self.torsional.is_empty() {
@@ -316,6 +349,53 @@ fn resonances(all: &[Resonance]) -> Records {
             ..View::new(
                 "Resonances",
                 &["set", "gear", "input_speed", "source", "harmonic", "mode", "kind", "frequency"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn responses(all: &[Response]) -> Records {
+    let rows = all.iter().flat_map(|set| {
+        set.harmonics.iter().flat_map(move |one| {
+            let meshes =
+                [("sun", one.sun_error_m, one.greatest_sun), ("ring", one.ring_error_m, one.greatest_ring)];
+            meshes.map(|(mesh, error, greatest)| {
+                vec![
+                    text(&set.set),
+                    text(&set.gear),
+                    text(mesh),
+                    count(one.harmonic),
+                    quantity(Length, error),
+                    column(AngularSpeed, Some(greatest.input_speed_rad_s)),
+                    hertz(greatest.frequency_hz),
+                    column(Force, Some(greatest.force_n)),
+                    column(Torque, Some(greatest.parts_below_sun_torque_n_m)),
+                ]
+            })
+        })
+    });
+    Records {
+        name: "responses",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::words("mesh", "mesh"),
+            Column::number("harmonic", "harm."),
+            Column::headed("error", "e", Length),
+            Column::headed("input_speed", "n in, rpm", AngularSpeed),
+            Column::headed("frequency", "f, Hz", Frequency),
+            Column::headed("force", "F, N", Force),
+            Column::headed("parts_below_sun_torque", "T sun, N·m", Torque),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "The greatest force F beside the mean one that the transmission error e makes within the speeds, with modes at rest. T: torque on the sun \
+                   below which the flanks part there, and this is no longer so."
+                .to_owned(),
+            ..View::new(
+                "Forces by the transmission error",
+                &["set", "gear", "mesh", "harmonic", "error", "input_speed", "frequency", "force", "parts_below_sun_torque"],
             )
         }],
         is_answer: false,

@@ -128,6 +128,14 @@ fn as_many_planets_are_shown_as_have_room() {
 }
 
 #[test]
+fn teeth_that_no_tool_leaves_are_named_and_shown_as_circles() {
+    let front = short("  - { id: P, sun: D, ring: T, carrier: B, teeth: [2, 10] }", None);
+    assert_eq!((front.uncut.len(), front.sets.len(), front.left_out.len()), (1, 1, 0));
+    assert!(front.uncut[0].set == "P" && !front.uncut[0].why.is_empty() && !front.sets[0].has_teeth);
+    assert!(short(TOOTHED, None).uncut.is_empty());
+}
+
+#[test]
 fn sets_without_places_are_named() {
     for set in [
         "  - { id: P, kind: stepped_sun_ring, sun: D, ring: T, carrier: B, k: 2.5 }",

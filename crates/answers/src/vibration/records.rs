@@ -269,6 +269,56 @@ pub struct Branch {
     pub frequencies_hz: Vec<f64>,
 }
 
+/// Forces of the meshes of a set in a gear that transmission errors make, beside the mean ones.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Response {
+    /// The set.
+    pub set: String,
+    /// The gear.
+    pub gear: String,
+    /// Damping ratio of every mode.
+    pub damping_ratio: f64,
+    /// What each harmonic of the meshes does.
+    pub harmonics: Vec<HarmonicResponse>,
+}
+
+/// Forces that a harmonic of the meshes makes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct HarmonicResponse {
+    /// Which.
+    pub harmonic: u32,
+    /// Amplitude of the transmission error of a mesh of the sun.
+    pub sun_error_m: f64,
+    /// The same of the ring.
+    pub ring_error_m: f64,
+    /// The greatest force of a mesh of the sun within the speeds.
+    pub greatest_sun: Greatest,
+    /// The same of the ring.
+    pub greatest_ring: Greatest,
+    /// Speeds of the input: those asked, and more about resonances.
+    pub input_speeds_rad_s: Vec<f64>,
+    /// Amplitudes of the force of the mesh of the sun that has most, at these speeds.
+    pub sun_forces_n: Vec<f64>,
+    /// The same of the ring.
+    pub ring_forces_n: Vec<f64>,
+}
+
+/// The greatest force that a harmonic makes in a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Greatest {
+    /// Its amplitude.
+    pub force_n: f64,
+    /// Speed of the input.
+    pub input_speed_rad_s: f64,
+    /// Its frequency, in axes on the carrier.
+    pub frequency_hz: f64,
+    /// Torque on the sun, shared by all planets, below which the flanks part: the mean force is less than this one.
+    pub parts_below_sun_torque_n_m: f64,
+}
+
 /// A set without modes, or without orders, in a gear.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]

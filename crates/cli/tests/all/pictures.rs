@@ -61,6 +61,10 @@ fn written() -> Vec<(&'static str, String)> {
         "vibrate {} {speeds} --campbell campbell.svg --shapes modes.svg -o modes.csv",
         fan.display()
     ));
+    run(&format!(
+        "vibrate {} --gear slow --speeds 500rpm..9000rpm/100 --transmission-error 3um,1um --damping 2% --response forces.svg -o forces.csv",
+        fan.display()
+    ));
     for file in ["shift-two-three.yaml", "real-transmissions.yaml", "tip-in.yaml"] {
         fs::copy(console::root().join("examples").join(file), folder.path().join(file)).unwrap();
     }
@@ -74,6 +78,7 @@ fn written() -> Vec<(&'static str, String)> {
     let read = |name: &'static str| (name, fs::read_to_string(folder.path().join(name)).unwrap());
     [
         "campbell.svg",
+        "forces.svg",
         "modes.svg",
         "motor-chambers.svg",
         "motor-forces.svg",

@@ -210,6 +210,80 @@ fn shapes_are_those_of_their_kind() {
     }
 }
 
+const ERRORS: [&str; 8] = [
+    "--gear",
+    "slow",
+    "--speeds",
+    "1500rpm..10000rpm/12",
+    "--transmission-error",
+    "3um,1um",
+    "--damping",
+    "2%",
+];
+
+#[test]
+fn forces_of_transmission_errors_have_their_peaks_at_the_resonances_they_excite() {
+    let with = answer("vibration.yaml", &[], &ERRORS);
+    let response = &list(&with, "responses")[0];
+    assert_eq!(number(response, "damping_ratio"), 0.02);
+    let harmonics = list(response, "harmonics");
+    assert_eq!(harmonics.len(), 2);
+    for harmonic in harmonics {
+        let speeds: Vec<f64> =
+            list(harmonic, "input_speeds_rad_s").iter().map(|speed| speed.as_f64().unwrap()).collect();
+        assert!(speeds.windows(2).all(|pair| pair[0] < pair[1]) && speeds.len() > 40);
+        for mesh in ["sun", "ring"] {
+            let greatest = &harmonic[format!("greatest_{mesh}")];
+            let forces: Vec<f64> = list(harmonic, &format!("{mesh}_forces_n"))
+                .iter()
+                .map(|force| force.as_f64().unwrap())
+                .collect();
+            assert_eq!(forces.len(), speeds.len());
+            let most = forces.iter().copied().fold(0.0, f64::max);
+            assert_eq!(most, number(greatest, "force_n"));
+            // A damped peak stands by half the square of the damping ratio, and others around it, beside the natural frequency.
+            let at = number(greatest, "input_speed_rad_s");
+            let met = list(&with, "resonances").iter().filter(|one| one["harmonic"] == harmonic["harmonic"]);
+            let met = met.filter(|one| one["source"] == "mesh");
+            // The order meets the mode while the carrier turns, which parts it by a few per cent.
+            let nearest =
+                met.map(|one| (number(one, "input_speed_rad_s") / at - 1.0).abs()).fold(1.0, f64::min);
+            assert!(nearest < 0.03, "{mesh} {harmonic}");
+            let torque =
+                number(greatest, "force_n") * 4.0 * number(&with["sets"][0]["bodies"][0], "radius_m");
+            assert!((number(greatest, "parts_below_sun_torque_n_m") / torque - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn forces_are_linear_in_the_error_and_grow_as_damping_falls() {
+    let of = |errors: &str, damping: &str, more: &[&str]| {
+        let options = [&ERRORS[..4], &["--transmission-error", errors, "--damping", damping], more].concat();
+        let answer = answer("vibration.yaml", &[], &options);
+        let first = list(&answer["responses"][0], "harmonics")[0].clone();
+        ["greatest_sun", "greatest_ring"].map(|mesh| number(&first[mesh], "force_n"))
+    };
+    let base = of("3um", "2%", &[]);
+    for (mesh, twice) in of("6um", "2%", &[]).into_iter().enumerate() {
+        assert!((twice / base[mesh] - 2.0).abs() < 1e-9);
+    }
+    // Alone either mesh makes a part; both parts together at most add up.
+    let [sun, ring] = [
+        of("3um", "2%", &["--ring-transmission-error", "0um"]),
+        of("0um", "2%", &["--ring-transmission-error", "3um"]),
+    ];
+    for (mesh, base) in base.into_iter().enumerate() {
+        let sum = sun[mesh] + ring[mesh];
+        assert!(sun[mesh] != base && ring[mesh] != base && base <= sum, "{base} {sum}");
+    }
+    let sharp = of("3um", "1%", &[]);
+    assert!(
+        (0..2).all(|mesh| sharp[mesh] > 1.7 * base[mesh] && sharp[mesh] < 2.1 * base[mesh]),
+        "{sharp:?} {base:?}"
+    );
+}
+
 #[test]
 fn the_vibration_of_a_fan_drive() {
     let folder = here();
@@ -220,6 +294,7 @@ fn the_vibration_of_a_fan_drive() {
         folder.path(),
         &[
             &["vibrate", "vibration.yaml", "--speeds", "500rpm..3000rpm/6"],
+            &[&["vibrate", "vibration.yaml"], &ERRORS[..], &["--format", "csv"]].concat(),
             &["vibrate", "every-gearbox-key.yaml", "--set", "auxiliary", "--format", "csv"],
         ]
     ));
@@ -281,6 +356,38 @@ fn vibration_that_is_refused() {
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--campbell", "c.gif"],
         &["vibrate", "vibration.yaml", "--gear", "fast", "--shapes", "modes.svg"],
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..900000rpm/2"],
+        &["vibrate", "vibration.yaml", "--transmission-error", "3um", "--damping", "2%"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--transmission-error", "3um"],
+        &[
+            "vibrate",
+            "vibration.yaml",
+            "--speeds",
+            "0rpm..3000rpm/2",
+            "--transmission-error",
+            "3um",
+            "--damping",
+            "0",
+        ],
+        &[
+            "vibrate",
+            "vibration.yaml",
+            "--speeds",
+            "0rpm..3000rpm/2",
+            "--transmission-error=-3um",
+            "--damping",
+            "2%",
+        ],
+        &[
+            "vibrate",
+            "vibration.yaml",
+            "--speeds",
+            "0rpm..3000rpm/2",
+            "--transmission-error",
+            "0um",
+            "--damping",
+            "2%",
+        ],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--response", "r.svg"],
     ]);
     insta::assert_snapshot!(sessions(folder.path(), &lines));
 }

@@ -124,6 +124,13 @@ vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --format json
   --output modes.json
 vibrate: every-gearbox-key.yaml
   --set auxiliary
+vibrate: vibration.yaml --speeds 0rpm..6000rpm/3
+  --transmission-error 3um --damping 2%
+vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --transmission-error 3um --damping 2%
+  --transmission-error 3um,1um
+  --ring-transmission-error 1um
+  --damping 3%
+  --response forces.svg
 losses: drags.yaml --torque '60 N·m'
   --input '1400 rpm'
 losses: drags.yaml --speed '1475 rpm'
