@@ -141,6 +141,10 @@ class VibrateOptions(TypedDict, total=False):
     set: Values | None
     speeds: Values | None
     harmonics: Values | None
+    transmission_error: Values | None
+    ring_transmission_error: Values | None
+    damping: Values | None
+    response: Values | None
     campbell: Values | None
     shapes: Values | None
     output: Path | None
@@ -967,6 +971,10 @@ def vibrate(
     set: Values | None = None,
     speeds: Values | None = None,
     harmonics: Values | None = None,
+    transmission_error: Values | None = None,
+    ring_transmission_error: Values | None = None,
+    damping: Values | None = None,
+    response: Values | None = None,
     campbell: Values | None = None,
     shapes: Values | None = None,
     output: Path | None = None,
@@ -976,7 +984,7 @@ def vibrate(
 
     Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With ``speeds`` also what
     excites it in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which
-    it meets them.
+    it meets them; with ``transmission_error`` the forces in the meshes.
 
     Parameters
     ----------
@@ -990,6 +998,14 @@ def vibrate(
         Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many places
     harmonics
         How many harmonics of the meshes
+    transmission_error
+        Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes
+    ring_transmission_error
+        The same of the ring's meshes, where it is another
+    damping
+        Damping ratio of every mode, such as 0.03 or 3%
+    response
+        File for a picture of these forces of one set in one gear over the speed, as for ``campbell``
     campbell
         File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png, otherwise SVG
     shapes
@@ -1014,7 +1030,7 @@ def vibrate(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["vibrate"], [file], {"--gear": gear, "--set": set, "--speeds": speeds, "--harmonics": harmonics, "--campbell": campbell, "--shapes": shapes}, progress, output=output)
+    return _call.answer(["vibrate"], [file], {"--gear": gear, "--set": set, "--speeds": speeds, "--harmonics": harmonics, "--transmission-error": transmission_error, "--ring-transmission-error": ring_transmission_error, "--damping": damping, "--response": response, "--campbell": campbell, "--shapes": shapes}, progress, many={"--transmission-error": "repeated", "--ring-transmission-error": "repeated"}, output=output)
 
 
 def compare(
