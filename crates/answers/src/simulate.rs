@@ -51,6 +51,7 @@ pub use samples::{ElementSamples, LinkSamples, Samples, TorqueSamples};
 use schemars::JsonSchema;
 use serde::Serialize;
 pub use shifts::ShiftResult;
+use std::ops::ControlFlow;
 use uom::si::f64::{Energy, Time};
 
 /// Even instants at which peaks are looked for, at least.
@@ -81,7 +82,7 @@ pub struct Simulation {
     pub output: String,
     /// Gear at the start, where one is given.
     pub gear: Option<String>,
-    /// How long it moves, from time 0.
+    /// How long it moves, from time 0; less than the scenario asks where it was ended before.
     pub duration_s: f64,
     /// What happens, in order.
     pub events: Vec<EventRecord>,
@@ -259,6 +260,20 @@ impl Answer for Simulation {
 /// # Errors
 /// [`Error::Document`] and [`Error::Placed`] with the place of the fault; those of [`gearbox::read`] for the gearbox.
 pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Simulation, Error> {
+    answer_watched(document, file, beside, |_| true)
+}
+
+/// The same, watched: told again and again how much of its time is done, from 0 to 1, until it answers `false`. A motion that is ended so has
+/// all up to then, and a warning.
+///
+/// # Errors
+/// As [`answer`].
+pub fn answer_watched(
+    document: &Document,
+    file: &ScenarioFile,
+    beside: &Beside,
+    mut goes_on: impl FnMut(f64) -> bool,
+) -> Result<Simulation, Error> {
     let efficiency = file.efficiency.map(|eta| MeshEfficiency::new(eta.0.si())).transpose();
     let efficiency = efficiency.map_err(|why| refused(document, &root("efficiency"), &why))?;
     let subject = match &beside.gearbox {
@@ -271,7 +286,10 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
     let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
     let built = scenario.built()?;
     let every = scenario.sampling()?;
-    let run = built.model.run(&built.start, file.duration.0, Some(every.inner));
+    let whole = file.duration.0.si();
+    let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
+        if goes_on(time.si() / whole) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
     let run = run.map_err(|why| scenario.of_run(why))?;
     Ok(told(&scenario, &built, &run, every.kept))
 }
@@ -279,7 +297,7 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
 fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
     let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
     let instants = elements::instants(run);
-    let shifts = shifts::results(scenario, built, run, &instants);
+    let shifts = shifts::results(built, run, &instants);
     let elements = elements::results(built, run, &instants);
     let energies = Energies::of(run);
     let warnings = warnings(scenario, run, &shifts, &energies);
@@ -289,7 +307,7 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
         input: gearbox.link_name(gearbox.input()).to_owned(),
         output: gearbox.link_name(gearbox.output()).to_owned(),
         gear: file.gear.clone(),
-        duration_s: file.duration.0.si(),
+        duration_s: run.end().time.si(),
         events: run.events.iter().map(|event| EventRecord::of(built, event)).collect(),
         shifts,
         elements,
@@ -398,6 +416,12 @@ fn warnings(
     energies: &Energies,
 ) -> Vec<Warning> {
     let mut all = vec![];
+    let (end, wanted) = (run.end().time, scenario.file.duration.0);
+    if end < wanted {
+        let message =
+            format!("ended at {} of {}; what would come after is not known", Quantity(end), Quantity(wanted));
+        all.push(Warning { name: "ended-early", message });
+    }
     for shift in shifts.iter().filter(|shift| shift.locked_s.is_none()) {
         let message = format!(
             "the shift from {} to {} at {} does not end: what it applies does not hold at the end, or when the next begins",

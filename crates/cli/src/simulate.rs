@@ -96,7 +96,7 @@ enum View {
     Temperatures,
 }
 
-/// Runs the command.
+/// Runs the command. The first Ctrl-C ends the motion and tells what is known of it.
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let drawing = args.output.drawing();
     drawing_file::check_dpi(args.dpi, drawing.iter().map(|(_, format)| *format))?;
@@ -108,7 +108,15 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if let Some(range) = &args.sweep {
         return swept(call, args, &read, range);
     }
-    let simulation = answers::answer(&read.document, &read.file, &read.beside)?;
+    let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
+    let mut is_whole = true;
+    let simulation = answers::answer_watched(&read.document, &read.file, &read.beside, |share| {
+        shown.at(share);
+        is_whole = !hearing.is_asked();
+        is_whole
+    });
+    drop((shown, hearing));
+    let simulation = simulation?;
     let mut files: Vec<Content> = vec![];
     if let Some(file) = &args.csv {
         let table = samples(&simulation);
@@ -121,7 +129,13 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let scene = plot(&simulation, args.view)?;
         files.push((file.to_owned(), drawing_file::content(&scene, format, args.dpi)?));
     }
-    args.output.but_for_drawings().deliver_with(call, files, &simulation)
+    args.output.but_for_drawings().deliver_with(call, files, &simulation)?;
+    if is_whole { Ok(()) } else { Err(interrupted()) }
+}
+
+/// What was asked to end and told what it had.
+fn interrupted() -> Failure {
+    Failure::Interrupted("interrupted".to_owned())
 }
 
 /// Runs with several values of a key. The first Ctrl-C keeps what is done.
@@ -155,7 +169,7 @@ fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(),
     })?;
     let is_whole = found.runs.len() == wanted.steps as usize;
     args.output.deliver(call, &found)?;
-    if is_whole { Ok(()) } else { Err(Failure::Interrupted("interrupted".to_owned())) }
+    if is_whole { Ok(()) } else { Err(interrupted()) }
 }
 
 /// A key and its values.

@@ -20,8 +20,9 @@ use crate::record::{Audit, Change, Event, Run, Sample, State, states};
 use crate::start::Start;
 use crate::step::Stepper;
 use crate::tolerance::{ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, STEP_ERROR};
-use crate::units::seconds;
+use crate::units::{seconds, time};
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
 use uom::si::f64::Time;
 
 impl Model {
@@ -42,6 +43,20 @@ impl Model {
     /// [`Error::TooManyMeshes`], [`Error::TooManyAtRest`] for a motion that does not follow; [`Error::Accumulating`],
     /// [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go on.
     pub fn run(&self, start: &Start, end: Time, sample_every: Option<Time>) -> Result<Run, Error> {
+        self.run_watched(start, end, sample_every, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// The same, watched: told the time of every step, it may end the motion there. What is found up to then is as it would be without.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_watched(
+        &self,
+        start: &Start,
+        end: Time,
+        sample_every: Option<Time>,
+        watch: &mut Watch<'_>,
+    ) -> Result<Run, Error> {
         let positive = |field: &str, value: f64| {
             if value > 0.0 && value.is_finite() {
                 Ok(value)
@@ -57,7 +72,7 @@ impl Model {
         let before =
             [self.mechanism.kinetic_energy(&y[..runner.field.parts.work]), runner.field.elastic_energy(y)];
         runner.sample();
-        runner.go()?;
+        runner.go(watch)?;
         runner.sample();
         let mechanism = &self.mechanism;
         let meshes = mechanism.meshes.iter().map(|mesh| (mesh.set, mesh.gears.clone())).collect();
@@ -128,8 +143,13 @@ struct Runner<'m> {
     transitions: usize,
 }
 
+/// What is told the time of every step.
+type Watch<'a> = dyn FnMut(Time) -> ControlFlow<()> + 'a;
+
 /// How a stretch ends.
 enum Stretch {
+    /// Before its end, as the one who watches wants.
+    Left,
     /// At a kink, or at the end.
     Reached,
     /// With these triggers.
@@ -182,11 +202,12 @@ impl<'m> Runner<'m> {
         Ok(made)
     }
 
-    fn go(&mut self) -> Result<(), Error> {
+    fn go(&mut self, watch: &mut Watch<'_>) -> Result<(), Error> {
         loop {
             let stop = self.model.next_kink(self.stepper.t).min(self.end);
-            match self.advance(stop)? {
+            match self.advance(stop, watch)? {
                 Stretch::Reached if stop >= self.end => return Ok(()),
+                Stretch::Left => return Ok(()),
                 Stretch::Reached => self.transit(&[])?,
                 Stretch::Fired(fired) => self.transit(&fired)?,
             }
@@ -194,9 +215,12 @@ impl<'m> Runner<'m> {
     }
 
     /// Steps up to a time, or to the first event before it.
-    fn advance(&mut self, stop: f64) -> Result<Stretch, Error> {
+    fn advance(&mut self, stop: f64, watch: &mut Watch<'_>) -> Result<Stretch, Error> {
         let shortest = SHORTEST * self.end;
         loop {
+            if watch(time(self.stepper.t)).is_break() {
+                return Ok(Stretch::Left);
+            }
             let left = stop - self.stepper.t;
             if left <= shortest {
                 self.stepper.t = stop;

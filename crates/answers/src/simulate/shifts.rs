@@ -1,6 +1,6 @@
 //! What each shift does: its phases, and the torque of the output.
 
-use super::parts::{Built, Ramps, Scenario};
+use super::parts::{Built, Ramps};
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
 use schemars::JsonSchema;
@@ -42,13 +42,8 @@ pub struct ShiftResult {
     pub heat_j: f64,
 }
 
-pub(super) fn results(
-    scenario: &Scenario<'_>,
-    built: &Built,
-    run: &Run,
-    instants: &[&Sample],
-) -> Vec<ShiftResult> {
-    let duration = scenario.file.duration.0.si();
+pub(super) fn results(built: &Built, run: &Run, instants: &[&Sample]) -> Vec<ShiftResult> {
+    let duration = run.end().time.si();
     let of = |(place, shift): (usize, &Ramps)| {
         let end = built.shifts.get(place + 1).map_or(duration, |next| next.at).min(duration);
         (shift.at < duration).then(|| result(built, run, instants, shift, end))

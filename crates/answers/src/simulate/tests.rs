@@ -41,6 +41,34 @@ fn an_adiabatic_element_warms_by_its_heat_over_its_heat_capacity() {
 }
 
 #[test]
+fn a_motion_that_is_ended_has_all_up_to_there() {
+    let document = document(SHIFT);
+    let file = scenario::read(&document).unwrap();
+    let whole = simulated(SHIFT);
+    let ended = |share: f64| {
+        let mut last = -1.0;
+        answer_watched(&document, &file, &Beside::default(), |done| {
+            assert!(done >= last && done <= 1.0, "{done} after {last}");
+            last = done;
+            done < share
+        })
+        .unwrap()
+    };
+    assert_eq!(ended(2.0), whole);
+    let early = ended(0.5);
+    assert!(early.duration_s >= 0.5 * whole.duration_s && early.duration_s < whole.duration_s);
+    let before = whole.events.iter().take_while(|event| event.time_s < early.duration_s);
+    let before: Vec<&EventRecord> = before.collect();
+    assert!(!before.is_empty() && before.len() <= early.events.len());
+    assert!(std::iter::zip(&early.events, before).all(|(one, other)| one == other));
+    assert!(early.energies.residual.abs() < 1e-9);
+    let names = |of: &Simulation| of.warnings.iter().any(|warning| warning.name == "ended-early");
+    assert!(names(&early) && !names(&whole));
+    // At once there is the start alone.
+    assert_eq!(ended(0.0).duration_s, 0.0);
+}
+
+#[test]
 fn few_samples_leave_the_peaks() {
     let found = simulated(&STEADY.replace("duration: 40 s", "duration: 40 s\nsample_every: 1000 s"));
     assert_eq!(found.samples.times_s, [0.0, 40.0]);

@@ -174,6 +174,40 @@ fn ctrl_c_leaves_no_broken_file() {
     assert!(old > 0, "{old} old, {new} new");
 }
 
+/// An hour of a motor that shakes: the first Ctrl-C ends it, and what is known of it is told.
+#[test]
+fn ctrl_c_tells_the_motion_up_to_there() {
+    const SHAKEN: &str = "\
+scenario: shaken
+gearbox: { gearbox: g, input: D, output: B, sets: [{ id: P, sun: D, ring: ground, carrier: B, k: 3 }] }
+inertias: { D: 0.2 kg·m², B: 8 kg·m² }
+torques: [{ id: motor, link: D, harmonic: { mean: 0 N·m, amplitude: 1 N·m, frequency: 50 Hz, phase: 0 deg } }]
+duration: 1 h
+sample_every: 60 s
+";
+    let folder = here();
+    fs::write(folder.path().join("shaken.yaml"), SHAKEN).unwrap();
+    for wait in [100, 300, 1000] {
+        let child = in_the_foreground(folder.path(), &["simulate", "shaken.yaml", "--csv", "shaken.csv"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(wait));
+        interrupt(child.id());
+        let done = child.wait_with_output().unwrap();
+        let (told, refused) = (text(&done.stdout), text(&done.stderr));
+        // Before it listens it ends as any program.
+        if done.status.code() == Some(130) && !told.is_empty() {
+            assert!(told.contains("ended at ") && refused.contains("error: interrupted"), "{told}{refused}");
+            assert!(folder.path().join("shaken.csv").exists());
+            return;
+        }
+        assert!(told.is_empty(), "{told}");
+    }
+    panic!("it never told anything");
+}
+
 /// A search is long before it writes, and Ctrl-C ends it at once.
 #[test]
 fn ctrl_c_ends_a_search() {
