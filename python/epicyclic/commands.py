@@ -128,6 +128,9 @@ class LossesOptions(TypedDict, total=False):
     torque: Values | None
     power: Values | None
     load_torque: Values | None
+    conductance: Values | None
+    cooler: Values | None
+    allowed_rise: Values | None
     speeds: Values | None
     torques: Values | None
     output: Path | None
@@ -842,6 +845,9 @@ def losses(
     torque: Values | None = None,
     power: Values | None = None,
     load_torque: Values | None = None,
+    conductance: Values | None = None,
+    cooler: Values | None = None,
+    allowed_rise: Values | None = None,
     speeds: Values | None = None,
     torques: Values | None = None,
     output: Path | None = None,
@@ -851,8 +857,8 @@ def losses(
     elements.
 
     At a ``speed`` and a load each loss of each gear by its name, and the balance of powers; with ``speeds`` and
-    ``torques`` the efficiency of one gear over both. Meshes lose by their efficiencies or by friction, drags by the
-    curves of the file.
+    ``torques`` the efficiency of one gear over both. With ``conductance`` how warm the oil becomes, and what torque
+    it bears. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
 
     Parameters
     ----------
@@ -882,6 +888,12 @@ def losses(
         Power into the input: 75 kW
     load_torque
         Torque that the driven machine takes from the output; the input's follows
+    conductance
+        Conductance of the housing to the air, area times coefficient: 25 W/K. Tells how warm the oil becomes
+    cooler
+        What a cooler takes at most: 2 kW. Default: none
+    allowed_rise
+        By how much the oil may be warmer than the air: 60 K. Tells the greatest torque on the input
     speeds
         A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places; with
         ``torques``
@@ -907,7 +919,7 @@ def losses(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["losses"], [gearbox], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--gear": gear, "--speed": speed, "--torque": torque, "--power": power, "--load-torque": load_torque, "--speeds": speeds, "--torques": torques}, progress, output=output)
+    return _call.answer(["losses"], [gearbox], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--gear": gear, "--speed": speed, "--torque": torque, "--power": power, "--load-torque": load_torque, "--conductance": conductance, "--cooler": cooler, "--allowed-rise": allowed_rise, "--speeds": speeds, "--torques": torques}, progress, output=output)
 
 
 def simulate(

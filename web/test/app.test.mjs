@@ -212,6 +212,21 @@ on('what cannot be searched is told', async (page) => {
   await page.waitForFunction(() => document.getElementById('choose-refused').textContent.length > 10);
 });
 
+on('on a phone a picture fits, and is enlarged by a button', async (page) => {
+  await page.setViewportSize(PHONE);
+  await page.waitForSelector('[data-view=scheme] svg');
+  const hidden = () => page.evaluate(() => ((of) => of.scrollWidth - of.clientWidth)(document.querySelector('[data-view=scheme] .picture')));
+  assert.equal(await hidden(), 0);
+  const enlarge = page.getByRole('button', { name: 'Scheme enlarged' });
+  await enlarge.click();
+  assert.ok((await hidden()) > 50);
+  assert.equal(await enlarge.getAttribute('aria-pressed'), 'true');
+  await enlarge.click();
+  assert.equal(await hidden(), 0);
+  await page.setViewportSize(DESK);
+  assert.equal(await enlarge.isVisible(), false);
+});
+
 on('a hydromotor is designed, and its chambers fill', async (page) => {
   await page.click('#to-motor');
   await page.waitForSelector('#chambers svg');

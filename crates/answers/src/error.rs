@@ -272,6 +272,18 @@ pub enum Error {
         /// The most there can be.
         most: u32,
     },
+    /// A balance of heat with what cannot be.
+    #[error("{quantity} {given} {unit}: it must be {allowed}")]
+    Cooling {
+        /// Of what: `conductance`, `cooler`, `allowed-rise`.
+        quantity: &'static str,
+        /// What was given.
+        given: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A damping ratio with which nothing rings, or for ever.
     #[error("damping ratio {given}: {low} to {high} are allowed")]
     DampingRatio {
@@ -393,6 +405,7 @@ impl Error {
             Self::NothingDescribed { .. } => "nothing-described",
             Self::NothingVibrates { .. } => "nothing-vibrates",
             Self::Harmonics { .. } => "harmonics",
+            Self::Cooling { .. } => "cooling",
             Self::DampingRatio { .. } => "damping-ratio",
             Self::TransmissionError { .. } => "transmission-error",
             Self::NoSet { .. } => "no-set",

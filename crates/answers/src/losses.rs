@@ -2,6 +2,8 @@
 //!
 //! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power is against its speed.
 
+mod heat;
+
 use crate::analyze::records::meshes;
 use crate::analyze::{Input, analysis, warnings};
 use crate::gearbox::Subject;
@@ -10,6 +12,7 @@ use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_train::drag::{Load, WithDrags};
 use epicyclic_train::{self as train, Analysis, Gear, InputLoad, InputsFault, OperatingFault};
+pub use heat::{Cooling, GearHeat, Heat};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -23,6 +26,8 @@ pub struct Wanted {
     pub speed: AngularVelocity,
     /// The load.
     pub load: GivenLoad,
+    /// What takes the heat, for the temperature.
+    pub cooling: Option<Cooling>,
 }
 
 /// The load of the input or of the output.
@@ -77,6 +82,8 @@ pub struct Losses {
     pub gears: Vec<GearLosses>,
     /// Every loss of every gear, the largest of a gear first.
     pub losses: Vec<Loss>,
+    /// The balance of heat; `null` where nothing is said of what takes it.
+    pub heat: Option<Heat>,
     /// Gears whose losses do not follow.
     pub not_calculated: Vec<NotCalculated>,
     /// What the reader should know.
@@ -231,8 +238,11 @@ impl Answer for LossMap {
 ///
 /// # Errors
 /// [`Error::NoGear`]; of a gear that is named also why its losses do not follow: [`Error::Gearbox`] and, for a speed outside the curve of
-/// a drag, [`Error::Document`] with its place.
+/// a drag, [`Error::Document`] with its place; [`Error::Cooling`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
+    if let Some(cooling) = &wanted.cooling {
+        cooling.check()?;
+    }
     let gearbox = &subject.gearbox;
     let names: Vec<&str> = match &wanted.gear {
         Some(name) => vec![name],
@@ -251,11 +261,13 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
             Err(held) => not_calculated.push(held.told(name)),
         }
     }
+    let heat = wanted.cooling.map(|cooling| heat::of(subject, wanted, &cooling, &gears)).transpose()?;
     Ok(Losses {
         gearbox: gearbox.name().to_owned(),
         operating_point: LossPoint::of(wanted),
         gears,
         losses,
+        heat,
         not_calculated,
         warnings: warned(subject),
     })
@@ -270,7 +282,7 @@ pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter
     if is_lossless(subject) {
         return Ok(None);
     }
-    let wanted = Wanted { gear: None, speed, load: GivenLoad::Input(load) };
+    let wanted = Wanted { gear: None, speed, load: GivenLoad::Input(load), cooling: None };
     let Losses { gears, losses, not_calculated, .. } = answer(subject, &wanted)?;
     Ok(Some(LossChapter { gears, losses, not_calculated }))
 }
@@ -472,6 +484,7 @@ mod tests {
     use crate::analyze::gear;
     use crate::gearbox::{Choice, one};
     use epicyclic_formats::Document;
+    use uom::si::f64::{Power, TemperatureInterval, ThermalConductance};
 
     const BOX: &str = "\
 gearbox: two speeds
@@ -493,7 +506,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
     }
 
     fn wanted(gear: Option<&str>, speed: f64, load: GivenLoad) -> Wanted {
-        Wanted { gear: gear.map(str::to_owned), speed: rpm(speed), load }
+        Wanted { gear: gear.map(str::to_owned), speed: rpm(speed), load, cooling: None }
     }
 
     fn on_input(torque: f64) -> GivenLoad {
@@ -545,6 +558,40 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
             let efficiency = powers.leaving_w / powers.entering_w;
             assert!((found.gears[0].efficiency.unwrap() - efficiency).abs() < 1e-12);
         }
+    }
+
+    /// What housing and cooler take is what is lost; at the thermal limit the oil has the allowed rise, whatever torque led there.
+    #[test]
+    fn heat_is_balanced_and_the_thermal_limit_has_the_allowed_rise() {
+        let document = document(BOX);
+        let subject = one(&document, &Choice::default()).unwrap();
+        let with = |torque: f64, cooler: f64, rise: f64| {
+            let cooling = Cooling {
+                conductance: ThermalConductance::from_si(20.0),
+                cooler: Power::from_si(cooler),
+                allowed_rise: Some(TemperatureInterval::from_si(rise)),
+            };
+            let wanted = Wanted { cooling: Some(cooling), ..wanted(Some("slow"), 1000.0, on_input(torque)) };
+            answer(&subject, &wanted).unwrap().heat.unwrap().gears.remove(0)
+        };
+        for (cooler, rise) in [(0.0, 50.0), (300.0, 40.0)] {
+            let one = with(100.0, cooler, rise);
+            assert!((one.rise_k * 20.0 + one.cooler_w - one.loss_w).abs() < 1e-9 * one.loss_w);
+            let torque = one.thermal_torque_n_m.unwrap();
+            let at_limit = with(torque, cooler, rise);
+            assert!((at_limit.rise_k - rise).abs() < 1e-8 * rise, "{at_limit:?}");
+            for other in [0.3 * torque, 7.0 * torque] {
+                let same = with(other, cooler, rise).thermal_torque_n_m.unwrap();
+                assert!((same - torque).abs() < 1e-8 * torque, "{same} {torque}");
+            }
+        }
+        // By hand: seal and open clutch 1.5 and 3·3/4 N·m, meshes 3/4·(1 − 0.98·0.99) of what the sun gets.
+        let omega = rpm(1000.0).si();
+        let sun = (50.0 * 20.0 / omega - 1.5 - 3.0 * 0.75) / (0.75 * (1.0 - 0.98 * 0.99));
+        assert!((with(100.0, 0.0, 50.0).thermal_torque_n_m.unwrap() - sun - 4.5).abs() < 1e-6);
+        // A large cooler takes all; drags alone may be too much.
+        assert_eq!(with(100.0, 1e6, 50.0).rise_k, 0.0);
+        assert_eq!(with(100.0, 0.0, 1.0).thermal_torque_n_m, Some(0.0));
     }
 
     #[test]

@@ -313,11 +313,12 @@ pub fn solve(
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(Synthesis, Vec<Kept>), Error> {
     solve_by(wanted, &mut |searching, wish| {
+        wanted.limits.check(&wish.gears)?;
         Ok(search(searching.class, wish, Share::WHOLE, &|at| progress(searching, at))?)
     })
 }
 
-/// The same where each class is searched by other means.
+/// The same where each class is searched by other means, which check the [limits](Wanted::limits) with its gears first.
 ///
 /// # Errors
 /// As [`solve`], and those of the search.

@@ -10,6 +10,7 @@
 //! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
 //! | `MET` | the distance of an order from the frequency it meets, over this | far below what any stiffness is known to, far above rounding |
 //! | `PEAK` | the interval about the speed of a greatest force, over that speed | a ten-thousandth of the sharpest peak that is allowed |
+//! | `THERMAL` | the interval about a thermal limit, over the torque there | the loss is known to as much |
 //! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 //! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
@@ -56,6 +57,9 @@ pub(crate) const MET: f64 = 1e-12;
 
 /// A greatest force is known to be within this part of its speed.
 pub(crate) const PEAK: f64 = 1e-8;
+
+/// A thermal limit is known to this part of its torque.
+pub(crate) const THERMAL: f64 = 1e-12;
 
 /// A body that moves by less of the largest displacement of a mode is at rest.
 pub(crate) const STILL: f64 = 1e-6;

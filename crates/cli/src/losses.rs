@@ -6,17 +6,17 @@ use crate::failure::Failure;
 use crate::named;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
-use epicyclic_answers::losses::{self as answers, GivenLoad, Places, Wanted};
+use epicyclic_answers::losses::{self as answers, Cooling, GivenLoad, Places, Wanted};
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Physical, Quantity};
 use epicyclic_train::InputLoad;
 use std::str::FromStr;
-use uom::si::f64::{AngularVelocity, Power, Torque};
+use uom::si::f64::{AngularVelocity, Power, TemperatureInterval, ThermalConductance, Torque};
 
 /// Losses of a gearbox at work: of its meshes under load, and drags of seals, bearings, oil and open shift elements.
 ///
 /// At a --speed and a load each loss of each gear by its name, and the balance of powers; with --speeds and --torques the
-/// efficiency of one gear over both. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
+/// efficiency of one gear over both. With --conductance how warm the oil becomes, and what torque it bears. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -34,6 +34,8 @@ Example:
   printf '  - { name: fast, engaged: [K2] }\\n' >> drags.yaml
   epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m'
   epicyclic losses drags.yaml --speed '1475 rpm' --load-torque '350 N·m' --gear slow
+  epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m' \\
+    --conductance '12 W/K' --allowed-rise '60 K'
   epicyclic losses drags.yaml --gear slow --speeds 500rpm..3000rpm/6 --torques 10N·m..100N·m/10
 
 Keys of the file beyond those of `epicyclic analyze`:
@@ -69,6 +71,18 @@ pub(crate) struct Args {
     /// Torque that the driven machine takes from the output; the input's follows.
     #[arg(long, conflicts_with = "speeds", allow_hyphen_values = true)]
     load_torque: Option<Quantity<Torque>>,
+
+    /// Conductance of the housing to the air, area times coefficient: 25 W/K. Tells how warm the oil becomes.
+    #[arg(long, value_name = "CONDUCTANCE", conflicts_with = "speeds", allow_hyphen_values = true)]
+    conductance: Option<Quantity<ThermalConductance>>,
+
+    /// What a cooler takes at most: 2 kW. Default: none.
+    #[arg(long, value_name = "POWER", requires = "conductance", allow_hyphen_values = true)]
+    cooler: Option<Quantity<Power>>,
+
+    /// By how much the oil may be warmer than the air: 60 K. Tells the greatest torque on the input.
+    #[arg(long, value_name = "DIFFERENCE", requires = "conductance", allow_hyphen_values = true)]
+    allowed_rise: Option<Quantity<TemperatureInterval>>,
 
     #[command(flatten)]
     map: Map,
@@ -141,8 +155,24 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let load =
         load.ok_or_else(|| missing("--torque", "a load is due: --torque, --power or --load-torque"))?;
     let speed = args.speed.ok_or_else(|| missing("--speed", "the speed of the input is due"))?.0;
-    let wanted = Wanted { gear: args.gear.clone(), speed, load };
-    args.output.deliver(call, &answers::answer(&subject, &wanted).map_err(refuse)?)
+    let cooling = args.conductance.map(|conductance| Cooling {
+        conductance: conductance.0,
+        cooler: args.cooler.map_or(Power::default(), |cooler| cooler.0),
+        allowed_rise: args.allowed_rise.map(|rise| rise.0),
+    });
+    let wanted = Wanted { gear: args.gear.clone(), speed, load, cooling };
+    let found = answers::answer(&subject, &wanted).map_err(|error| match error {
+        Error::Cooling { quantity, .. } => {
+            let option = match quantity {
+                "cooler" => "--cooler",
+                "allowed-rise" => "--allowed-rise",
+                _ => "--conductance",
+            };
+            Failure::Option { option, message: error.to_string() }
+        }
+        error => refuse(error),
+    })?;
+    args.output.deliver(call, &found)
 }
 
 impl Map {

@@ -35,7 +35,12 @@ pub(crate) fn of_synthesis(error: epicyclic_answers::Error) -> Failure {
             Failure::Option { option, message: error.to_string() }
         }
         epicyclic_answers::Error::Synthesis(error) => {
-            Failure::Option { option: "--ratios", message: error.to_string() }
+            let option = match error {
+                epicyclic_synthesis::Error::Steps { .. } => "--step",
+                epicyclic_synthesis::Error::RisingSteps { .. } => "--falling-steps",
+                _ => "--ratios",
+            };
+            Failure::Option { option, message: error.to_string() }
         }
         error => error.into(),
     }

@@ -240,9 +240,13 @@ fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
     let wanted = if seed.is_multiple_of(2) { &["displacement"][..] } else { &["torque", "pressure"] };
     required
         || (command[0] == "select" && option == "ratios")
+        || (command[0] == "synthesize" && CLASS.contains(&option))
         || (seeks_motors(command) && (BOUNDS.contains(&option) || wanted.contains(&option)))
         || (seeks_forms(command) && FORMS.contains(&option))
 }
+
+/// What bounds the classes of a synthesis: with limits that nothing keeps it would go on to ever larger ones.
+const CLASS: [&str; 2] = ["sets", "elements"];
 
 /// Numbers of motors that bound a search.
 const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];

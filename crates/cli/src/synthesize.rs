@@ -415,6 +415,7 @@ fn searched(
 ) -> Result<(Synthesis, Vec<Kept>), Failure> {
     let hearing = Hearing::new(call);
     solve_by(wanted, &mut |searching, wish| {
+        wanted.limits.check(&wish.gears).map_err(|error| options::of_synthesis(error.into()))?;
         size::check(call, searching, wish, longest)?;
         let shown = Progress::new(call);
         search(searching.class, wish, Share::WHOLE, &|at| {

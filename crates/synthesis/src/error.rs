@@ -36,6 +36,27 @@ pub enum Error {
         /// What is wrong.
         why: &'static str,
     },
+    /// A step between wanted ratios that none of them can keep.
+    #[error(
+        "a step between two of the ratios is {:.4} to {:.4} within their tolerances, and {} to {} is allowed",
+        step[0], step[1], allowed[0], allowed[1]
+    )]
+    Steps {
+        /// The least and the greatest that it can be.
+        step: [f64; 2],
+        /// The range asked for.
+        allowed: [f64; 2],
+    },
+    /// Steps between wanted ratios that cannot fall.
+    #[error(
+        "a step between the ratios is at least {after:.4} and the one before it at most {before:.4}: these steps cannot fall"
+    )]
+    RisingSteps {
+        /// The greatest that the earlier step can be.
+        before: f64,
+        /// The least that the later can be.
+        after: f64,
+    },
     /// A share that is none.
     #[error("{text:?} is no share: write 1/8 for the first of eight, up to 8/8")]
     Share {

@@ -12,6 +12,7 @@
 //! their teeth, it is what they exceed whatever these ([`planet_speed`](crate::judge::planet_speed)): what misses the limit misses it
 //! with any teeth, and what keeps it may miss it with some.
 
+use crate::Error;
 use crate::judge::Judged;
 use crate::parts::Bounds;
 use crate::wish::forward;
@@ -48,6 +49,31 @@ pub enum Limit {
 }
 
 impl Limits {
+    /// Refuses steps that no ratios within their bounds have: a search would go from class to class and keep nothing.
+    ///
+    /// # Errors
+    /// [`Error::Steps`], [`Error::RisingSteps`].
+    pub fn check(&self, gears: &[Bounds]) -> Result<(), Error> {
+        let forward = forward(gears);
+        let of = |pair: &[usize]| {
+            let [higher, lower] = [gears[pair[0]], gears[pair[1]]];
+            [higher.least / lower.most, higher.most / lower.least]
+        };
+        let steps: Vec<[f64; 2]> = forward.windows(2).map(of).collect();
+        let out = |range: &RangeInclusive<f64>| {
+            steps.iter().copied().find(|[least, most]| most < range.start() || least > range.end())
+        };
+        if let Some((range, step)) = self.steps.as_ref().and_then(|range| Some((range, out(range)?))) {
+            return Err(Error::Steps { step, allowed: [*range.start(), *range.end()] });
+        }
+        match steps.windows(2).find(|pair| pair[1][0] > pair[0][1]) {
+            Some(pair) if self.falling_steps => {
+                Err(Error::RisingSteps { before: pair[0][1], after: pair[1][0] })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The first limit that a solution misses, in the order of [`Limit`].
     #[must_use]
     pub fn missed(&self, gears: &[Bounds], judged: &Judged) -> Option<Limit> {
@@ -73,4 +99,29 @@ impl Limits {
 #[must_use]
 pub fn steps(gears: &[Bounds], ratios: &[f64]) -> Vec<f64> {
     forward(gears).windows(2).map(|pair| ratios[pair[0]] / ratios[pair[1]]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn around(ratios: &[f64]) -> Vec<Bounds> {
+        ratios.iter().map(|ratio| Bounds { least: 0.99 * ratio, most: 1.01 * ratio }).collect()
+    }
+
+    #[test]
+    fn steps_that_no_ratio_within_its_bounds_has_are_refused() {
+        let steps = |least: f64, most: f64| Limits { steps: Some(least..=most), ..Limits::default() };
+        let gears = around(&[1.0, 4.0, 2.0]);
+        assert!(steps(1.0, 2.0).check(&gears).is_ok());
+        // The greatest step can be is 2·1.01/0.99 = 2.0404.
+        assert!(steps(2.04, 3.0).check(&gears).is_ok());
+        assert!(matches!(steps(2.05, 3.0).check(&gears), Err(Error::Steps { .. })));
+        assert!(matches!(steps(1.0, 1.95).check(&gears), Err(Error::Steps { .. })));
+        let falling = Limits { falling_steps: true, ..Limits::default() };
+        assert!(falling.check(&gears).is_ok());
+        assert!(falling.check(&around(&[4.0, 2.0, 0.97])).is_ok());
+        assert!(matches!(falling.check(&around(&[4.0, 2.0, 0.9])), Err(Error::RisingSteps { .. })));
+        assert!(falling.check(&around(&[-4.0, 2.0])).is_ok() && Limits::default().check(&gears).is_ok());
+    }
 }

@@ -2,13 +2,15 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::quantities::{optional, quantity};
+use crate::quantities::{optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::rpm;
 use epicyclic_answers::losses::{
-    GearLosses, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
+    GearHeat, GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
 };
-use epicyclic_formats::Dimension::{self, AngularSpeed, Power, Torque};
+use epicyclic_formats::Dimension::{
+    self, AngularSpeed, Power, TemperatureDifference, ThermalConductance, Torque,
+};
 use epicyclic_pictures::contours::Contours;
 
 fn column(si: f64, dimension: Dimension) -> Figure {
@@ -22,7 +24,8 @@ fn if_any(si: Option<f64>, dimension: Dimension) -> Figure {
 impl AsReport for Losses {
     fn report(&self) -> Report {
         let tables = tables(&self.gears, &self.losses, &self.not_calculated);
-        let parts = [Part::Facts(facts(self))].into_iter().chain(tables).collect();
+        let heat = self.heat.as_ref().map(|heat| Part::Records(of_heat(heat)));
+        let parts = [Part::Facts(facts(self))].into_iter().chain(tables).chain(heat).collect();
         Report { title: Some(format!("{}: losses", self.gearbox)), parts, warnings: warned(&self.warnings) }
     }
 }
@@ -130,6 +133,54 @@ fn losses(all: &[Loss]) -> Records {
             note: "mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
                    between them.".to_owned(),
             ..View::new("Heat by its sources", &["gear", "kind", "of", "between", "slip", "torque", "loss", "of_loss_percent"])
+        }],
+        is_answer: false,
+    }
+}
+
+fn of_heat(heat: &Heat) -> Records {
+    let row = |gear: &GearHeat| {
+        vec![
+            text(&gear.gear),
+            column(gear.loss_w, Power),
+            column(gear.cooler_w, Power),
+            column(gear.housing_w, Power),
+            column(gear.rise_k, TemperatureDifference),
+            if_any(gear.thermal_torque_n_m, Torque),
+        ]
+    };
+    let given = |name: &str, dimension, si: f64| format!("{name} {}", words(dimension, si, 6));
+    let mut said = vec![given("conductance of the housing", ThermalConductance, heat.conductance_w_k)];
+    if heat.cooler_w > 0.0 {
+        said.push(given("cooler", Power, heat.cooler_w));
+    }
+    let mut shown = vec!["gear", "loss", "cooler", "housing", "rise"];
+    if let Some(rise) = heat.allowed_rise_k {
+        said.push(given("allowed", TemperatureDifference, rise));
+        shown.push("thermal_torque");
+    }
+    let limit = if heat.allowed_rise_k.is_some() {
+        " T lim: torque on the input with the allowed rise; - where no torque heats so much."
+    } else {
+        ""
+    };
+    Records {
+        name: "heat",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::headed("loss", "lost, kW", Power),
+            Column::headed("cooler", "cooler, kW", Power),
+            Column::headed("housing", "housing, kW", Power),
+            Column::headed("rise", "Δθ, K", TemperatureDifference),
+            Column::headed("thermal_torque", "T lim, N·m", Torque),
+        ],
+        rows: heat.gears.iter().map(row).collect(),
+        views: vec![View {
+            note: format!(
+                "Δθ: by how much the oil is warmer than the air once nothing changes any more, with {}.{limit}",
+                said.join(", ")
+            ),
+            ..View::new("Balance of heat", &shown)
         }],
         is_answer: false,
     }

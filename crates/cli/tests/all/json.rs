@@ -203,6 +203,21 @@ const RUNS: &[(&str, &[&str])] = &[
     ("report", &["report", "every-scenario-key.yaml"]),
     ("losses", &["losses", "drags.yaml", "--torque", "60 N·m", "--speed", "1475 rpm"]),
     ("losses", &["losses", "drags.yaml", "--power", "9 kW", "--speed", "1475 rpm"]),
+    (
+        "losses",
+        &[
+            "losses",
+            "drags.yaml",
+            "--torque",
+            "60 N·m",
+            "--speed",
+            "1475 rpm",
+            "--conductance",
+            "12 W/K",
+            "--allowed-rise",
+            "60 K",
+        ],
+    ),
     ("losses", &["losses", "drags.yaml", "--load-torque", "150 N·m", "--speed", "1475 rpm"]),
     ("losses", &["losses", "every-gearbox-key.yaml", "--torque", "300 N·m", "--speed", "2000 rpm"]),
     (

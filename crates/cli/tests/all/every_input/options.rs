@@ -131,6 +131,12 @@ vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --transmission-error 3um --damp
   --ring-transmission-error 1um
   --damping 3%
   --response forces.svg
+losses: drags.yaml --speed '1475 rpm' --torque '60 N·m'
+  --conductance '20 W/K'
+losses: drags.yaml --speed '1475 rpm' --torque '60 N·m' --conductance '20 W/K'
+  --conductance '25 W/K'
+  --cooler '0.1 kW'
+  --allowed-rise '60 K'
 losses: drags.yaml --torque '60 N·m'
   --input '1400 rpm'
 losses: drags.yaml --speed '1475 rpm'
@@ -665,6 +671,9 @@ strength: wind-stage.yaml --gear only | torque or power
 strength: wind-stage.yaml --speed '47.8 rpm' | torque or power
 strength: wind-stage.yaml --torque '1000 kN·m' | give it, too
 losses: drags.yaml --speed '100 rpm' | a load is due
+losses: drags.yaml --speed '100 rpm' --torque '1 N·m' --conductance '0 W/K' | --conductance: conductance 0 W/K: it must be above 0
+losses: drags.yaml --speed '100 rpm' --torque '1 N·m' --conductance '9 W/K' --cooler '-1 W' | --cooler: cooler -1 W: it must be 0 or above
+losses: drags.yaml --speed '100 rpm' --torque '1 N·m' --conductance '9 W/K' --allowed-rise '0 K' | --allowed-rise: allowed-rise 0 K: it must be above 0
 simulate: excavator-start.yaml --view torques | .svg
 simulate: excavator-start.yaml --sweep gearbox.sets[0].k=2..3 | no such key
 simulate: every-scenario-key.yaml --sweep gearbox.sets[0].planets=2..3 | stays as it is
@@ -742,6 +751,8 @@ draw: sized-gearbox.yaml --efficiency 97% | --power
 drive: minimal-drive.yaml --project 'Winch 7' | .html
 select: --ratios 2.5 --paper a4 | .html
 synthesize: --ratios '2.56, 1.465' --date today --output boxes.txt | .html
+synthesize: --ratios '2.56, 1.465' --step 1 | --step: a step between two of the ratios is 1.7128 to 1.7827
+synthesize: --ratios '4, 2, 0.5' --falling-steps | --falling-steps: a step between the ratios is at least 3.9208
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --author me | .html
 report: minimal-drive.yaml --customer me --format json | .html
 report: sized-gearbox.yaml --to-scale --format json | pictures
