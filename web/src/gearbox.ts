@@ -140,7 +140,7 @@ export class GearboxPage {
     const view = (name: PictureName, title: string, extra: Node[] = []) => {
       const picture = h('div', { class: 'picture', tabindex: '0', role: 'group', 'aria-label': title });
       const save = (kind: 'svg' | 'dxf' | 'pdf') => h('button', { type: 'button', 'aria-label': `${title} as ${kind.toUpperCase()}`, onclick: () => void this.download(name, kind) }, kind.toUpperCase());
-      const enlarge = h('button', { type: 'button', class: 'enlarge', 'aria-pressed': 'false', 'aria-label': `${title} enlarged`, onclick: () => enlarge.setAttribute('aria-pressed', String(picture.classList.toggle('large'))) }, 'Enlarge');
+      const enlarge = h('button', { type: 'button', class: 'enlarge', 'aria-pressed': 'false', 'aria-label': `Enlarge ${title.toLowerCase()}`, onclick: () => enlarge.setAttribute('aria-pressed', String(picture.classList.toggle('large'))) }, 'Enlarge');
       const tools = h('div', { class: 'tools' }, ...extra, enlarge, save('svg'), save('dxf'), save('pdf'));
       const card = h('section', { class: 'card', 'data-view': name, 'aria-label': title }, h('div', { class: 'head' }, h('h2', {}, title), tools), picture);
       this.views.push({ name, title, card, picture, isSeen: false });

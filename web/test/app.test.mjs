@@ -217,7 +217,7 @@ on('on a phone a picture fits, and is enlarged by a button', async (page) => {
   await page.waitForSelector('[data-view=scheme] svg');
   const hidden = () => page.evaluate(() => ((of) => of.scrollWidth - of.clientWidth)(document.querySelector('[data-view=scheme] .picture')));
   assert.equal(await hidden(), 0);
-  const enlarge = page.getByRole('button', { name: 'Scheme enlarged' });
+  const enlarge = page.getByRole('button', { name: 'Enlarge scheme' });
   await enlarge.click();
   assert.ok((await hidden()) > 50);
   assert.equal(await enlarge.getAttribute('aria-pressed'), 'true');
