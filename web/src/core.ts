@@ -1,4 +1,5 @@
 // The core in workers: the one file through which the app asks anything of it.
+import type { AdjustableNumber } from './generated/adjust.js';
 import type { Adjust, Analyze, AnalyzeGear, AnalyzeInputs, Front, Motor, MotorMoving, Refused, Transmissions } from './generated/answers.js';
 
 /** What is asked of a gearbox's file. */
@@ -29,6 +30,12 @@ export interface Look {
   inputs?: AnalyzeInputs;
   gear_tables?: string;
   pictures?: Partial<Record<PictureName, Picture>>;
+}
+
+/** The text of a file with other numbers, and the gearbox looked at. */
+export interface Adjusted {
+  file: string;
+  look: Look | Refused;
 }
 
 /** A hydromotor looked at. */
@@ -137,8 +144,12 @@ class Newest {
 
 /** Text of a reply as data; a refusal is thrown. */
 function read<T>(reply: string): T {
-  const data = JSON.parse(reply);
-  if (data.answer === 'error') throw new Failure(data as Refused);
+  return taken(JSON.parse(reply) as T | Refused);
+}
+
+/** A reply, or its refusal thrown. */
+export function taken<T>(data: T | Refused): T {
+  if (typeof data === 'object' && data !== null && 'answer' in data && data.answer === 'error') throw new Failure(data as Refused);
   return data as T;
 }
 
@@ -157,8 +168,9 @@ export const core = {
     newest(kind, () => live.ask<string>('look', [file, JSON.stringify(question)])).then(read<Look>),
   front: (file: string, question: Question) =>
     newest('front', () => live.ask<string>('front', [file, JSON.stringify(question)])).then(read<Front>),
-  changed: (file: string, question: Question, place: number, to: string) =>
-    live.ask<string>('changed', [file, JSON.stringify(question), place, to]).then(read<{ file: string }>),
+  /** `look` at the file with other numbers at places that it has named. What is refused is refused of the file then. */
+  adjusted: (file: string, question: Question, changes: { number: AdjustableNumber; to: string }[]) =>
+    newest('look', () => live.ask<string>('adjusted', [file, JSON.stringify(question), JSON.stringify(changes)])).then(read<Adjusted>),
   scheme: (name: string, k1: number, k2: number) =>
     live.ask<string>('scheme', [name, k1, k2]).then(read<{ file: string }>),
   motor: (file: string) => newest('motor', () => live.ask<string>('motor', [file])).then(read<LookedMotor>),

@@ -1,5 +1,5 @@
 // The page of a gearbox: pick or edit one, and see all of it change at once.
-import { core, Failure, Overtaken, type Look, type Picture, type PictureName, type Question } from './core.js';
+import { core, taken, Failure, Overtaken, type Look, type Picture, type PictureName, type Question } from './core.js';
 import { at, h, save, shown, tell } from './dom.js';
 import { examples } from './generated/examples.js';
 import type { AdjustableNumber } from './generated/adjust.js';
@@ -33,6 +33,9 @@ export class GearboxPage {
   /** How many gearboxes were opened, and how many changes asked for: what comes late of another gearbox is dropped. */
   private opened = 0;
   private asked = 0;
+  /** The file that was answered last with its numbers, and which of them were changed since: what is half typed may be no gearbox. */
+  private answered: { file: string; numbers: AdjustableNumber[] } = { file: '', numbers: [] };
+  private changes = new Map<number, string>();
 
   constructor(
     public state: GearboxState,
@@ -48,9 +51,15 @@ export class GearboxPage {
   /** Another gearbox, as its file. */
   async open(file: string, name: string): Promise<void> {
     Object.assign(this.state, { file, name, transmission: null, gear: null });
-    this.opened++;
+    this.another();
     this.fill();
     await this.update(true);
+  }
+
+  private another(): void {
+    this.opened++;
+    this.answered = { file: this.state.file, numbers: [] };
+    this.changes.clear();
   }
 
   // --- what can be chosen ---
@@ -78,6 +87,7 @@ export class GearboxPage {
       'aria-describedby': 'refused',
       oninput: () => {
         Object.assign(this.state, { file: file.value, name: '' });
+        this.another();
         at<HTMLSelectElement>('pick').value = '';
         void this.update(true);
       },
@@ -118,7 +128,7 @@ export class GearboxPage {
 
   private choose(transmission: string): void {
     Object.assign(this.state, { transmission: transmission || null, gear: null });
-    this.opened++;
+    this.another();
     void this.update(true);
   }
 
@@ -204,7 +214,7 @@ export class GearboxPage {
     const wanted = this.views.filter((view) => view.isSeen && !(view.name === 'speeds' && this.state.gear === null));
     const question = this.question();
     try {
-      const look = await core.look(this.state.file, { ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
+      const look = await this.looked({ ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
       if (opened !== this.opened) return;
       if (look.transmissions && !look.analyze) {
         this.state.transmission = look.transmissions.transmissions[0]?.name ?? null;
@@ -231,6 +241,29 @@ export class GearboxPage {
     } catch (error) {
       if (opened === this.opened) this.refuse(error);
     }
+  }
+
+  /** What the core says of the file, with the numbers that were changed written into it. */
+  private async looked(question: Question): Promise<Look> {
+    const changes = [...this.changes];
+    const opened = this.opened;
+    let { file } = this.state;
+    let look: Look;
+    if (!changes.length) {
+      look = await core.look(file, question);
+    } else {
+      const { numbers } = this.answered;
+      const adjusted = await core.adjusted(this.answered.file, question, changes.map(([place, to]) => ({ number: numbers[place]!, to })));
+      if (opened !== this.opened) throw new Overtaken();
+      this.state.file = file = adjusted.file;
+      at<HTMLTextAreaElement>('text').value = file;
+      look = taken(adjusted.look);
+    }
+    if (opened === this.opened) {
+      this.answered = { file, numbers: look.adjust?.numbers ?? [] };
+      for (const [place, to] of changes) if (this.changes.get(place) === to) this.changes.delete(place);
+    }
+    return look;
   }
 
   private async tabulate(): Promise<void> {
@@ -291,7 +324,7 @@ export class GearboxPage {
         // Twice and half of what it was: the ends of the slider, not limits of what may be typed.
         const ends = isK ? { min: Math.max(1.05, number.value / 2).toFixed(3), max: (number.value * 2).toFixed(3), step: '0.001' } : { min: String(Math.max(6, Math.round(number.value / 2))), max: String(Math.round(number.value * 1.6)), step: '1' };
         const name = `${number.set}: ${KINDS[number.of]}`;
-        const change = (value: string) => void this.adjust(place, value);
+        const change = (value: string) => this.adjust(place, value);
         const slider = h('input', { type: 'range', ...ends, value: number.value, 'aria-label': `${name}, slider`, oninput: () => change(slider.value) });
         const field = h('input', { type: 'number', step: isK ? 'any' : '1', value: number.value, 'aria-label': name, oninput: () => field.value && change(field.value) });
         return h('div', { class: 'number', 'data-place': place }, h('span', { class: 'name' }, name), slider, field);
@@ -307,18 +340,10 @@ export class GearboxPage {
     });
   }
 
-  private async adjust(place: number, to: string): Promise<void> {
-    const opened = this.opened;
-    this.asked++;
-    try {
-      const { file } = await core.changed(this.state.file, this.question(), place, to);
-      if (opened !== this.opened) return;
-      this.state.file = file;
-      at<HTMLTextAreaElement>('text').value = file;
-      await this.update();
-    } catch (error) {
-      this.refuse(error);
-    }
+  private adjust(place: number, to: string): void {
+    // Of a text that is no gearbox no number has a known place.
+    if (this.answered.numbers[place]) this.changes.set(place, to);
+    void this.update();
   }
 
   private async gear(name: string | null): Promise<void> {

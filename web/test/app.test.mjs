@@ -71,6 +71,30 @@ on('teeth of a set change ratio, scheme, tables and the gears from the front', a
   assert.equal(await ratio(), before);
 });
 
+on('a number is typed digit by digit, though what is half typed is no gearbox', async (page) => {
+  const file = await page.inputValue('#text');
+  const field = page.getByLabel('P4: teeth of the ring', { exact: true });
+  await field.fill('2');
+  await page.waitForFunction(() => document.querySelector('#refused').textContent !== '');
+  assert.match(await page.inputValue('#text'), /z_s: 28, z_r: 2[ ,}]/);
+  await field.fill('');
+  await change(page, () => field.pressSequentially('112'));
+  await page.waitForFunction(() => /z_s: 28, z_r: 112/.test(document.querySelector('#text').value));
+  assert.equal(await refused(page), '');
+  // Two numbers at once, one after the other in one line.
+  await change(page, () => page.evaluate(() => {
+    const set = (name, value) => {
+      const input = document.querySelector(`[aria-label="${name}"]`);
+      input.value = value;
+      input.dispatchEvent(new Event('input'));
+    };
+    set('P4: teeth of the sun', '9');
+    set('P4: teeth of the ring', '104');
+    set('P4: teeth of the sun', '28');
+  }));
+  assert.equal(await page.inputValue('#text'), file);
+});
+
 on('a change of four sets takes less than a frame', async (page) => {
   const times = [];
   const slider = page.getByLabel('P4: teeth of the ring, slider');
@@ -98,11 +122,16 @@ on('every example and scheme can be picked', async (page) => {
 });
 
 on('a fault in the file is told with its line, and what was drawn stays', async (page) => {
+  await isDrawn(page, 'scheme');
   const text = await page.inputValue('#text');
   await page.fill('#text', text.replace('z_s: 48, z_r: 96}', 'z_s: 48, z_r: none}'));
   await page.waitForFunction(() => document.getElementById('refused').textContent !== '');
   assert.match(await refused(page), /^Line \d+, column \d+/);
   assert.equal(await page.locator('[data-view=scheme] svg').count(), 1);
+  // What was written is not lost by a slider of what was before.
+  await page.getByLabel('P4: teeth of the ring, slider').fill('112');
+  await page.waitForTimeout(100);
+  assert.match(await page.inputValue('#text'), /z_r: none}/);
   await change(page, () => page.fill('#text', text));
   assert.equal(await refused(page), '');
 });

@@ -3,7 +3,7 @@
 use crate::Answer;
 use crate::gearbox::Subject;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What can be changed in a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -18,8 +18,8 @@ impl Answer for Adjustable {
 }
 
 /// A number of a set in a file.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct AdjustableNumber {
     /// Name of the set.
     pub set: String,
@@ -36,7 +36,7 @@ pub struct AdjustableNumber {
 }
 
 /// What a number is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AdjustableKind {
     /// Basic ratio `k`.

@@ -1,7 +1,8 @@
 //! A gearbox looked at: answers, tables and pictures of a file and a gear.
 
-use crate::reply::{Failure, json, object, refuse, refused, text};
+use crate::reply::{Failure, json, object, refuse, refused, text, told};
 use crate::{documents, layouts};
+use epicyclic_answers::adjust::AdjustableNumber;
 use epicyclic_answers::analyze::{self, Input};
 use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
 use epicyclic_answers::{adjust, front as from_the_front, transmissions};
@@ -15,6 +16,7 @@ use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
 use epicyclic_views::{AsReport as _, drawability};
 use serde::Deserialize;
+use std::cmp::Reverse;
 use uom::si::f64::{AngularVelocity, Ratio, Torque};
 
 /// What is asked of a file.
@@ -209,16 +211,26 @@ pub(crate) fn front(file: &str, question: &str) -> Result<String, Failure> {
     with(file, &question, one, |_| Err(several()))
 }
 
-/// The file with another number at one of the places that can be changed.
-pub(crate) fn changed(file: &str, question: &str, place: usize, to: &str) -> Result<String, Failure> {
-    let question = Question::read(question)?;
-    let one = |subject: &Subject<'_>| {
-        let numbers = adjust::answer(subject).numbers;
-        let number = numbers.get(place).ok_or_else(|| refuse("place", "there is no such number"))?;
-        let file = adjust::changed(file, number, to).ok_or_else(|| refuse("place", "it stands elsewhere"))?;
-        Ok(object(&[("file", text(&file))]))
-    };
-    with(file, &question, one, |_| Err(several()))
+/// Another number at one of the places that can be changed.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Change {
+    /// As `adjust` has named it of this file.
+    number: AdjustableNumber,
+    to: String,
+}
+
+/// The file with other numbers, and what it looks like then: answers, or why there are none.
+pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<String, Failure> {
+    let mut changes: Vec<Change> =
+        serde_json::from_str(changes).map_err(|error| refuse("changes", error.to_string()))?;
+    // From the end of the file: those before keep their places.
+    changes.sort_by_key(|Change { number, .. }| Reverse((number.line, number.column)));
+    let mut file = file.to_owned();
+    for Change { number, to } in changes {
+        file = adjust::changed(&file, &number, &to).ok_or_else(|| refuse("place", "it stands elsewhere"))?;
+    }
+    Ok(object(&[("file", text(&file)), ("look", told(look(&file, question)))]))
 }
 
 fn several() -> Failure {

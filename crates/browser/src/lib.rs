@@ -34,11 +34,11 @@ pub fn front(file: &str, question: &str) -> String {
     reply::told(gearbox::front(file, question))
 }
 
-/// The text of a file with another number at a place that `look` has named.
+/// The same with other numbers at places that `look` has named, and the text of the file with them.
 #[wasm_bindgen]
 #[must_use]
-pub fn changed(file: &str, question: &str, place: usize, to: &str) -> String {
-    reply::told(gearbox::changed(file, question, place, to))
+pub fn adjusted(file: &str, question: &str, changes: &str) -> String {
+    reply::told(gearbox::adjusted(file, question, changes))
 }
 
 /// The file of a scheme of the catalogue with these `k`.

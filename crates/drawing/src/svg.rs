@@ -199,6 +199,25 @@ fn place(point: Point) -> String {
 
 /// To a tenth of a micrometre, without trailing zeros.
 fn number(value: f64) -> String {
+    let scaled = value.abs() * 1e4;
+    // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what is large.
+    let is_sure = scaled < 1e12 && (scaled.fract() - 0.5).abs() > 1e-3;
+    if !is_sure {
+        return formatted(value);
+    }
+    let units = scaled.round() as u64;
+    let sign = if value < 0.0 && units > 0 { "-" } else { "" };
+    let (whole, part) = (units / 10_000, units % 10_000);
+    match part {
+        0 => format!("{sign}{whole}"),
+        part if part % 1000 == 0 => format!("{sign}{whole}.{}", part / 1000),
+        part if part % 100 == 0 => format!("{sign}{whole}.{:02}", part / 100),
+        part if part % 10 == 0 => format!("{sign}{whole}.{:03}", part / 10),
+        part => format!("{sign}{whole}.{part:04}"),
+    }
+}
+
+fn formatted(value: f64) -> String {
     let text = format!("{value:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".into() } else { text.into() }
@@ -213,10 +232,25 @@ fn class(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn numbers_are_short() {
         assert_eq!([0.1 + 0.2, -0.00001, 5.0, -1.25].map(number), ["0.3", "0", "5", "-1.25"]);
+    }
+
+    proptest! {
+        #[test]
+        fn numbers_are_those_of_the_formatting(units in -20_000_000..20_000_000_i64, off in -1.0..1.0_f64, exact in 0..4_u8) {
+            let value = match exact {
+                0 => units as f64 / 1e4,
+                1 => units as f64 / 2e4,
+                2 => units as f64 / 8.0,
+                _ => units as f64 / 1e4 + off,
+            };
+            prop_assert_eq!(number(value), formatted(value));
+            prop_assert_eq!(number(value * 1e9), formatted(value * 1e9));
+        }
     }
 
     #[test]
