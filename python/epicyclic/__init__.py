@@ -24,6 +24,7 @@ What is refused is an exception with the message of the command line: :class:`Re
 from ._core import __version__
 from .commands import *
 from .commands import __all__ as _commands
+from .description import Description
 from .errors import Error, FileFailure, NothingFound, Place, Refused
 from .gearbox import Drawing, Gearbox, Page
 from .records import Answer, Record, Records
@@ -32,6 +33,7 @@ from .sweeps import STATES, PointSweep, RatioSweep
 __all__ = [
     "STATES",
     "Answer",
+    "Description",
     "Drawing",
     "Error",
     "FileFailure",

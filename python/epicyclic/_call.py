@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from . import _core
+from .description import Description
 from .errors import Error, Refused, of_messages, of_record
 from .records import Answer, parsed
 
 if TYPE_CHECKING:
-    from .gearbox import Drawing, Gearbox, Page
+    from .gearbox import Drawing, Page
 
 Value = Union[str, int, float, "np.number[Any]"]
 """A value of an option: a number, or a text as on the command line. A quantity is a text with a unit: ``"500 N·m"``."""
@@ -21,8 +22,9 @@ Value = Union[str, int, float, "np.number[Any]"]
 Values = Union[Value, Sequence[Value], Mapping[str, Value]]
 """One value or several; of an option that takes values by name (``{"engine": "2000 rpm"}``) a mapping."""
 
-Source = Union[str, "PathLike[str]", "Gearbox"]
-"""A gearbox: a :class:`Gearbox`, the name of a YAML file, or a scheme of the catalogue by its name."""
+Source = Union[str, "PathLike[str]", Description]
+"""What a command reads: a :class:`Gearbox` or another :class:`Description`, the name of a YAML file, or a scheme of the
+catalogue by its name."""
 
 Path = Union[str, "PathLike[str]"]
 """The name of a file."""
@@ -33,22 +35,9 @@ Progress = Callable[[str], Any]
 NO_ANSWER = 130
 
 
-def read(file: str) -> bytes:
-    """A file; what prevents it is told as the command line tells it."""
-    try:
-        with open(file, "rb") as opened:
-            return opened.read()
-    except OSError as error:
-        failure = of_messages(3, f"{file}: cannot be read: {error.strerror} (os error {error.errno})")
-        failure.name = "cannot-be-read"
-        raise failure from error
-
-
 def _word(value: Any, files: dict[str, bytes], option: str) -> str:
-    from .gearbox import Gearbox
-
-    if isinstance(value, Gearbox):
-        files[value._file] = value._text
+    if isinstance(value, Description):
+        files.update(value._files)
         return value._file
     if isinstance(value, (bool, np.bool_)):
         raise Refused(f"{value}: a number or text is due", name="usage", option=option)

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from inspect import signature
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, TypeVar, Unpack
+from typing import Any, Self, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _call, commands
+from . import commands
+from .description import Description, built, content_of, yaml_of
 from .errors import NothingFound, Refused
 from .records import Answer
 from .sweeps import PointSweep, RatioSweep, points, ratios
@@ -26,7 +26,7 @@ Progress = Callable[[str], Any]
 Asked = TypeVar("Asked")
 
 
-class Gearbox:
+class Gearbox(Description):
     """A planetary gearbox: planet sets, the links that tie them, brakes, clutches and gears.
 
     Nothing is checked before the first question is asked of it; a fault is then told with its place in the file, or in
@@ -86,16 +86,13 @@ class Gearbox:
         described["clutches"] = _entries(clutches, "id", lambda links: {"links": links})
         described["gears"] = _entries(gears, "name", lambda engaged: {"engaged": engaged})
         described.update(keys)
-        text = _yaml({key: value for key, value in described.items() if not _is_empty(value)})
-        self._set(f"{name} (built in Python)", text.encode(), {}, name)
-
-    def _set(self, file: str, text: bytes, options: Mapping[str, Any], name: str) -> None:
-        self._file, self._text, self._options, self._name = file, text, dict(options), name
+        text = yaml_of({key: value for key, value in described.items() if not _is_empty(value)})
+        self._keep(built(name), text.encode(), name)
 
     @classmethod
     def read(
         cls, file: str | PathLike[str], *, transmission: str | None = None, efficiency: float | str | None = None
-    ) -> Gearbox:
+    ) -> Self:
         """The gearbox of a YAML file.
 
         Parameters
@@ -113,7 +110,7 @@ class Gearbox:
             The file cannot be read.
         """
         path = fspath(file)
-        return cls.from_yaml(_call.read(path), file=path, transmission=transmission, efficiency=efficiency)
+        return cls.from_yaml(content_of(path), file=path, transmission=transmission, efficiency=efficiency)
 
     @classmethod
     def from_yaml(
@@ -123,26 +120,13 @@ class Gearbox:
         file: str = "text",
         transmission: str | None = None,
         efficiency: float | str | None = None,
-    ) -> Gearbox:
+    ) -> Self:
         """A gearbox of a text in YAML; ``file`` is what messages call it. The rest is as for :meth:`read`."""
-        box = cls.__new__(cls)
+        box = super().from_yaml(text, file=file)
         options = {"transmission": transmission, "efficiency": efficiency}
-        given = {key: value for key, value in options.items() if value is not None}
-        content = text.encode() if isinstance(text, str) else bytes(text)
-        box._set(file, content, given, transmission or Path(file).stem)
+        box._options = {key: value for key, value in options.items() if value is not None}
+        box._name = transmission or box._name
         return box
-
-    @property
-    def yaml(self) -> str:
-        """Its description as a file that the command line reads."""
-        return self._text.decode()
-
-    def save(self, file: str | PathLike[str]) -> None:
-        """Writes :attr:`yaml` to a file."""
-        Path(file).write_bytes(self._text)
-
-    def __repr__(self) -> str:
-        return f"<Gearbox {self._name!r}>"
 
     def _asked(self, function: Callable[..., Asked], options: Mapping[str, Any]) -> Asked:
         """What a command answers; of what the gearbox was read with it gets what it takes."""
@@ -320,33 +304,3 @@ def _entries(given: Any, name: str, of: Callable[[Any], dict[str, Any]]) -> list
 
 def _is_empty(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and not value
-
-
-def _yaml(described: Mapping[str, Any]) -> str:
-    """YAML with one line for each entry of a list, so that a place in it tells something."""
-    lines = []
-    for key, value in described.items():
-        value = _simple(value)
-        if isinstance(value, list) and value and isinstance(value[0], (dict, list)):
-            lines.append(f"{_text(key)}:")
-            lines += [f"  - {json.dumps(entry, ensure_ascii=False, allow_nan=True)}" for entry in value]
-        else:
-            lines.append(f"{_text(key)}: {json.dumps(value, ensure_ascii=False, allow_nan=True)}")
-    return "\n".join(lines) + "\n"
-
-
-def _text(key: str) -> str:
-    return key if key.isidentifier() else json.dumps(key, ensure_ascii=False)
-
-
-def _simple(value: Any) -> Any:
-    """Numpy's numbers and arrays, tuples and mappings as JSON has them."""
-    if isinstance(value, Mapping):
-        return {str(key): _simple(inner) for key, inner in value.items()}
-    if isinstance(value, np.ndarray):
-        return _simple(value.tolist())
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, (list, tuple)):
-        return [_simple(inner) for inner in value]
-    return value

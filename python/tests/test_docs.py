@@ -34,7 +34,7 @@ def test_the_readme_runs(page: str, monkeypatch: pytest.MonkeyPatch) -> None:
         exec(compile(block, page, "exec"), names)
 
 
-@pytest.mark.parametrize("module", ["epicyclic", "epicyclic.gearbox", "epicyclic.records", "epicyclic.sweeps"])
+@pytest.mark.parametrize("module", ["epicyclic", "epicyclic.description", "epicyclic.gearbox", "epicyclic.records", "epicyclic.sweeps"])
 def test_docstrings_run(module: str) -> None:
     failed, tried = doctest.testmod(importlib.import_module(module))
     assert failed == 0

@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT
 
 import epicyclic
-from epicyclic import Gearbox
+from epicyclic import Description, Gearbox
 
 REAL = ROOT / "examples" / "real-transmissions.yaml"
 
@@ -196,3 +196,71 @@ def test_an_answer_is_written_to_a_file_too(tmp_path: Path) -> None:
             assert json.loads(text) == answer.to_dict()
     with pytest.raises(epicyclic.Refused, match="svg"):
         conveyor().analyze(output=tmp_path / "a.svg")
+
+
+def run_up(**changes: Any) -> Description:
+    described: dict[str, Any] = {
+        "scenario": "run up",
+        "gearbox_file": conveyor(),
+        "inertias": {"B": "16 kg·m²"},
+        "engaged": ["K1"],
+        "duration": "1 s",
+        "torques": [{"id": "motor", "link": "D", "constant": "10 N·m"}],
+    }
+    return Description(**{**described, **changes})
+
+
+def test_a_scenario_is_built_in_python() -> None:
+    # Without losses the motor turns 16 kg·m² through 3.94.
+    box = conveyor(sets=[{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 2.94}])
+    motion = epicyclic.simulate(run_up(gearbox_file=box))
+    assert motion.end["B"].speed_rad_s == pytest.approx(10.0 * 3.94 / 16.0, rel=1e-9)
+
+
+def test_a_built_scenario_is_that_of_its_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    conveyor().save("conveyor.yaml")
+    scenario = run_up(gearbox_file="conveyor.yaml")
+    scenario.save("run-up.yaml")
+    of_file = epicyclic.simulate("run-up.yaml")
+    assert of_file == epicyclic.simulate(scenario) == epicyclic.simulate(run_up())
+    assert Description.read("run-up.yaml").yaml == scenario.yaml
+    assert epicyclic.simulate(Description.from_yaml(scenario.yaml)) == of_file
+
+
+def test_a_scenario_takes_what_its_gearbox_was_read_with() -> None:
+    automatic = Gearbox.read(REAL, transmission="8HP", efficiency=0.97)
+    keys: dict[str, Any] = {"inertias": {"n_in": "0.2 kg·m²", "n_out": "15 kg·m²"}, "engaged": ["A", "B", "C"]}
+    torques = [{"id": "engine", "link": "n_in", "constant": "100 N·m"}]
+
+    def yaml_of(**changes: Any) -> str:
+        return run_up(gearbox_file=automatic, **{**keys, "torques": torques, **changes}).yaml
+
+    assert 'transmission: "8HP"' in yaml_of() and "efficiency: 0.97" in yaml_of()
+    assert "efficiency: 0.99" in yaml_of(efficiency=0.99) and "0.97" not in yaml_of(efficiency=0.99)
+    motion = epicyclic.simulate(run_up(gearbox_file=automatic, **{**keys, "torques": torques}))
+    assert motion.gearbox.startswith("ZF 8HP") and motion.energies.mesh_loss_j > 0.0
+
+
+def test_what_is_wrong_in_a_built_scenario_has_its_place() -> None:
+    with pytest.raises(epicyclic.Refused) as refused:
+        epicyclic.simulate(run_up(engaged=["K9"]))
+    assert refused.value.place is not None and refused.value.place.file == "run up (built in Python)"
+    with pytest.raises(epicyclic.Refused):
+        epicyclic.simulate(run_up(names="no key"))
+
+
+def test_a_drive_and_a_hydromotor_are_built_in_python() -> None:
+    drive = Description(
+        title="a/b",
+        power="100 kW",
+        speed="1950 rpm",
+        ratio=6,
+        gear_set={"module": "8 mm", "face_width": "60 mm"},
+        shafts={"allowable_stress": "20 MPa"},
+    )
+    assert epicyclic.drive(drive).title == "a/b"
+    motor = Description(
+        stator=5, rotor=3, z3=55, zs=10, module="2 mm", l="80 mm", width="40 mm", pressure="20 MPa", speed="100 rpm"
+    )
+    assert "<svg" in epicyclic.draw(motor).svg
