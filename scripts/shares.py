@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-"""A long synthesis in shares: on the processes of this machine, or on many machines by Ray.
+"""A long synthesis in shares, or the sizes of many gearboxes: on the processes of this machine, or on many machines by Ray.
 
     python3 scripts/shares.py --shares 12 --folder parts -- --ratios '…' --sets 4 --elements 5
     python3 scripts/shares.py --ray auto --shares 200 --folder /shared/parts -- --ratios '…' --sets 5 --elements 6
+    python3 scripts/shares.py --folder sizes --size boxes/*.yaml -- --width-ratio 1
     python3 scripts/shares.py --prove
 
 What stands after `--` are the options of `epicyclic synthesize`. Each share is a task: it runs `epicyclic synthesize … --shard i/n` and
 leaves `part-i-of-n.parquet` in the folder, which all machines see under one name. A share that dies is done again, from the last
 `.progress` it kept; one that is complete already is not done again, so the same call goes on after any interruption. When all parts are
 there, they are merged into `answer.json`, and DuckDB counts what each share found.
+
+With `--size` each gearbox is a task: `epicyclic size FILE …` leaves its answer in the folder, under the name of the file and a mark of
+what is in it, the options and the program. So what is there already is not done again, and what was changed is. DuckDB puts the best
+design of each set into `sizes.parquet`. A gearbox that is refused, or that no size holds, is told at the end and keeps none of the others
+out; the exit code is then 1.
 
 `--prove` shows it on a local cluster of two nodes, each with one processor: when the first share is complete, one node is killed with
 what runs on it. The answer is compared with that of one search in one process, byte for byte.
@@ -20,6 +26,8 @@ part of the gate.
 import argparse
 import concurrent.futures
 import ctypes
+import hashlib
+import json
 import logging
 import os
 import pathlib
@@ -74,35 +82,67 @@ def tell(found, done, shares):
     print(f"{done:4} of {shares}: {told.rpartition(': ')[2]}; {took:.1f} s", flush=True)
 
 
-def by_processes(program, question, folder, shares):
-    """All shares by as many processes as there are processors."""
-    at_once = min(os.cpu_count() or 1, shares)
+def size(program, options, file, folder):
+    """The sizes of a gearbox; the answer is why there are none, if so, and how long it took, if it was not there already."""
+    begun = time.monotonic()
+    answer = answer_of(program, options, file, folder)
+    if answer.exists():
+        return file, why_none(file, answer), None
+    line = [program, "size", str(file), *options, "--format", "json", "-o", str(answer)]
+    environment = {**os.environ, "RAYON_NUM_THREADS": "1"}
+    done = subprocess.run(line, env=environment, preexec_fn=dies_with_its_parent, capture_output=True, text=True)
+    told = done.stderr.strip().removeprefix("error: ")
+    return file, why_none(file, answer) if answer.exists() else told, time.monotonic() - begun
+
+
+def why_none(file, answer):
+    """What an answer says of a gearbox of which a set has no sizes."""
+    has_all = json.loads(answer.read_text())["mass_kg"] is not None
+    return "" if has_all else f"{file}: no design of the space holds; {answer} tells what leaves them out"
+
+
+def answer_of(program, options, file, folder):
+    """The file of an answer: another one for another gearbox, other options and another program."""
+    mark = hashlib.sha256()
+    for word in options:
+        mark.update(word.encode() + b"\0")
+        # A table of bearings.
+        if os.path.isfile(word):
+            mark.update(pathlib.Path(word).read_bytes())
+    for content in (file, program):
+        if os.path.isfile(content):
+            mark.update(pathlib.Path(content).read_bytes())
+    return pathlib.Path(folder) / f"{pathlib.Path(file).stem}-{mark.hexdigest()[:16]}.json"
+
+
+def by_processes(task, calls):
+    """Tasks by as many processes as there are processors, as they end."""
     # The threads of the pool only wait for their processes.
-    with concurrent.futures.ThreadPoolExecutor(at_once) as pool:
-        tasks = [pool.submit(search, program, question, folder, share, shares, 1) for share in range(1, shares + 1)]
+    with concurrent.futures.ThreadPoolExecutor(min(os.cpu_count() or 1, len(calls))) as pool:
+        pending = [pool.submit(task, *call) for call in calls]
         try:
-            for done, task in enumerate(concurrent.futures.as_completed(tasks), 1):
-                tell(task.result(), done, shares)
+            for done in concurrent.futures.as_completed(pending):
+                yield done.result()
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
 
 
-def by_ray(program, question, folder, shares, after_first=None):
-    """All shares as tasks of a cluster, one processor each. A task whose node dies is begun again elsewhere."""
+def by_ray(task, calls):
+    """Tasks of a cluster, one processor each, as they end. A task whose node dies is begun again elsewhere."""
     import ray
 
     # What is refused is refused everywhere: only what dies is tried again.
-    task = ray.remote(num_cpus=1, max_retries=-1)(search)
-    pending = [task.remote(program, question, str(folder), share, shares, 1) for share in range(1, shares + 1)]
-    done = 0
+    remote = ray.remote(num_cpus=1, max_retries=-1)(task)
+    pending = [remote.remote(*call) for call in calls]
     while pending:
         ready, pending = ray.wait(pending)
-        for found in ray.get(ready):
-            done += 1
-            tell(found, done, shares)
-            if done == 1 and after_first:
-                after_first()
+        yield from ray.get(ready)
+
+
+def searches(program, question, folder, shares):
+    """The calls of `search`."""
+    return [(program, question, str(folder), share, shares, 1) for share in range(1, shares + 1)]
 
 
 def merged(program, question, folder, shares):
@@ -131,6 +171,46 @@ def table_of_parts(folder, shares):
         print(f"{name}: {gearboxes} gearboxes of {structures} structures")
 
 
+def sized(program, options, files, folder, at_work):
+    """All gearboxes; whether each has its sizes."""
+    without = []
+    calls = [(program, options, str(file), str(folder)) for file in files]
+    for done, (file, why, took) in enumerate(at_work(size, calls), 1):
+        if why:
+            without.append(why)
+        how = "there already" if took is None else f"{took:.1f} s"
+        print(f"{done:4} of {len(files)}: {file}; {how}", flush=True)
+    answers = [answer for file in files if (answer := answer_of(program, options, file, folder)).exists()]
+    table_of_sizes(answers, folder)
+    sys.stdout.flush()
+    for why in sorted(without):
+        print(why, file=sys.stderr)
+    return not without
+
+
+def table_of_sizes(answers, folder):
+    """The best design of each set of all gearboxes as Parquet, and their masses."""
+    try:
+        import duckdb
+    except ImportError:
+        print("without DuckDB no table of the sizes: pip install duckdb")
+        return
+    if not answers:
+        return
+    table = pathlib.Path(folder) / "sizes.parquet"
+    query = """
+        SELECT answer, gearbox, mass_kg AS gearbox_mass_kg, of_set.set AS set, unnest(of_set.found[1]) FROM (
+            SELECT parse_filename(filename) AS answer, gearbox, mass_kg, unnest(sets) AS of_set
+            FROM read_json($files, filename = true, union_by_name = true, sample_size = -1, maximum_object_size = 1000000000)
+        ) ORDER BY answer, set"""
+    duckdb.execute(f"CREATE TABLE best AS {query}", {"files": [str(answer) for answer in answers]})
+    # Whole or not at all.
+    half = table.with_suffix(".part")
+    duckdb.execute(f"COPY best TO '{half}' (FORMAT parquet)")
+    os.replace(half, table)
+    print(f"the best designs of {len(answers)} gearboxes are in {table}")
+
+
 def prove(program, folder, shares):
     """Two nodes, of which one is killed, against one search."""
     import ray
@@ -142,11 +222,11 @@ def prove(program, folder, shares):
     other = cluster.add_node(num_cpus=1)
     ray.init(address=cluster.address, log_to_driver=False, logging_level=logging.CRITICAL)
 
-    def kill():
-        cluster.remove_node(other, allow_graceful=False)
-        print("one of the two nodes is killed", flush=True)
-
-    by_ray(program, QUESTION, folder, shares, kill)
+    for done, found in enumerate(by_ray(search, searches(program, QUESTION, folder, shares)), 1):
+        tell(found, done, shares)
+        if done == 1:
+            cluster.remove_node(other, allow_graceful=False)
+            print("one of the two nodes is killed", flush=True)
     ray.shutdown()
     cluster.shutdown()
     answer = merged(program, QUESTION, folder, shares).read_bytes()
@@ -164,11 +244,14 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, help="folder for the parts, which all machines see (a new one)")
     parser.add_argument("--ray", metavar="ADDRESS", help="address of a cluster, or auto; else processes of this machine")
     parser.add_argument("--program", help="the program, which all machines see under one name (built here)")
+    parser.add_argument("--size", metavar="FILE", type=pathlib.Path, nargs="+", help="gearboxes whose sizes are sought")
     parser.add_argument("--prove", action="store_true", help="shows it on a local cluster of two nodes")
-    parser.add_argument("question", nargs="*", help="after --: options of synthesize")
+    parser.add_argument("question", nargs="*", help="after --: options of synthesize, or of size")
     args = parser.parse_args()
-    if args.prove == bool(args.question):
-        parser.error("a question is due after --, or --prove, which has its own")
+    if args.prove and (args.question or args.size):
+        parser.error("--prove has its own question")
+    if not (args.prove or args.size or args.question):
+        parser.error("a question is due after --, or --size with gearboxes, or --prove")
     if args.shares < 1:
         parser.error(f"--shares {args.shares}: at least 1")
     program = args.program
@@ -176,21 +259,24 @@ def main():
         subprocess.run(["cargo", "build", "--quiet", "--release", "--package", "epicyclic"], cwd=ROOT, check=True)
         target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
         program = str((target / "release" / "epicyclic").resolve())
-    elif not shutil.which(program):
-        parser.error(f"--program {program}: cannot be run")
+    elif not (program := shutil.which(program)):
+        parser.error(f"--program {args.program}: cannot be run")
     folder = args.folder or pathlib.Path(tempfile.mkdtemp(prefix="epicyclic-shares-"))
     folder.mkdir(parents=True, exist_ok=True)
-    print(f"parts in {folder}", flush=True)
+    print(f"{'answers' if args.size else 'parts'} in {folder}", flush=True)
     if args.prove:
         prove(program, folder, args.shares)
         return
+    at_work = by_processes
     if args.ray:
         import ray
 
         ray.init(address=args.ray, log_to_driver=False)
-        by_ray(program, args.question, folder, args.shares)
-    else:
-        by_processes(program, args.question, folder, args.shares)
+        at_work = by_ray
+    if args.size:
+        sys.exit(0 if sized(program, args.question, args.size, folder, at_work) else 1)
+    for done, found in enumerate(at_work(search, searches(program, args.question, folder, args.shares)), 1):
+        tell(found, done, args.shares)
     table_of_parts(folder, args.shares)
     print(f"the answer is {merged(program, args.question, folder, args.shares)}")
 

@@ -142,11 +142,18 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = subject(&document)?;
     let size = answer(&subject, &args.space.wanted(call)?).map_err(refuse)?;
-    let files = match &args.save {
-        Some(file) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
-        None => vec![],
+    let without = size.sets.iter().find(|set| set.found.is_empty());
+    let files = match (&args.save, without) {
+        (Some(file), None) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
+        _ => vec![],
     };
-    args.output.deliver_with(call, files, &size)
+    args.output.deliver_with(call, files, &size)?;
+    match without {
+        None => Ok(()),
+        Some(set) => {
+            Err(Failure::NothingFound(format!("no size of set {} meets the requirements", visible(&set.set))))
+        }
+    }
 }
 
 impl Options {
