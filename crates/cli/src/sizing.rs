@@ -150,9 +150,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.output.deliver_with(call, files, &size)?;
     match without {
         None => Ok(()),
-        Some(set) => {
-            Err(Failure::NothingFound(format!("no size of set {} meets the requirements", visible(&set.set))))
-        }
+        Some(set) => Err(Failure::NothingFound(Error::NoSize { set: set.set.clone() }.to_string())),
     }
 }
 

@@ -618,6 +618,16 @@ fn sizes_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
+/// The answer says what leaves out every design; no file says that there is one.
+#[test]
+fn a_set_that_no_size_holds() {
+    let folder = here();
+    fs::copy(examples().join("travel-drive-duty.yaml"), folder.path().join("drive.yaml")).unwrap();
+    let small = ["size", "drive.yaml", "--modules", "1 mm", "--face-widths", "10 mm", "--save", "sized.yaml"];
+    insta::assert_snapshot!(session(folder.path(), &small));
+    assert!(!folder.path().join("sized.yaml").exists());
+}
+
 #[test]
 fn every_combination_of_shift_elements() {
     insta::assert_snapshot!(sessions(
