@@ -1814,13 +1814,14 @@ def machine_rotor(
 
 
 def motor(
+    file: Source | None = None,
     *,
-    stator: Values,
-    rotor: Values,
-    z3: Values,
-    zs: Values,
-    module: Values,
+    stator: Values | None = None,
+    rotor: Values | None = None,
+    z3: Values | None = None,
     z1: Values | None = None,
+    zs: Values | None = None,
+    module: Values | None = None,
     l: Values | None = None,
     a: Values | None = None,
     part: Values | None = None,
@@ -1864,6 +1865,8 @@ def motor(
 
     Parameters
     ----------
+    file
+        File of a motor in YAML, in place of the options that describe one; - for standard input
     stator
         Lobes of the stator, N
     rotor
@@ -1894,7 +1897,7 @@ def motor(
         Speed of the rotor, for flow and power
     angle
         Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and
-        drawings
+        drawings. Default: that of the file, else 0 deg
     pressure_angle
         Pressure angle of the satellites
     addendum
@@ -1962,7 +1965,7 @@ def motor(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor"], [], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["motor"], [file], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def motor_search(

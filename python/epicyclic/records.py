@@ -99,6 +99,13 @@ class Records(Sequence[Any]):
             raise KeyError(f"{key!r}: there are {', '.join(str(name) for name in names)}")
         return self._rows[names.index(key)]
 
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        names = [repr(found) for row in self._rows if (found := _name_of(row)) is not None]
+        records = f"[0] or [{names[0]}]" if names else "[0]"
+        raise AttributeError(f"this is a list, without a key {name!r}: its records are {records} and so on")
+
     def __len__(self) -> int:
         return len(self._rows)
 

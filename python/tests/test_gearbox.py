@@ -264,3 +264,7 @@ def test_a_drive_and_a_hydromotor_are_built_in_python() -> None:
         stator=5, rotor=3, z3=55, zs=10, module="2 mm", l="80 mm", width="40 mm", pressure="20 MPa", speed="100 rpm"
     )
     assert "<svg" in epicyclic.draw(motor).svg
+    by_options = epicyclic.motor(
+        stator=5, rotor=3, z3=55, zs=10, module="2 mm", l="80 mm", width="40 mm", pressure="20 MPa", speed="100 rpm"
+    )
+    assert epicyclic.motor(motor) == by_options != epicyclic.motor(motor, angle="30 deg")

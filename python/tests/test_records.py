@@ -105,3 +105,9 @@ def test_the_text_is_that_of_the_command_line(answer: Answer) -> None:
 
 def test_warnings_are_in_the_answer(answer: Answer) -> None:
     assert all(isinstance(one.message, str) for one in answer.warnings)
+
+
+def test_a_name_as_the_attribute_of_a_list_tells_how_to_take_it() -> None:
+    gears = epicyclic.analyze("II-3", k1=2.15, k2=2.354).gears
+    with pytest.raises(AttributeError, match=r"'slow': its records are \[0\] or \['1'\] and so on"):
+        _ = gears.slow

@@ -5,7 +5,7 @@ use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::gearbox::{
     DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
-use epicyclic_formats::{Document, Path, Problem, Quantity};
+use epicyclic_formats::{Document, FileKind, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::drag::Drag;
@@ -147,6 +147,7 @@ pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, 
             None => Ok(Content::Several(transmissions)),
         };
     }
+    document.must_be(FileKind::Gearbox)?;
     if !has("gearbox") && document.value().is_mapping() {
         let message = "this is no gearbox: one has the key gearbox, a list of published ones transmissions";
         let problem = Problem::Refused { message: message.to_owned() };

@@ -174,7 +174,7 @@ pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &
             return end(&call, desk.usage(&asked).map_err(failure::Failure::StandardOutput), false);
         }
         Err(wrong) => {
-            let unit = loose_unit(&wrong).map(str::to_owned);
+            let unit = loose_unit(&wrong, &call.words);
             let _ = desk.usage(&shown(wrong));
             if let Some(unit) = unit {
                 call.complain(&format!(
@@ -237,14 +237,18 @@ fn shown(mut error: clap::Error) -> clap::Error {
     error
 }
 
-/// A unit that stands by itself where an option or command is due: the shell parted it from its number.
-fn loose_unit(error: &clap::Error) -> Option<&str> {
+/// A unit that stands by itself where an option, command or file is due: the shell parted it from its number.
+fn loose_unit(error: &clap::Error, words: &[OsString]) -> Option<String> {
     let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
-    let mut words = kinds.into_iter().filter_map(|kind| match error.get(kind) {
+    let refused = kinds.into_iter().filter_map(|kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),
         _ => None,
     });
-    words.find(|word| find_unit(word).is_some())
+    let behind_numbers = words.windows(2).filter_map(|pair| {
+        let [number, word] = [&pair[0], &pair[1]].map(|word| word.to_str());
+        number?.parse::<f64>().ok().and(word)
+    });
+    refused.chain(behind_numbers).find(|word| find_unit(word).is_some()).map(str::to_owned)
 }
 
 fn run(call: &Call<'_>, command: Command) -> Result<(), failure::Failure> {

@@ -11,12 +11,13 @@ mod steps;
 
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
+use crate::input;
 use crate::output::OutputArgs;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::Designed;
 use epicyclic_answers::report;
 use epicyclic_drawing::Scene;
-use epicyclic_formats::{Number, Quantity};
+use epicyclic_formats::{Number, Path, Quantity};
 use epicyclic_views::page;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
@@ -29,12 +30,16 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 #[command(override_usage = "\
-epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
+epicyclic motor [OPTIONS] <FILE>
+       epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
            --zs <TEETH> --module <MODULE>
        epicyclic motor search [OPTIONS]
        epicyclic motor forms [OPTIONS]")]
 #[command(after_help = "\
 Example:
+  printf 'stator: 5\\nrotor: 3\\nz3: 55\\nzs: 10\\n' > motor.yaml
+  printf 'module: 2 mm\\n' >> motor.yaml
+  epicyclic motor motor.yaml --view teeth --svg teeth.svg
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
       --l '80 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm'
   epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
@@ -65,19 +70,27 @@ enum Command {
     Forms(Box<forms::Args>),
 }
 
+/// What describes a motor where no file does.
+const OF_A_MOTOR: [&str; 12] =
+    ["stator", "rotor", "z3", "z1", "zs", "module", "place", "width", "pressure", "speed", "Teeth", "Made"];
+
 /// A motor and what is wanted of it.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Design {
+    /// File of a motor in YAML, in place of the options that describe one; - for standard input.
+    #[arg(value_name = "FILE", conflicts_with_all = OF_A_MOTOR)]
+    file: Option<PathBuf>,
+
     /// Lobes of the stator, N.
-    #[arg(long, value_name = "N", required = true)]
+    #[arg(long, value_name = "N", required_unless_present = "file")]
     stator: Option<u32>,
 
     /// Lobes of the rotor, n: 1 to 3 fewer.
-    #[arg(long, value_name = "N", required = true)]
+    #[arg(long, value_name = "N", required_unless_present = "file")]
     rotor: Option<u32>,
 
     /// Teeth of the stator, Z₃: a whole number for each lobe.
-    #[arg(long, value_name = "TEETH", required = true)]
+    #[arg(long, value_name = "TEETH", required_unless_present = "file")]
     z3: Option<u32>,
 
     /// Teeth of the rotor, Z₁; they follow from the others and are checked where given.
@@ -85,11 +98,11 @@ pub(crate) struct Design {
     z1: Option<u32>,
 
     /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2.
-    #[arg(long, value_name = "TEETH", required = true)]
+    #[arg(long, value_name = "TEETH", required_unless_present = "file")]
     zs: Option<u32>,
 
     /// Module of the teeth.
-    #[arg(long, required = true, allow_hyphen_values = true)]
+    #[arg(long, required_unless_present = "file", allow_hyphen_values = true)]
     module: Option<Quantity<Length>>,
 
     /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of the family.
@@ -124,9 +137,9 @@ pub(crate) struct Design {
     #[arg(long, requires = "width", allow_hyphen_values = true)]
     speed: Option<Quantity<AngularVelocity>>,
 
-    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and drawings.
-    #[arg(long, default_value = "0 deg", allow_hyphen_values = true)]
-    angle: Quantity<Angle>,
+    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and drawings. Default: that of the file, else 0 deg.
+    #[arg(long, allow_hyphen_values = true)]
+    angle: Option<Quantity<Angle>>,
 
     #[command(flatten)]
     teeth: Teeth,
@@ -236,16 +249,35 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     let Design { files, page: options, output, .. } = &args.design;
     options.only_of_a_page(output.is_page())?;
-    let (wanted, output) = (files::wanted(files, output), output.but_for_drawings());
+    let wanted = files::wanted(files, output);
     wanted.check(files)?;
-    let designed = design::read(&args.design)?;
-    let files = files::content(files, &wanted, &designed)?;
+    let Some(file) = &args.design.file else {
+        let designed = design::read(&args.design)?;
+        return deliver(call, &args.design, &wanted, None, &designed);
+    };
+    let document = input::document(call, file)?;
+    let in_file = |failure: Failure| failure.in_file(&document, &Path::root());
+    let (title, mut designed) = answers::motor::of_file(&document).map_err(|error| in_file(error.into()))?;
+    if let Some(angle) = &args.design.angle {
+        designed.angle = angle.0;
+    }
+    deliver(call, &args.design, &wanted, title, &designed).map_err(in_file)
+}
+
+fn deliver(
+    call: &Call<'_>,
+    Design { files, page: options, output, .. }: &Design,
+    wanted: &files::Wanted,
+    title: Option<String>,
+    designed: &Designed,
+) -> Result<(), Failure> {
+    let (files, output) = (files::content(files, wanted, designed)?, output.but_for_drawings());
     if output.is_page() {
-        let report = report::motor::answer(None, &designed).map_err(design::refuse)?;
-        let sheet = page::motor::sheet(&report, &designed, imprint::command(call));
+        let report = report::motor::answer(title, designed).map_err(design::refuse)?;
+        let sheet = page::motor::sheet(&report, designed, imprint::command(call));
         return output.deliver_page(call, files, &report.motor, sheet, &options.imprint());
     }
-    let answer = answers::motor::answer(&designed).map_err(design::refuse)?;
+    let answer = answers::motor::answer(designed).map_err(design::refuse)?;
     output.deliver_with(call, files, &answer)
 }
 

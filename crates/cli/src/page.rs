@@ -13,7 +13,7 @@ use epicyclic_answers::answer::to_json;
 use epicyclic_answers::report::drive::DriveReport;
 use epicyclic_answers::report::{About, Report, gearbox, motor};
 use epicyclic_formats::document::Segment;
-use epicyclic_formats::{Document, Path, Problem, visible};
+use epicyclic_formats::{Document, FileKind, Path, Problem, visible};
 use epicyclic_views::page::{self, Sheet};
 
 /// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks, sources, the input.
@@ -68,7 +68,6 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     let Read { document, bytes, .. } = args.choice.document(call, false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
-    let has = |key: &str| document.value().get(key).is_some();
     let for_gearboxes = |what: &str| match args
         .choice
         .given()
@@ -80,22 +79,26 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         }
         None => Ok(()),
     };
-    let text = if has("scenario") {
-        for_gearboxes("scenario")?;
-        of_scenario(call, args, document, text)?
-    } else if has("gearbox") || has("transmissions") {
-        of_gearbox(args, &document, text)?
-    } else if has("power") {
-        for_gearboxes("drive")?;
-        of_drive(args, &document, text)?
-    } else if has("stator") || has("rotor") {
-        for_gearboxes("motor")?;
-        of_motor(args, &document, text).map_err(|failure| failure.in_file(&document, &Path::root()))?
-    } else {
-        let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
-                       which has stator and rotor, and no scenario, which has scenario";
-        let problem = Problem::Refused { message: message.to_owned() };
-        return Err(document.error(&Path::root(), problem).into());
+    let text = match document.kind() {
+        Some(FileKind::Scenario) => {
+            for_gearboxes("scenario")?;
+            of_scenario(call, args, document, text)?
+        }
+        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(args, &document, text)?,
+        Some(FileKind::Drive) => {
+            for_gearboxes("drive")?;
+            of_drive(args, &document, text)?
+        }
+        Some(FileKind::Motor) => {
+            for_gearboxes("motor")?;
+            of_motor(args, &document, text).map_err(|failure| failure.in_file(&document, &Path::root()))?
+        }
+        None => {
+            let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
+                           which has stator and rotor, and no scenario, which has scenario";
+            let problem = Problem::Refused { message: message.to_owned() };
+            return Err(document.error(&Path::root(), problem).into());
+        }
     };
     args.target.write(call, text.as_bytes())
 }

@@ -16,8 +16,10 @@ use uom::si::f64::Time;
 const TOLD: f64 = 1e6;
 /// From which on a sample tells how long it takes.
 const SAMPLED: f64 = 1e9;
-/// How long a sample takes, in s, and once more as long.
+/// How long a sample takes, in s, and once more as long; longer where few structures take that long.
 const SAMPLE_S: f64 = 1.0;
+/// Of how many structures a sample is small.
+const FEW: usize = 100;
 /// The longest search that is begun without being asked for, in s.
 const LONGEST_S: f64 = 3600.0;
 /// The most memory of such a search, in GB.
@@ -51,21 +53,26 @@ pub(crate) fn check(
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let seconds = sampled.seconds() / threads as f64;
     let gigabytes = sampled.bytes(threads) / 1e9;
-    let about = format!("about {} and {gigabytes:.1} GB on {threads} threads", duration(seconds));
+    // The times of single structures differ widely.
+    let few = match sampled.sampled {
+        few @ ..FEW => format!(", by a sample of {few} structures"),
+        _ => String::new(),
+    };
+    let about = format!("about {} and {gigabytes:.1} GB on {threads} threads{few}", duration(seconds));
     let refused = match longest {
         Some(longest) => seconds > longest.si(),
         None => seconds > LONGEST_S || gigabytes > MOST_GB,
     };
     if refused {
-        return Err(Failure::TooLong(refusal(&size, &about, seconds, call.words.iter().cloned())));
+        let shares = sampled.shares(LONGEST_S * threads as f64).ceil().max(2.0);
+        return Err(Failure::TooLong(refusal(&size, &about, shares, call.words.iter().cloned())));
     }
     call.complain(&format!("searching {size}; {about}"));
     Ok(())
 }
 
 /// What to do instead, with the commands.
-fn refusal(size: &str, about: &str, seconds: f64, args: impl Iterator<Item = OsString>) -> String {
-    let shares = (seconds / LONGEST_S).ceil().max(2.0);
+fn refusal(size: &str, about: &str, shares: f64, args: impl Iterator<Item = OsString>) -> String {
     let command = command(args);
     format!(
         "{size}, {about}: a greater --longest begins it here; or in {shares:.0} shares on as many machines\n  \
@@ -119,8 +126,7 @@ mod tests {
             "--format=json",
             "--tolerance=1%",
         ];
-        let told =
-            refusal("a class", "about 9 h on 2 threads", 9.0 * 3600.0, args.iter().map(OsString::from));
+        let told = refusal("a class", "about 9 h on 2 threads", 9.0, args.iter().map(OsString::from));
         assert_eq!(
             told,
             "a class, about 9 h on 2 threads: a greater --longest begins it here; or in 9 shares on as many machines\n  epicyclic synthesize \

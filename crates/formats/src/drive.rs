@@ -17,7 +17,7 @@ use uom::si::f64::{
     Angle, AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
 };
 
-use crate::{Document, Error, Number, Path, Problem, Quantity, Span};
+use crate::{Document, Error, FileKind, Number, Path, Problem, Quantity, Span};
 
 mod fields;
 mod meaning;
@@ -253,6 +253,7 @@ impl Misfit {
 /// # Errors
 /// The first thing wrong, with its place.
 pub fn read(document: &Document) -> Result<(DriveFile, DriveSpec), Error> {
+    document.must_be(FileKind::Drive)?;
     let file: DriveFile = document.read()?;
     let spec = file.spec().map_err(|misfit| document.error(&misfit.path, misfit.problem))?;
     Ok((file, spec))

@@ -43,6 +43,7 @@
 pub mod document;
 pub mod drive;
 mod error;
+mod file_kind;
 pub mod gearbox;
 pub mod motor;
 pub mod quantity;
@@ -54,6 +55,7 @@ pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Place, Problem, nearest};
+pub use file_kind::FileKind;
 pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};
 pub use range::{RangeError, Span};
 pub use wanted_ratio::WantedRatio;

@@ -27,7 +27,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-use crate::{Document, Error, Number, Path, Problem, Quantity, Span};
+use crate::{Document, Error, FileKind, Number, Path, Problem, Quantity, Span};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -185,6 +185,7 @@ impl MotorFile {
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
 pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), Error> {
+    document.must_be(FileKind::Motor)?;
     let file: MotorFile = document.read()?;
     let refuse = |key: &str, message: &str| {
         Err(document.error(&Path::root().key(key), Problem::Refused { message: message.to_owned() }))

@@ -33,7 +33,7 @@ pub use torques::{
 };
 
 use crate::gearbox::GearboxFile;
-use crate::{Document, Error, Path, Problem, Quantity};
+use crate::{Document, Error, FileKind, Path, Problem, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -187,6 +187,7 @@ impl ScenarioFile {
 /// # Errors
 /// The first thing wrong, with its place.
 pub fn read(document: &Document) -> Result<ScenarioFile, Error> {
+    document.must_be(FileKind::Scenario)?;
     read_changed(document, document.value())
 }
 

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! The second term supposes that functions become known as the words of a text do: their number grows with the root of its
-//! length. It is a guess, but for a share of the class that is not small against the sample, it is the lesser term.
+//! length. It is a guess, but for a share of the class that is not small against the sample, it is the lesser term. Shares that work
+//! apart each learn for themselves, so `n` of them take longer than the whole: in one of them stand `N/n` structures.
 
 use crate::class::Class;
 use crate::error::Error;
@@ -45,6 +46,15 @@ impl Sample {
         self.again_s * times + (self.first_s - self.again_s).max(0.0) * times.sqrt()
     }
 
+    /// Into how many shares the search is divided so that each takes one thread so many seconds.
+    #[must_use]
+    pub fn shares(&self, seconds: f64) -> f64 {
+        // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a share.
+        let (again, learning) = (self.again_s, (self.first_s - self.again_s).max(0.0));
+        let root = 2.0 * seconds / (learning + (learning * learning + 4.0 * again * seconds).sqrt());
+        self.structures as f64 / self.sampled.max(1) as f64 / (root * root)
+    }
+
     /// About how many bytes a search on so many threads holds: the structures, and on each thread what it learned.
     #[must_use]
     pub fn bytes(&self, threads: usize) -> f64 {
@@ -56,8 +66,14 @@ impl Sample {
     }
 }
 
-/// A sample of the search through a share: as many structures as `budget_s` seconds of `clock`, in s, allow, at least one. It takes
-/// up to twice as long.
+/// The fewest structures of a sample: from one to the next their times differ a hundredfold and more.
+const FEWEST: usize = 8;
+
+/// How many times its budget a sample may take to have so many.
+const PATIENCE: f64 = 20.0;
+
+/// A sample of the search through a share: as many structures as `budget_s` seconds of `clock`, in s, allow, or 8 where that many are
+/// searched in twenty times as long, and at least one. It takes up to twice as long, and a structure that is begun is searched to its end.
 ///
 /// # Errors
 /// As [`search`](crate::run::search).
@@ -93,7 +109,8 @@ fn of<W: Word>(
     for place in &places {
         search.structure(&structures[*place]);
         sampled += 1;
-        if clock() - begun >= budget_s {
+        let taken = clock() - begun;
+        if taken >= budget_s * PATIENCE || taken >= budget_s && sampled >= FEWEST {
             break;
         }
     }
@@ -153,8 +170,33 @@ mod tests {
         assert_eq!((found.first_s, found.again_s), (11.0, 1.0));
         assert!((found.seconds() - (11.1 + 10.0 * 11.1f64.sqrt())).abs() < 1e-9);
         assert!(found.learned > 0 && found.bytes(2) > found.bytes(1));
+        // A greater budget has more, and where structures take longer than its patience there are fewer.
+        assert_eq!(sample(class, &wish, Share::WHOLE, 50.0, &clock).unwrap().sampled, 50);
+        assert_eq!(sample(class, &wish, Share::WHOLE, 2.0, &clock).unwrap().sampled, FEWEST);
+        assert_eq!(sample(class, &wish, Share::WHOLE, 0.15, &clock).unwrap().sampled, 3);
         // A share smaller than the budget is searched whole.
         let share = Share { number: 0, of: 40 };
         assert_eq!(sample(class, &wish, share, 10.0, &clock).unwrap().sampled, 3);
+    }
+
+    #[test]
+    fn each_share_takes_as_long_as_it_may() {
+        let whole = Sample {
+            class_size: 9000,
+            structures: 9000,
+            sampled: 10,
+            first_s: 4.0,
+            again_s: 1.5,
+            learned: 1,
+        };
+        for seconds in [0.5, 20.0, 900.0] {
+            let shares = whole.shares(seconds);
+            let share =
+                Sample { structures: 9_000_000, sampled: (10_000.0 * shares).round() as usize, ..whole };
+            assert!((share.seconds() / seconds - 1.0).abs() < 1e-3, "{shares} {}", share.seconds());
+        }
+        // Without anything to learn the time is only divided.
+        let known = Sample { first_s: 1.5, ..whole };
+        assert!((known.shares(135.0) - 10.0).abs() < 1e-12);
     }
 }

@@ -8,6 +8,7 @@ use epicyclic_formats::motor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};
+use uom::si::f64::Angle;
 
 pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
     let (Some(stator), Some(rotor), Some(z3), Some(zs), Some(module)) =
@@ -36,7 +37,7 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
         width: args.width.map(|width| width.0),
         pressure: args.pressure.map(|pressure| pressure.0),
         speed: args.speed.map(|speed| speed.0),
-        angle: args.angle.0,
+        angle: args.angle.as_ref().map_or_else(Angle::default, |angle| angle.0),
         made: args.made.groups(),
     };
     answers::motor::design(&question).map_err(refuse)

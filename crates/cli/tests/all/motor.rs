@@ -8,7 +8,7 @@
 
 use crate::common;
 
-use common::{here, output, session, sessions, text};
+use common::{examples, here, output, session, sessions, text};
 use dxf::Drawing;
 use dxf::entities::EntityType;
 use dxf::enums::Units;
@@ -26,6 +26,54 @@ fn with<'a>(motor: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
 
 fn said(args: &[&str]) -> String {
     session(here().path(), args)
+}
+
+#[test]
+fn a_motor_of_a_file_is_that_of_its_options() {
+    let folder = examples();
+    let options = [
+        "--stator",
+        "5",
+        "--rotor",
+        "3",
+        "--z3",
+        "55",
+        "--zs",
+        "10",
+        "--module",
+        "2 mm",
+        "--l",
+        "80 mm",
+        "--width",
+        "40 mm",
+        "--pressure",
+        "20 MPa",
+        "--speed",
+        "100 rpm",
+        "--format",
+        "json",
+    ];
+    let of = |args: &[&str]| text(&output(&folder, &[&["motor"], args].concat()).stdout);
+    let of_file = of(&["motor-5x3.yaml", "--format", "json"]);
+    assert_eq!(of_file, of(&options));
+    let turned = ["--angle", "30 deg"];
+    assert_eq!(
+        of(&[&["motor-5x3.yaml", "--format", "json"], &turned[..]].concat()),
+        of(&[&options[..], &turned[..]].concat())
+    );
+    assert_ne!(of(&[&options[..], &turned[..]].concat()), of_file);
+    insta::assert_snapshot!(sessions(
+        &folder,
+        &[
+            &["motor", "motor-5x3.yaml", "--stator", "6"][..],
+            &["motor", "motor-5x3.yaml", "--shift", "0.3"],
+            &["motor", "motor-5x3.yaml", "--friction", "0.1"],
+            &["motor", "motor-5x3.yaml", "--l", "81 mm"],
+            &["motor", "scheme-ii-3.yaml"],
+            &["motor", "none.yaml"],
+            &["motor", "--rotor", "3"],
+        ]
+    ));
 }
 
 /// What a program sees, numbers to nine digits; without the places where limits of the teeth are nearest, as many are alike.
