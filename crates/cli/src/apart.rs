@@ -111,6 +111,7 @@ mod tests {
             "draw <GEARBOX>",
             "drive <FILE>",
             "losses <FILE>",
+            "motor [FILE]",
             "report <FILE>",
             "serve [FILE]",
             "sheet <FILE>",
