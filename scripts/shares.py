@@ -58,19 +58,19 @@ def dies_with_its_parent():
     ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
 
 
-def search(program, question, folder, share, shares, threads):
-    """Searches a share to its end; the answer is what the program told last, and how long it took."""
+def run(line):
+    """A command of the program on one thread: its exit code, what it told, how long it took."""
     begun = time.monotonic()
+    environment = {**os.environ, "RAYON_NUM_THREADS": "1"}
+    done = subprocess.run(line, env=environment, preexec_fn=dies_with_its_parent, capture_output=True, text=True)
+    return done.returncode, done.stderr.strip(), time.monotonic() - begun
+
+
+def search(program, question, folder, share, shares):
+    """Searches a share to its end; the answer is what the program told last, and how long it took."""
     line = [program, "synthesize", *question, "--shard", f"{share}/{shares}", "-o", str(part(folder, share, shares))]
-    done = subprocess.run(
-        line,
-        env={**os.environ, "RAYON_NUM_THREADS": str(threads)},
-        preexec_fn=dies_with_its_parent,
-        capture_output=True,
-        text=True,
-    )
-    told = done.stderr.strip().splitlines()
-    return share, done.returncode, told[-1] if told else "", time.monotonic() - begun
+    code, told, took = run(line)
+    return share, code, told.splitlines()[-1] if told else "", took
 
 
 def tell(found, done, shares):
@@ -82,37 +82,36 @@ def tell(found, done, shares):
     print(f"{done:4} of {shares}: {told.rpartition(': ')[2]}; {took:.1f} s", flush=True)
 
 
-def size(program, options, file, folder):
+def size(program, options, file, answer):
     """The sizes of a gearbox; the answer is why there are none, if so, and how long it took, if it was not there already."""
-    begun = time.monotonic()
-    answer = answer_of(program, options, file, folder)
-    if answer.exists():
+    if os.path.exists(answer):
         return file, why_none(file, answer), None
-    line = [program, "size", str(file), *options, "--format", "json", "-o", str(answer)]
-    environment = {**os.environ, "RAYON_NUM_THREADS": "1"}
-    done = subprocess.run(line, env=environment, preexec_fn=dies_with_its_parent, capture_output=True, text=True)
-    told = done.stderr.strip().removeprefix("error: ")
-    return file, why_none(file, answer) if answer.exists() else told, time.monotonic() - begun
+    _, told, took = run([program, "size", file, *options, "--format", "json", "-o", answer])
+    return file, why_none(file, answer) if os.path.exists(answer) else told.removeprefix("error: "), took
 
 
 def why_none(file, answer):
     """What an answer says of a gearbox of which a set has no sizes."""
-    has_all = json.loads(answer.read_text())["mass_kg"] is not None
+    has_all = json.loads(pathlib.Path(answer).read_text())["mass_kg"] is not None
     return "" if has_all else f"{file}: no design of the space holds; {answer} tells what leaves them out"
 
 
-def answer_of(program, options, file, folder):
-    """The file of an answer: another one for another gearbox, other options and another program."""
-    mark = hashlib.sha256()
+def answers_of(program, options, files, folder):
+    """The files of the answers: others for other gearboxes, other options and another program."""
+    common = hashlib.sha256()
     for word in options:
-        mark.update(word.encode() + b"\0")
-        # A table of bearings.
-        if os.path.isfile(word):
-            mark.update(pathlib.Path(word).read_bytes())
-    for content in (file, program):
-        if os.path.isfile(content):
-            mark.update(pathlib.Path(content).read_bytes())
-    return pathlib.Path(folder) / f"{pathlib.Path(file).stem}-{mark.hexdigest()[:16]}.json"
+        common.update(word.encode() + b"\0")
+    # A table of bearings is an option with a file.
+    for name in [*filter(os.path.isfile, options), program]:
+        common.update(pathlib.Path(name).read_bytes())
+    answers = []
+    for file in files:
+        mark = common.copy()
+        # What cannot be read is refused by the program.
+        if file.is_file():
+            mark.update(file.read_bytes())
+        answers.append(folder / f"{file.stem}-{mark.hexdigest()[:16]}.json")
+    return answers
 
 
 def by_processes(task, calls):
@@ -142,7 +141,7 @@ def by_ray(task, calls):
 
 def searches(program, question, folder, shares):
     """The calls of `search`."""
-    return [(program, question, str(folder), share, shares, 1) for share in range(1, shares + 1)]
+    return [(program, question, str(folder), share, shares) for share in range(1, shares + 1)]
 
 
 def merged(program, question, folder, shares):
@@ -174,14 +173,14 @@ def table_of_parts(folder, shares):
 def sized(program, options, files, folder, at_work):
     """All gearboxes; whether each has its sizes."""
     without = []
-    calls = [(program, options, str(file), str(folder)) for file in files]
+    answers = answers_of(program, options, files, folder)
+    calls = [(program, options, str(file), str(answer)) for file, answer in zip(files, answers)]
     for done, (file, why, took) in enumerate(at_work(size, calls), 1):
         if why:
             without.append(why)
         how = "there already" if took is None else f"{took:.1f} s"
         print(f"{done:4} of {len(files)}: {file}; {how}", flush=True)
-    answers = [answer for file in files if (answer := answer_of(program, options, file, folder)).exists()]
-    table_of_sizes(answers, folder)
+    table_of_sizes([str(answer) for answer in answers if answer.exists()], folder)
     sys.stdout.flush()
     for why in sorted(without):
         print(why, file=sys.stderr)
@@ -203,7 +202,7 @@ def table_of_sizes(answers, folder):
             SELECT parse_filename(filename) AS answer, gearbox, mass_kg, unnest(sets) AS of_set
             FROM read_json($files, filename = true, union_by_name = true, sample_size = -1, maximum_object_size = 1000000000)
         ) ORDER BY answer, set"""
-    duckdb.execute(f"CREATE TABLE best AS {query}", {"files": [str(answer) for answer in answers]})
+    duckdb.execute(f"CREATE TABLE best AS {query}", {"files": answers})
     # Whole or not at all.
     half = table.with_suffix(".part")
     duckdb.execute(f"COPY best TO '{half}' (FORMAT parquet)")

@@ -26,8 +26,9 @@ from .commands import *
 from .commands import __all__ as _commands
 from .description import Description
 from .errors import Error, FileFailure, NothingFound, Place, Refused
-from .gearbox import Drawing, Gearbox, Page
+from .gearbox import Gearbox
 from .records import Answer, Record, Records
+from .shown import Drawing, Page
 from .sweeps import STATES, PointSweep, RatioSweep
 
 __all__ = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -12,9 +12,7 @@ from . import _core
 from .description import Description
 from .errors import Error, Refused, of_messages, of_record
 from .records import Answer, parsed
-
-if TYPE_CHECKING:
-    from .gearbox import Drawing, Page
+from .shown import Drawing, Page
 
 Value = Union[str, int, float, "np.number[Any]"]
 """A value of an option: a number, or a text as on the command line. A quantity is a text with a unit: ``"500 N·m"``."""
@@ -157,8 +155,6 @@ def drawing(
     many: Mapping[str, str] | None = None,
 ) -> Drawing:
     """A drawing of a command."""
-    from .gearbox import Drawing
-
     said, files = line(command, words, options, many)
 
     def drawn(name: str) -> tuple[bytes, bytes]:
@@ -179,8 +175,6 @@ def page(
     many: Mapping[str, str] | None = None,
 ) -> Page:
     """A page of a command."""
-    from .gearbox import Page
-
     said, files = line(command, words, options, many)
     at, name = len(command), "page.html"
     record, _, _ = run([*said[:at], "--format=json", *said[at:]], files, progress)

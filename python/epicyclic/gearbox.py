@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from html import escape
 from inspect import signature
 from os import PathLike, fspath
-from pathlib import Path
 from typing import Any, Self, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import commands
+from ._call import Progress
 from .description import Description, built, content_of, yaml_of
 from .errors import NothingFound, Refused
 from .records import Answer
+from .shown import Drawing, Page
 from .sweeps import PointSweep, RatioSweep, points, ratios
 
-__all__ = ["Drawing", "Gearbox", "Page"]
-
-Progress = Callable[[str], Any]
-"""Called with a line of text while long work runs."""
+__all__ = ["Gearbox"]
 
 Asked = TypeVar("Asked")
 
@@ -251,49 +248,6 @@ class Gearbox(Description):
         except (NothingFound, Refused):
             # It crosses itself, or cannot be read: its other form says that it is a gearbox, an analysis says why.
             return None
-
-
-class Drawing:
-    """A drawing, shown in a notebook as it is."""
-
-    def __init__(self, svg: str, answer: Answer, redraw: Callable[[str], bytes]) -> None:
-        self.svg = svg
-        """The drawing as SVG."""
-        self.answer = answer
-        """What it shows, as a record."""
-        self._redraw = redraw
-
-    def _repr_svg_(self) -> str:
-        return self.svg
-
-    def __repr__(self) -> str:
-        return f"<Drawing, {len(self.svg)} characters of SVG>"
-
-    def save(self, file: str | PathLike[str]) -> None:
-        """Writes it as SVG, DXF, PDF or PNG, by the end of the name."""
-        path = Path(file)
-        path.write_bytes(self._redraw(path.name))
-
-
-class Page:
-    """A page to read and print, whole in itself."""
-
-    def __init__(self, html: str, answer: Answer) -> None:
-        self.html = html
-        """The page as HTML."""
-        self.answer = answer
-        """The answers that it is made from, as a record."""
-
-    def _repr_html_(self) -> str:
-        # In a frame, so that its style and that of the notebook do not meet.
-        return f'<iframe srcdoc="{escape(self.html)}" style="width: 100%; height: 40em; border: 0"></iframe>'
-
-    def __repr__(self) -> str:
-        return f"<Page, {len(self.html)} characters of HTML>"
-
-    def save(self, file: str | PathLike[str]) -> None:
-        """Writes it to a file."""
-        Path(file).write_text(self.html, encoding="utf-8")
 
 
 def _entries(given: Any, name: str, of: Callable[[Any], dict[str, Any]]) -> list[Any]:

@@ -260,11 +260,9 @@ def test_a_drive_and_a_hydromotor_are_built_in_python() -> None:
         shafts={"allowable_stress": "20 MPa"},
     )
     assert epicyclic.drive(drive).title == "a/b"
-    motor = Description(
-        stator=5, rotor=3, z3=55, zs=10, module="2 mm", l="80 mm", width="40 mm", pressure="20 MPa", speed="100 rpm"
-    )
+    numbers: dict[str, Any] = {"stator": 5, "rotor": 3, "z3": 55, "zs": 10, "module": "2 mm", "l": "80 mm"}
+    load = {"width": "40 mm", "pressure": "20 MPa", "speed": "100 rpm"}
+    motor = Description(**numbers, **load)
     assert "<svg" in epicyclic.draw(motor).svg
-    by_options = epicyclic.motor(
-        stator=5, rotor=3, z3=55, zs=10, module="2 mm", l="80 mm", width="40 mm", pressure="20 MPa", speed="100 rpm"
-    )
+    by_options = epicyclic.motor(**numbers, **load)
     assert epicyclic.motor(motor) == by_options != epicyclic.motor(motor, angle="30 deg")

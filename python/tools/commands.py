@@ -30,8 +30,8 @@ from typing import Literal, TypedDict
 
 from . import _call
 from ._call import Path, Progress, Source, Values
-from .gearbox import Drawing, Page
 from .records import Answer
+from .shown import Drawing, Page
 
 '''
 

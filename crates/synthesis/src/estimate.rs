@@ -39,20 +39,30 @@ pub struct Sample {
 }
 
 impl Sample {
+    /// How many samples the share is.
+    fn times(&self) -> f64 {
+        self.structures as f64 / self.sampled.max(1) as f64
+    }
+
+    /// What the search took longer the first time, in s.
+    fn learning(&self) -> f64 {
+        (self.first_s - self.again_s).max(0.0)
+    }
+
     /// How long one thread will take, in s.
     #[must_use]
     pub fn seconds(&self) -> f64 {
-        let times = self.structures as f64 / self.sampled.max(1) as f64;
-        self.again_s * times + (self.first_s - self.again_s).max(0.0) * times.sqrt()
+        let times = self.times();
+        self.again_s * times + self.learning() * times.sqrt()
     }
 
     /// Into how many shares the search is divided so that each takes one thread so many seconds.
     #[must_use]
     pub fn shares(&self, seconds: f64) -> f64 {
         // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a share.
-        let (again, learning) = (self.again_s, (self.first_s - self.again_s).max(0.0));
+        let (again, learning) = (self.again_s, self.learning());
         let root = 2.0 * seconds / (learning + (learning * learning + 4.0 * again * seconds).sqrt());
-        self.structures as f64 / self.sampled.max(1) as f64 / (root * root)
+        self.times() / (root * root)
     }
 
     /// About how many bytes a search on so many threads holds: the structures, and on each thread what it learned.
@@ -60,7 +70,7 @@ impl Sample {
     pub fn bytes(&self, threads: usize) -> f64 {
         /// The members of a structure stand in a block of their own.
         const MEMBERS: usize = 32;
-        let times = self.structures as f64 / self.sampled.max(1) as f64;
+        let times = self.times();
         let of_structures = self.structures * (size_of::<Structure>() + MEMBERS);
         of_structures as f64 + threads as f64 * self.learned as f64 * times.sqrt()
     }

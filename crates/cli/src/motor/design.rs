@@ -14,7 +14,7 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
     let (Some(stator), Some(rotor), Some(z3), Some(zs), Some(module)) =
         (args.stator, args.rotor, args.z3, args.zs, args.module)
     else {
-        unreachable!("these options are required where there is no subcommand")
+        unreachable!("these options are required where there is neither file nor subcommand")
     };
     let numbers = match args.z1 {
         Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),

@@ -31,37 +31,15 @@ fn said(args: &[&str]) -> String {
 #[test]
 fn a_motor_of_a_file_is_that_of_its_options() {
     let folder = examples();
-    let options = [
-        "--stator",
-        "5",
-        "--rotor",
-        "3",
-        "--z3",
-        "55",
-        "--zs",
-        "10",
-        "--module",
-        "2 mm",
-        "--l",
-        "80 mm",
-        "--width",
-        "40 mm",
-        "--pressure",
-        "20 MPa",
-        "--speed",
-        "100 rpm",
-        "--format",
-        "json",
-    ];
-    let of = |args: &[&str]| text(&output(&folder, &[&["motor"], args].concat()).stdout);
-    let of_file = of(&["motor-5x3.yaml", "--format", "json"]);
-    assert_eq!(of_file, of(&options));
+    let load = ["--l", "80 mm", "--width", "40 mm", "--pressure", "20 MPa", "--speed", "100 rpm"];
+    let of = |motor: &[&str], more: &[&str]| {
+        text(&output(&folder, &[motor, more, &["--format", "json"]].concat()).stdout)
+    };
+    let (file, options) = (["motor", "motor-5x3.yaml"], with(&FIVE_THREE, &load));
     let turned = ["--angle", "30 deg"];
-    assert_eq!(
-        of(&[&["motor-5x3.yaml", "--format", "json"], &turned[..]].concat()),
-        of(&[&options[..], &turned[..]].concat())
-    );
-    assert_ne!(of(&[&options[..], &turned[..]].concat()), of_file);
+    assert_eq!(of(&file, &[]), of(&options, &[]));
+    assert_eq!(of(&file, &turned), of(&options, &turned));
+    assert_ne!(of(&file, &turned), of(&file, &[]));
     insta::assert_snapshot!(sessions(
         &folder,
         &[
