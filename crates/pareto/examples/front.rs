@@ -4,7 +4,7 @@ use epicyclic_pareto::front;
 
 fn main() {
     let designs = [[12.0, 3.1], [10.0, 3.4], [10.0, 3.9], [12.0, 3.1], [15.0, 2.8]];
-    let lightest_first = |one: &[f64; 2], other: &[f64; 2]| one[0].total_cmp(&other[0]);
+    let lightest_first = [0, 1];
     for equal in front(&designs, lightest_first) {
         let [mass, loss] = designs[equal[0]];
         println!("{mass} kg, {loss} %: designs {equal:?}");

@@ -61,6 +61,12 @@ impl Order {
         self.0
     }
 
+    /// Places of so many costs, the decisive one first.
+    pub(crate) fn of_costs<const N: usize>(self) -> [usize; N] {
+        let mut places = self.0.into_iter().map(|objective| objective as usize).filter(|place| *place < N);
+        std::array::from_fn(|_| places.next().unwrap_or(0))
+    }
+
     /// Which of two costs comes first, as far as they go.
     pub(crate) fn compare<const N: usize>(self, one: &[f64; N], other: &[f64; N]) -> std::cmp::Ordering {
         let by = |objective: &Objective| {

@@ -7,7 +7,7 @@
 use super::found::Point;
 use crate::front::Entry;
 use crate::objectives::{Costs, Objectives, Order};
-use epicyclic_pareto::{dominates, nowhere_worse};
+use epicyclic_pareto::{dominates, nowhere_worse, thinned};
 use std::sync::{Mutex, PoisonError};
 
 /// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes forward while
@@ -68,6 +68,24 @@ impl Contenders {
         }
         self.costs.truncate(places.len());
         self.points.truncate(places.len());
+    }
+
+    /// Takes a design.
+    #[inline]
+    pub(super) fn take(&mut self, costs: Costs, point: Point) {
+        self.costs.push(costs);
+        self.points.push(point);
+    }
+
+    /// Leaves out most designs from a place on that others from there on dominate.
+    pub(super) fn thin(&mut self, from: usize) {
+        let places = thinned(&self.costs[from..]);
+        for (to, place) in (from..).zip(&places) {
+            self.costs[to] = self.costs[from + *place as usize];
+            self.points[to] = self.points[from + *place as usize];
+        }
+        self.costs.truncate(from + places.len());
+        self.points.truncate(from + places.len());
     }
 
     /// Where they have become many, [narrows](Self::narrow) them.
