@@ -312,19 +312,45 @@ pub fn solve(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(Synthesis, Vec<Kept>), Error> {
-    solve_by(wanted, &mut |searching, wish| {
+    solve_by(wanted, &mut |searching: &Searching, wish: &Wish| {
         wanted.limits.check(&wish.gears)?;
         Ok(search(searching.class, wish, Share::WHOLE, &|at| progress(searching, at))?)
     })
 }
 
-/// The same where each class is searched by other means, which check the [limits](Wanted::limits) with its gears first.
+/// How each class is searched, and who is told of what follows.
+pub trait Means<E>: Sync {
+    /// Searches a class; checks the [limits](Wanted::limits) with its gears first.
+    ///
+    /// # Errors
+    /// Those of the search.
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E>;
+
+    /// So many of a class's solutions are judged; a break leaves out the others and ends the search.
+    fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
+        let _ = (done, of);
+        ControlFlow::Continue(())
+    }
+
+    /// All that was found so far was left out, so that larger classes follow, if there are any.
+    fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
+        let _ = (searching, left_out);
+    }
+}
+
+impl<E, F: FnMut(&Searching, &Wish) -> Result<run::Answer, E> + Sync> Means<E> for F {
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E> {
+        self(searching, wish)
+    }
+}
+
+/// The same where each class is searched by other means.
 ///
 /// # Errors
 /// As [`solve`], and those of the search.
 pub fn solve_by<E: From<Error>>(
     wanted: &Wanted,
-    search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
+    means: &mut dyn Means<E>,
 ) -> Result<(Synthesis, Vec<Kept>), E> {
     let k_double = (*wanted.double_planets.end() > 0).then(|| wanted.k_double.clone());
     let choices = wanted.teeth.as_ref().map(|teeth| Choices::wanted(teeth, k_double)).transpose()?;
@@ -363,16 +389,24 @@ pub fn solve_by<E: From<Error>>(
             break;
         }
         before = Some((class.sets(), shift_elements));
-        let mut answered = search(&searching, &wish)?;
+        let mut answered = means.search(&searching, &wish)?;
         // What has more gears is not told again with fewer.
         answered.found.retain(|found| known.insert(identity(found)));
         answer.complete &= answered.complete;
         answer.searched.push(Searched::of(&searching, selection.len(), &answered));
         left_out.add(Reason::Direct, answered.tally.without_direct);
         left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
-        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
-        if !answered.complete {
+        let of = answered.found.len();
+        let judged = |done| means.judged(done, of);
+        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out, &judged)?);
+        if left_out.has(Reason::Unjudged) {
+            answer.complete = false;
+        }
+        if !answer.complete {
             break;
+        }
+        if kept.is_empty() && !left_out.are_none() {
+            means.nothing_kept(&searching, &left_out.told());
         }
     }
     answer.left_out = left_out.told();
@@ -443,6 +477,7 @@ fn keep(
     wanted: &Wanted,
     selection: &[usize],
     left_out: &mut LeftOuts,
+    judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Kept>, Error> {
     if wanted.drawable {
         let mut drawable = Vec::new();
@@ -456,8 +491,12 @@ fn keep(
         found = drawable;
     }
     let mut kept = Vec::new();
-    let judgements = judge_all(&found, wish, wanted.efficiency)?;
+    let judgements = judge_all(&found, wish, wanted.efficiency, judged)?;
     for (found, judged) in found.into_iter().zip(judgements) {
+        let Some(judged) = judged else {
+            left_out.add(Reason::Unjudged, 1);
+            continue;
+        };
         if !wish.are_falling(&judged.ratios) {
             left_out.add(Reason::Order, 1);
             continue;

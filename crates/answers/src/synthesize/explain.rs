@@ -641,7 +641,7 @@ mod tests {
 
     fn searched_alone(wanted: &Wanted) -> (Synthesis, Vec<Kept>) {
         let simple: Structure = "0-1-c x-2-h y-h-2".parse().unwrap();
-        solve_by(wanted, &mut |searching, wish| -> Result<run::Answer, Error> {
+        solve_by(wanted, &mut |searching: &Searching, wish: &Wish| -> Result<run::Answer, Error> {
             let mut search = Search::<u8>::new(wish.clone(), searching.class.links());
             let mut found = Vec::new();
             for structure in simple.with_double_planets(searching.double_planets) {

@@ -1405,3 +1405,29 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
     assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
 }
+
+#[test]
+fn what_leaves_all_of_a_class_out_is_told_before_a_larger_one_is_searched() {
+    let folder = here();
+    let ratios = "3.059, 1.625, 1, 0.696, -2.294";
+    let line = [
+        "synthesize",
+        "--ratios",
+        ratios,
+        "--class",
+        "all-sparse",
+        "--sets",
+        "2",
+        "--engaged",
+        "2",
+        "--slip",
+        "1.4",
+    ];
+    let told = |elements: &str| {
+        let done = output(folder.path(), &[&line[..], &["--elements", elements]].concat());
+        String::from_utf8_lossy(&done.stderr).into_owned()
+    };
+    let note = "note: up to 2 sets with 5 shift elements nothing is left; left out 14 with a faster slip of an open shift element\n";
+    assert!(told("5..6").contains(note), "{}", told("5..6"));
+    assert!(!told("4").contains("nothing is left"));
+}
