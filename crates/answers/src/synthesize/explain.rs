@@ -451,7 +451,7 @@ fn are_joined(sets: &[Members]) -> bool {
 mod tests {
     use super::*;
     use crate::gearbox::{Choice, one};
-    use crate::synthesize::{solve, solve_by};
+    use crate::synthesize::{Searching, solve, solve_by};
     use epicyclic_formats::Document;
     use epicyclic_formats::WantedRatio;
     use epicyclic_formats::wanted_ratio::Wanted as Ratio;
@@ -461,6 +461,7 @@ mod tests {
     use epicyclic_synthesis::run::{self, Found};
     use epicyclic_synthesis::search::Search;
     use epicyclic_synthesis::tally::Tally;
+    use epicyclic_synthesis::wish::Wish;
     use epicyclic_train::set::SetSpec;
     use std::ops::{ControlFlow, RangeInclusive};
 
