@@ -32,6 +32,7 @@ pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
@@ -290,6 +291,8 @@ pub struct Kept {
     pub family: family::Family,
     /// The best tooth numbers, where any were asked for.
     pub teeth: Vec<Design>,
+    /// How their sets close that have profile shift.
+    pub shift: Option<ProfileShift>,
 }
 
 /// All gearboxes that have the wanted ratios.
@@ -414,6 +417,7 @@ pub fn solve_by<E: From<Error>>(
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let side_by_side = wanted.side_by_side(&kept.selection, &gears);
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
+            kept.shift = teeth.shift();
             let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
             let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
@@ -468,7 +472,16 @@ fn keep(
                 let rating = rank::Rating::of(&judged)?;
                 let family = family::Family::of(&found, wish, selection);
                 let selection = selection.to_vec();
-                kept.push(Kept { found, judged, selection, rating, number: 0, family, teeth: Vec::new() });
+                kept.push(Kept {
+                    found,
+                    judged,
+                    selection,
+                    rating,
+                    number: 0,
+                    family,
+                    teeth: Vec::new(),
+                    shift: None,
+                });
             }
         }
     }

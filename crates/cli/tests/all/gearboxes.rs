@@ -618,6 +618,55 @@ fn sizes_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
+#[test]
+fn losses_that_are_refused() {
+    let drags = fs::read_to_string(examples().join("drags.yaml")).unwrap();
+    let folder = here();
+    let at_speed: &[&str] = &["--speed", "1475 rpm", "--torque", "60 N·m"];
+    let mut seen = String::new();
+    for (old, new) in [
+        ("speeds: [0 rpm, 800 rpm", "speeds: [0 rpm, 1700 rpm"),
+        ("speeds: [0 rpm, 800 rpm", "speeds: [-1 rpm, 800 rpm"),
+        ("speeds: [0 rpm, 800 rpm, 1600 rpm", "speeds: [0 rpm, 800 rpm"),
+        ("2 N·m, 8 N·m", "2 N·m, -8 N·m"),
+        ("2 N·m, 8 N·m", "2 N·m, 8 N"),
+        ("speeds: [0 rpm], torques: [1.2 N·m], beyond: constant", "speeds: [], torques: []"),
+        (", beyond: constant", ", beyond: linear"),
+        (", beyond: constant", ""),
+        ("between: [motor, ground]", "between: [motor, motor]"),
+        ("between: [motor, ground]", "between: [motor, drum]"),
+        ("friction: [0.06, 0.05]", "friction: [0.06, -0.05]"),
+        ("friction: [0.06, 0.05]", "friction: [6, 0.05]"),
+        ("id: churning", "id: seal of the input"),
+    ] {
+        assert!(drags.contains(old), "{old}");
+        fs::write(folder.path().join("box.yaml"), drags.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &[&["losses", "box.yaml"], at_speed].concat());
+        seen.push('\n');
+    }
+    fs::write(folder.path().join("box.yaml"), drags).unwrap();
+    for options in [
+        &["--speed", "1475 rpm"][..],
+        &["--torque", "60 N·m"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--gear", "third"],
+        &["--speed", "1475", "--torque", "60 N·m"],
+        &["--speed", "5000 rpm", "--torque", "60 N·m"],
+        &["--speed", "0 rpm", "--power", "5 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--power", "5 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--cooler", "1 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "0 W/K"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "9 W/K", "--cooler", "-1 W"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "9 W/K", "--allowed-rise", "0 K"],
+        &["--gear", "slow", "--speeds", "500rpm..3000rpm", "--torques", "10N·m..60N·m/2"],
+        &["--gear", "slow", "--speeds", "500rpm..3000rpm/1", "--torques", "10N·m..60N·m/2"],
+        &["--speeds", "500rpm..3000rpm/2", "--torques", "10N·m..60N·m/2"],
+    ] {
+        seen += &session(folder.path(), &[&["losses", "box.yaml"], options].concat());
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
 /// The answer says what leaves out every design; no file says that there is one.
 #[test]
 fn a_set_that_no_size_holds() {
@@ -1065,6 +1114,37 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring", "0.."],
             &["select", "--ratios", "2.5", "--least-efficiency", "-1%"],
             &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring-diameter", "100 mm"],
+            &["select", "--ratios", "2.5", "--ring-offset", "1"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "-12..3"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "3..-3"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "a"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "1", "--tip-thickness", "-0.1"],
+            &["select", "--ratios", "2.5", "--teeth", "--aim", "sliding"],
+            &[
+                "select",
+                "--ratios",
+                "2.5",
+                "--teeth",
+                "--ring-offset",
+                "1",
+                "--sun",
+                "1..5000",
+                "--ring",
+                "1..9000"
+            ],
+            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--ring-offset", "1"],
+            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--teeth", "--ring-offset", "-12..3"],
+            &[
+                "design",
+                "--ratios",
+                "2.5",
+                "--power",
+                "75 kW",
+                "--input",
+                "1475 rpm",
+                "--ring-offset",
+                "10..11"
+            ],
         ]
     ));
 }

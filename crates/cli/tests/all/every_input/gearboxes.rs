@@ -98,6 +98,19 @@ const GEARBOX: &[Key] = &[
         "load_rating: 25 kN, bearing_rolling: balls",
         FIRST,
     ),
+    key(
+        "compound_sets.planet_sizes.static_load_rating",
+        "static_load_rating: 30 kN",
+        "static_load_rating: 31 kN",
+        OVER_DUTY,
+    ),
+    key("compound_sets.planet_sizes.fatigue_limit", "fatigue_limit: 3 kN", "fatigue_limit: 2 kN", OVER_DUTY),
+    key(
+        "compound_sets.planet_sizes.bearing_diameter",
+        "bearing_diameter: 26 mm",
+        "bearing_diameter: 20 mm",
+        OVER_DUTY,
+    ),
     key("compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", FIRST),
     key(
         "compound_sets.planet_sizes.carrier_radius",
