@@ -166,6 +166,49 @@ fn a_compound_set_has_the_lives_of_the_same_set_in_short() {
     assert!(refused.contains("static_load_rating must be above 0"), "{refused}");
 }
 
+/// A Ravigneaux set alone has no teeth that are rated, and its planets' bearings are.
+#[test]
+fn planets_of_a_compound_set_alone_are_rated() {
+    const ALONE: &str = "\
+gearbox: four-speed
+input: turbine
+output: ring
+links: [carrier]
+compound_sets:
+  - { id: R, carrier: carrier, suns: { turbine: 30, large: 36 }, rings: { ring: 72 }, planet_gears: { long: [18], short: [18] },
+      meshes: [{ gears: [turbine, short] }, { gears: [short, long] }, { gears: [large, long] }, { gears: [long, ring] }], planets: 3, module: 3 mm,
+      planet_sizes: { long: { mass: 0.5 kg, load_rating: 25 kN, bearing_rolling: rollers, static_load_rating: 30 kN, fatigue_limit: 3 kN,
+        bearing_diameter: 26 mm }, short: { mass: 0.4 kg, load_rating: 25 kN, bearing_rolling: rollers, static_load_rating: 30 kN,
+        fatigue_limit: 3 kN, bearing_diameter: 26 mm } } }
+brakes: [{ id: LR, link: carrier }, { id: B, link: large }]
+oil: { viscosity: 100 mm²/s, working_viscosity: 30 mm²/s, contamination: 0.5 }
+life: 500 h
+duty:
+  - { gear: \"1\", share: 30 %, torque: 60 N·m, speed: 1500 rpm }
+  - { gear: \"2\", share: 70 %, torque: 60 N·m, speed: 2000 rpm }
+gears: [{ name: \"1\", engaged: [LR] }, { name: \"2\", engaged: [B] }]
+";
+    let told = strength(ALONE).unwrap();
+    assert!(told.governing.is_none() && told.over_duty.is_empty() && told.not_rated.len() == 1);
+    let names: Vec<&str> = told.bearings.iter().map(|bearing| bearing.planet.as_str()).collect();
+    assert_eq!(names, ["long", "short"]);
+    for bearing in &told.bearings {
+        assert_eq!((bearing.missing.as_slice(), bearing.steps.len()), ([].as_slice(), 2));
+        let safety = 30e3 / bearing.greatest_force_n.unwrap();
+        assert!((bearing.static_safety.unwrap() / safety - 1.0).abs() < 1e-12);
+        // By hand from the steps: Miner's sum of both with their own a_ISO.
+        let damage = bearing.steps.iter().zip([0.3, 0.7]).map(|(step, share)| {
+            let revolutions = libm::pow(25e3 / step.force_n, 10.0 / 3.0) * 1e6 * step.modification.unwrap();
+            share * step.speed_rad_s / (2.0 * PI) / revolutions
+        });
+        let life = 1.0 / damage.sum::<f64>();
+        assert!((bearing.modified.unwrap().life_s.unwrap() / life - 1.0).abs() < 1e-9);
+    }
+    let without = ALONE.replace("load_rating: 25 kN, ", "").replace("static_load_rating: 30 kN, ", "");
+    let without = without.replace("static_load_rating: 30 kN,\n", "\n");
+    assert!(strength(&without).unwrap_err().to_string().starts_with("no set can be rated"));
+}
+
 /// Forces on bevel planets are not calculated, and the bearing is told with why it has no life.
 #[test]
 fn bevel_planets_are_not_rated() {

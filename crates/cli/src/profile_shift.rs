@@ -1,8 +1,10 @@
 //! The options of searches for tooth numbers with profile shift.
 
 use crate::failure::Failure;
+use crate::options::of_teeth;
 use epicyclic_answers::teeth::shifted::{ShiftAim, WantedShifts};
 use epicyclic_formats::Number;
+use epicyclic_gears::synthesis::Bounds;
 use std::ops::RangeInclusive;
 
 /// Sets with profile shift.
@@ -51,6 +53,17 @@ impl ShiftOptions {
     pub(crate) fn wanted(&self) -> Option<WantedShifts> {
         let offsets = self.ring_offset.clone()?;
         Some(WantedShifts { offsets, aim: self.aim.into(), tip_thickness: self.tip_thickness.get() })
+    }
+
+    /// Refuses offsets and limits that cannot be.
+    pub(crate) fn check(&self, bounds: &Bounds) -> Result<(), Failure> {
+        let Some(wanted) = self.wanted() else { return Ok(()) };
+        wanted.within(bounds).within(bounds).check().map_err(|error| {
+            match of_teeth(&error, "--planet-count") {
+                Some(option) => Failure::Option { option, message: error.to_string() },
+                None => error.into(),
+            }
+        })
     }
 
     /// Refuses the options where no tooth numbers are sought.

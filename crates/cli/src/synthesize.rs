@@ -521,7 +521,7 @@ impl TeethOptions {
         }
         let usual = Bounds::default();
         let planets = self.planet_count.within(usual.planets);
-        Ok(Some(TeethWanted {
+        let wanted = TeethWanted {
             bounds: Bounds {
                 sun: options::of_wheel("--sun", self.sun, usual.sun)?,
                 planet: options::of_wheel("--planet", self.planet, usual.planet)?,
@@ -537,6 +537,8 @@ impl TeethOptions {
                 TeethAim::Fewest => Aim::Teeth,
             },
             most: self.teeth_limit,
-        }))
+        };
+        self.shifts.check(&wanted.bounds)?;
+        Ok(Some(wanted))
     }
 }

@@ -96,14 +96,15 @@ fn the_excavator_wheel_over_small_rings() {
 fn the_excavator_wheel_with_profile_shift() {
     let mut search = ToothSearch::new(excavator());
     search.bounds = Bounds { sun: 12..=20, ring: 30..=48, planets: 3..=4, ..Bounds::default() };
-    search.requirements.limits.planet_speed = 1.8;
+    search.requirements.limits.planet_speed = 2.5;
     search.structures = Structure::catalogue();
     let without = search.front().unwrap().counts();
     for offsets in [0..=0, -2..=2] {
         search.shift = Some(ProfileShift { offsets: offsets.clone(), closing: Closing::default() });
         for objective in [Objective::Size, Objective::Speed] {
             search.order = Order::new(&[objective]).unwrap();
-            assert!(equals_brute_force(&search).unwrap() > 0);
+            let found = equals_brute_force(&search).unwrap();
+            assert!(offsets == (0..=0) || found > 10, "{found}");
         }
         let counts = search.front().unwrap().counts();
         assert!(offsets == (0..=0) || counts.levels > without.levels && counts.designs > without.designs);

@@ -1130,7 +1130,9 @@ fn selections_that_are_refused() {
                 "--sun",
                 "1..5000",
                 "--ring",
-                "1..9000"
+                "1..9000",
+                "--planet",
+                "1..2000"
             ],
             &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--ring-offset", "1"],
             &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--teeth", "--ring-offset", "-12..3"],

@@ -70,7 +70,7 @@ pub(super) fn teeth(number: usize, found: &Solution) -> Option<Text> {
     }
     table.extend(ratios);
     let mut points = vec![count];
-    if let Some(shift) = &teeth.profile_shift {
+    if let (Some(shift), false) = (&teeth.profile_shift, teeth.choices.is_empty()) {
         points.push("offset: teeth of the ring less those of the sun and twice those of a planet".into());
         let first = teeth.choices.first().into_iter().flat_map(|choice| &choice.sets);
         points.extend(first.zip(1..).filter_map(|(set, place)| shifts(place, set)));

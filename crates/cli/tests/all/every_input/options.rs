@@ -41,9 +41,9 @@ select: --ratios 6.17 --teeth --limit 3 --format json
 select: --ratios 6.17 --teeth --limit 3 --ring-offset -3..3 --format json --planet-speed 4
   --aim tip-alteration
   --tip-thickness 0.7
-synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..24 --ring ..60 --limit 1
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..60 --ring ..110 --planet-count 3 --teeth-limit 1 --limit 1 --format json
   --ring-offset -1..1
-synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..24 --ring ..60 --limit 1 --ring-offset -1..1
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..60 --ring ..110 --planet-count 3 --teeth-limit 1 --limit 1 --ring-offset 1..2 --format json
   --aim tip-alteration
   --tip-thickness 0.7
 teeth: --ratio 6 --no-undercut
