@@ -21,27 +21,27 @@ pub mod teeth;
 
 mod drawn;
 mod gear;
+mod kept;
 mod left_out;
 mod tried;
 mod wanted;
 
 pub use gear::WantedGear;
+pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
 pub use tried::{Searching, Tried, tried};
 pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
-use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
-use epicyclic_synthesis::judge::{Judged, judge_all};
+use epicyclic_synthesis::judge::judge_all;
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::teeth::Design;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -272,27 +272,6 @@ pub struct Gear {
 
 impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
-}
-
-/// A solution that is told, as the search has it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
-    /// Its structure, shift elements and ratios.
-    pub found: Found,
-    /// Its best ring-to-sun ratios and its gearbox.
-    pub judged: Judged,
-    /// The gears that it has, by their places in the wish.
-    pub selection: Vec<usize>,
-    /// What it is worth.
-    pub rating: rank::Rating,
-    /// Its number among all solutions, from 1, the best first.
-    pub number: usize,
-    /// Its family.
-    pub family: family::Family,
-    /// The best tooth numbers, where any were asked for.
-    pub teeth: Vec<Design>,
-    /// How their sets close that have profile shift.
-    pub shift: Option<ProfileShift>,
 }
 
 /// All gearboxes that have the wanted ratios.

@@ -1,4 +1,13 @@
 //! Tooth numbers of sets with profile shift: all that close, sun by sun on all threads.
+//!
+//! The ring departs from `z_s + 2·z_p` by an offset, and some shifts leave no fault ([`involute::search`](epicyclic_gears::involute::search)):
+//! undercut, tip thickness, contact ratio, interference and the clearance between planets are decided by the geometry of the shifted gears. What a
+//! closing may miss is a stretch of shifts shorter than 1/64 of those without undercut
+//! ([`Family::choose`](epicyclic_gears::involute::family::Family::choose)); nothing else is left out.
+//!
+//! Ratios, torques and losses depend on `k` alone as without shifts, since the efficiency of a set is given. Planets turn by `r = z_p/z_s`, and the
+//! size is that at the working circles, which follow from `k` and `r` by the natural centre distance; so levels of `k` and `r` lose nothing. The
+//! shifts themselves are no objective, and the aim picks them of each set that is told.
 
 use super::MOST_TOOTH_SETS;
 use crate::Error;
@@ -9,6 +18,21 @@ use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 
 /// Suns that are closed before it is told how far the search is.
 const SUNS: usize = 16;
+
+/// All tooth numbers within the bounds, with profile shift or without.
+///
+/// # Errors
+/// Those of [`Bounds`] and [`shifted`]; [`Error::TooManyToothSets`], before anything is made.
+pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<ToothNumbers>, Error> {
+    if let Some(shift) = shift {
+        return shifted(bounds, shift, |_| {});
+    }
+    let counted = bounds.count()?;
+    if counted > MOST_TOOTH_SETS {
+        return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
+    }
+    Ok(bounds.tooth_numbers()?)
+}
 
 /// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone through.
 ///

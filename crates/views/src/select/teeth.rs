@@ -182,7 +182,7 @@ fn shifts(select: &SelectTeeth, shift: &RequiredShifts, one: bool) -> Vec<View> 
     let mut views: Vec<View> = SETS[..count]
         .iter()
         .map(|set| {
-            View::new(&format!("Profile shifts of {}", set.heading), &[&["no"], &set.shifts[..]].concat())
+            View::new(format!("Profile shifts of {}", set.heading), &[&["no"], &set.shifts[..]].concat())
         })
         .collect();
     if let Some(last) = views.last_mut() {
