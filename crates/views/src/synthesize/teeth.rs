@@ -71,7 +71,10 @@ pub(super) fn teeth(number: usize, found: &Solution) -> Option<Text> {
     table.extend(ratios);
     let mut points = vec![count];
     if let (Some(shift), false) = (&teeth.profile_shift, teeth.choices.is_empty()) {
-        points.push("offset: teeth of the ring less those of the sun and twice those of a planet".into());
+        let without = if is_double_planet { "; double-planet sets have no profile shift here" } else { "" };
+        points.push(format!(
+            "offset: teeth of the ring less those of the sun and twice those of a planet{without}"
+        ));
         let first = teeth.choices.first().into_iter().flat_map(|choice| &choice.sets);
         points.extend(first.zip(1..).filter_map(|(set, place)| shifts(place, set)));
         points.push(format!(
