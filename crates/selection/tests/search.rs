@@ -98,7 +98,8 @@ fn the_excavator_wheel_with_profile_shift() {
     search.bounds = Bounds { sun: 12..=20, ring: 30..=48, planets: 3..=4, ..Bounds::default() };
     search.requirements.limits.planet_speed = 2.5;
     search.structures = Structure::catalogue();
-    let without = search.front().unwrap().counts();
+    // Sets without an offset are closed as well: of those with few teeth some are undercut whatever the shifts.
+    let mut levels = vec![];
     for offsets in [0..=0, -2..=2] {
         search.shift = Some(ProfileShift { offsets: offsets.clone(), closing: Closing::default() });
         for objective in [Objective::Size, Objective::Speed] {
@@ -106,9 +107,9 @@ fn the_excavator_wheel_with_profile_shift() {
             let found = equals_brute_force(&search).unwrap();
             assert!(offsets == (0..=0) || found > 10, "{found}");
         }
-        let counts = search.front().unwrap().counts();
-        assert!(offsets == (0..=0) || counts.levels > without.levels && counts.designs > without.designs);
+        levels.push(search.front().unwrap().counts().levels);
     }
+    assert!(levels[1] > 2 * levels[0], "{levels:?}");
     search.shift = Some(ProfileShift { offsets: 10..=11, closing: Closing::default() });
     assert!(matches!(search.front(), Err(Error::GearSet(_))));
 }
