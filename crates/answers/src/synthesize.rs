@@ -21,11 +21,13 @@ pub mod teeth;
 
 mod drawn;
 mod gear;
+mod kept;
 mod left_out;
 mod tried;
 mod wanted;
 
 pub use gear::WantedGear;
+pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
 pub use tried::{Searching, Tried, tried};
 pub use wanted::{MOST_OPTIONAL, Wanted};
@@ -35,12 +37,11 @@ use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
-use epicyclic_synthesis::judge::{Judged, judge_all};
+use epicyclic_synthesis::judge::judge_all;
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::teeth::Design;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -273,25 +274,6 @@ impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
 }
 
-/// A solution that is told, as the search has it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
-    /// Its structure, shift elements and ratios.
-    pub found: Found,
-    /// Its best ring-to-sun ratios and its gearbox.
-    pub judged: Judged,
-    /// The gears that it has, by their places in the wish.
-    pub selection: Vec<usize>,
-    /// What it is worth.
-    pub rating: rank::Rating,
-    /// Its number among all solutions, from 1, the best first.
-    pub number: usize,
-    /// Its family.
-    pub family: family::Family,
-    /// The best tooth numbers, where any were asked for.
-    pub teeth: Vec<Design>,
-}
-
 /// All gearboxes that have the wanted ratios.
 ///
 /// # Errors
@@ -448,6 +430,7 @@ pub fn solve_by<E: From<Error>>(
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let side_by_side = wanted.side_by_side(&kept.selection, &gears);
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
+            kept.shift = teeth.shift();
             let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
             let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
@@ -507,7 +490,16 @@ fn keep(
                 let rating = rank::Rating::of(&judged)?;
                 let family = family::Family::of(&found, wish, selection);
                 let selection = selection.to_vec();
-                kept.push(Kept { found, judged, selection, rating, number: 0, family, teeth: Vec::new() });
+                kept.push(Kept {
+                    found,
+                    judged,
+                    selection,
+                    rating,
+                    number: 0,
+                    family,
+                    teeth: Vec::new(),
+                    shift: None,
+                });
             }
         }
     }

@@ -7,6 +7,7 @@ use crate::input;
 use crate::lists::List;
 use crate::options;
 use crate::output::{Format, OutputArgs};
+use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use crate::ratios::Ratios;
 use crate::shards;
@@ -293,6 +294,9 @@ struct TeethOptions {
     /// Choices of tooth numbers shown of each gearbox.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "5")]
     teeth_limit: usize,
+
+    #[command(flatten)]
+    shifts: ShiftOptions,
 }
 
 /// Which tooth numbers are the best.
@@ -553,12 +557,13 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
 
 impl TeethOptions {
     fn wanted(&self) -> Result<Option<TeethWanted>, Failure> {
+        self.shifts.only_with_teeth(self.teeth)?;
         if !self.teeth {
             return Ok(None);
         }
         let usual = Bounds::default();
         let planets = self.planet_count.within(usual.planets);
-        Ok(Some(TeethWanted {
+        let wanted = TeethWanted {
             bounds: Bounds {
                 sun: options::of_wheel("--sun", self.sun, usual.sun)?,
                 planet: options::of_wheel("--planet", self.planet, usual.planet)?,
@@ -567,12 +572,15 @@ impl TeethOptions {
                 ring_to_sun_ratio: ANY_K,
                 ..Bounds::default()
             },
+            shifts: self.shifts.wanted(),
             alike: Alike { rings: self.equal_rings, suns: self.equal_suns, sets: self.equal_sets },
             aim: match self.teeth_aim {
                 TeethAim::Deviation => Aim::Deviation,
                 TeethAim::Fewest => Aim::Teeth,
             },
             most: self.teeth_limit,
-        }))
+        };
+        self.shifts.check(&wanted.bounds)?;
+        Ok(Some(wanted))
     }
 }
