@@ -105,6 +105,7 @@ class SizeOptions(TypedDict, total=False):
     planet_rim: Values | None
     ring_rim: Values | None
     bearings: Values | None
+    bearing_type: Literal["balls", "rollers", "any"] | None
     bearing_rows: Values | None
     no_bearings: bool
     minimise: Literal["mass", "ring"] | None
@@ -563,6 +564,7 @@ def size(
     planet_rim: Values | None = None,
     ring_rim: Values | None = None,
     bearings: Values | None = None,
+    bearing_type: Literal["balls", "rollers", "any"] | None = None,
     bearing_rows: Values | None = None,
     no_bearings: bool = False,
     minimise: Literal["mass", "ring"] | None = None,
@@ -601,8 +603,10 @@ def size(
     ring_rim
         Rim of the ring outside its root circle, in modules
     bearings
-        Bearings of the planets, as CSV with the columns designation, rolling, d_mm, D_mm, B_mm, C_kN, C0_kN. Default:
-        a table of ball bearings
+        Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm, B_mm,
+        C_kN, C0_kN. Default: a table, by ``bearing_type``
+    bearing_type
+        Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or both
     bearing_rows
         Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row bearing
     no_bearings
@@ -633,7 +637,7 @@ def size(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["size"], [file], {"--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--save": save}, progress, output=output)
+    return _call.answer(["size"], [file], {"--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-type": bearing_type, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--save": save}, progress, output=output)
 
 
 def design(
@@ -653,6 +657,7 @@ def design(
     sun: Values | None = None,
     planet: Values | None = None,
     ring: Values | None = None,
+    ring_offset: Values | None = None,
     basis: Values | None = None,
     factors: Values | None = None,
     life: Values | None = None,
@@ -680,6 +685,7 @@ def design(
     planet_rim: Values | None = None,
     ring_rim: Values | None = None,
     bearings: Values | None = None,
+    bearing_type: Literal["balls", "rollers", "any"] | None = None,
     bearing_rows: Values | None = None,
     no_bearings: bool = False,
     minimise: Literal["mass", "ring"] | None = None,
@@ -733,6 +739,10 @@ def design(
         Teeth of the planets
     ring
         Teeth of the rings
+    ring_offset
+        Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range
+        from -9 to 9; ``aim`` and ``tip_thickness`` decide which close. Without it only sets that need no shift get
+        sizes
     basis
         A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is usual
     factors
@@ -788,8 +798,10 @@ def design(
     ring_rim
         Rim of the ring outside its root circle, in modules
     bearings
-        Bearings of the planets, as CSV with the columns designation, rolling, d_mm, D_mm, B_mm, C_kN, C0_kN. Default:
-        a table of ball bearings
+        Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm, B_mm,
+        C_kN, C0_kN. Default: a table, by ``bearing_type``
+    bearing_type
+        Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or both
     bearing_rows
         Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row bearing
     no_bearings
@@ -828,7 +840,7 @@ def design(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["design"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--input": input, "--power": power, "--torque": torque, "--shares": shares, "--overload": overload, "--scheme": scheme, "--order": order, "--tries": tries, "--tooth-design": tooth_design, "--sun": sun, "--planet": planet, "--ring": ring, "--basis": basis, "--factors": factors, "--life": life, "--save": save, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["design"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--input": input, "--power": power, "--torque": torque, "--shares": shares, "--overload": overload, "--scheme": scheme, "--order": order, "--tries": tries, "--tooth-design": tooth_design, "--sun": sun, "--planet": planet, "--ring": ring, "--ring-offset": ring_offset, "--basis": basis, "--factors": factors, "--life": life, "--save": save, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-type": bearing_type, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def losses(
@@ -1167,6 +1179,9 @@ def select(
     planet: Values | None = None,
     ring: Values | None = None,
     planet_count: Values | None = None,
+    ring_offset: Values | None = None,
+    aim: Literal["sliding", "tip-alteration"] | None = None,
+    tip_thickness: Values | None = None,
     project: Values | None = None,
     customer: Values | None = None,
     author: Values | None = None,
@@ -1257,6 +1272,13 @@ def select(
         Teeth of the rings
     planet_count
         Number of planets of a set, from 2 to 8
+    ring_offset
+        Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range
+        from -9 to 9. Without it sets have no profile shift
+    aim
+        With ``ring_offset``: what picks the shifts, of which the sums are fixed
+    tip_thickness
+        With ``ring_offset``: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth
     project
         What it is for, below the title and at the foot of each sheet
     customer
@@ -1287,7 +1309,7 @@ def select(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["select"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--teeth": teeth, "--limit": limit, "--order": order, "--save": save, "--nth": nth, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--input": input, "--power": power, "--torque": torque, "--load-factor": load_factor, "--face-width-ratio": face_width_ratio, "--planets": planets, "--mesh-load-factors": mesh_load_factors, "--ring-diameter": ring_diameter, "--least-module": least_module, "--greatest-module": greatest_module, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["select"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--teeth": teeth, "--limit": limit, "--order": order, "--save": save, "--nth": nth, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--input": input, "--power": power, "--torque": torque, "--load-factor": load_factor, "--face-width-ratio": face_width_ratio, "--planets": planets, "--mesh-load-factors": mesh_load_factors, "--ring-diameter": ring_diameter, "--least-module": least_module, "--greatest-module": greatest_module, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def synthesize(
@@ -1333,6 +1355,9 @@ def synthesize(
     equal_sets: Values | None = None,
     teeth_aim: Literal["deviation", "fewest"] | None = None,
     teeth_limit: Values | None = None,
+    ring_offset: Values | None = None,
+    aim: Literal["sliding", "tip-alteration"] | None = None,
+    tip_thickness: Values | None = None,
     save: Values | None = None,
     nth: Values | None = None,
     explain: Values | None = None,
@@ -1441,6 +1466,13 @@ def synthesize(
         Which tooth numbers are the best
     teeth_limit
         Choices of tooth numbers shown of each gearbox
+    ring_offset
+        Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range
+        from -9 to 9. Without it sets have no profile shift
+    aim
+        With ``ring_offset``: what picks the shifts, of which the sums are fixed
+    tip_thickness
+        With ``ring_offset``: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth
     save
         Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where ``teeth``
         found any
@@ -1481,7 +1513,7 @@ def synthesize(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["synthesize"], [], {"--ratios": ratios, "--tolerance": tolerance, "--class": class_, "--sets": sets, "--elements": elements, "--engaged": engaged, "--links": links, "--open": open, "--k": k, "--brakes": brakes, "--clutches": clutches, "--shifts": shifts, "--skip-shifts": skip_shifts, "--direct": direct, "--step": step, "--falling-steps": falling_steps, "--slip": slip, "--link-speed": link_speed, "--planet-speed": planet_speed, "--drawable": drawable, "--double-planets": double_planets, "--k-double": k_double, "--equal-k": equal_k, "--efficiency": efficiency, "--limit": limit, "--all-gearboxes": all_gearboxes, "--shard": shard, "--longest": longest, "--merge": merge, "--order": order, "--objectives": objectives, "--teeth": teeth, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--equal-rings": equal_rings, "--equal-suns": equal_suns, "--equal-sets": equal_sets, "--teeth-aim": teeth_aim, "--teeth-limit": teeth_limit, "--save": save, "--nth": nth, "--explain": explain, "--transmission": transmission, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--merge": "repeated"}, output=output)
+    return _call.answer(["synthesize"], [], {"--ratios": ratios, "--tolerance": tolerance, "--class": class_, "--sets": sets, "--elements": elements, "--engaged": engaged, "--links": links, "--open": open, "--k": k, "--brakes": brakes, "--clutches": clutches, "--shifts": shifts, "--skip-shifts": skip_shifts, "--direct": direct, "--step": step, "--falling-steps": falling_steps, "--slip": slip, "--link-speed": link_speed, "--planet-speed": planet_speed, "--drawable": drawable, "--double-planets": double_planets, "--k-double": k_double, "--equal-k": equal_k, "--efficiency": efficiency, "--limit": limit, "--all-gearboxes": all_gearboxes, "--shard": shard, "--longest": longest, "--merge": merge, "--order": order, "--objectives": objectives, "--teeth": teeth, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--equal-rings": equal_rings, "--equal-suns": equal_suns, "--equal-sets": equal_sets, "--teeth-aim": teeth_aim, "--teeth-limit": teeth_limit, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--save": save, "--nth": nth, "--explain": explain, "--transmission": transmission, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--merge": "repeated"}, output=output)
 
 
 def atlas(

@@ -16,6 +16,7 @@ use crate::select::saved::Saved;
 use crate::select::teeth::{self, Searches, SizeLimits, Watch};
 use crate::size::Size;
 use crate::size::records::Minimise;
+use crate::teeth::shifted::WantedShifts;
 use crate::{Answer, Error, Warning, select, size};
 use basis::Basis;
 use epicyclic_formats::quantity::format::trimmed;
@@ -27,6 +28,7 @@ use epicyclic_train::Gear;
 use records::{BasisKey, SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// What is wanted.
@@ -38,6 +40,9 @@ pub struct Wanted {
     pub mechanism: Option<Mechanism>,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
+    /// Offsets of the rings of sets with profile shift, in place of sets that need none. The sizes pick the shifts anew at their centre
+    /// distances, by the same aim and tip thickness.
+    pub ring_offsets: Option<RangeInclusive<i32>>,
     /// Which design of the tooth search.
     pub teeth: Teeth,
     /// Shares of the time of the gears, the slowest first, then reverse gears; equal where there are none.
@@ -119,6 +124,11 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
         order: order_of_teeth(),
         space: Space::Mechanisms(vec![mechanism]),
         bounds: wanted.bounds.clone(),
+        shifts: wanted.ring_offsets.clone().map(|offsets| WantedShifts {
+            offsets,
+            aim: wanted.size.aim,
+            tip_thickness: wanted.size.tip_thickness,
+        }),
         limits: SizeLimits::default(),
         most: match wanted.teeth {
             Teeth::Number(number) => number + 1,
@@ -201,7 +211,7 @@ impl Tried {
 /// What a fault calls the gearbox in the making.
 const MAKING: &str = "the gearbox in the making";
 
-/// The gearbox with what its strength asks for and its duty, as a file. The number of planets is left to the sizes.
+/// The gearbox with what its strength asks for and its duty, as a file. The number of planets and the profile shifts are left to the sizes.
 fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
     let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
     let document = Document::parse_one(MAKING, text.as_bytes())?;
@@ -209,7 +219,9 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
     let strength = &wanted.basis.strength;
     let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
     for set in sets.filter_map(Value::as_mapping_mut) {
-        set.remove("planets");
+        for key in ["planets", "profile_shifts", "tip_alterations"] {
+            set.remove(key);
+        }
         set.insert("strength".into(), strength.clone());
     }
     let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();

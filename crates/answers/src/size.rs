@@ -21,7 +21,8 @@ use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_strength::factor::Edition;
 pub use epicyclic_strength::sizing::bearing::Bearing;
-use epicyclic_strength::sizing::bearing::{listed, parse};
+use epicyclic_strength::sizing::bearing::parse;
+pub use epicyclic_strength::sizing::bearing::{listed, listed_rollers};
 use epicyclic_strength::sizing::{
     HeldShifts, STANDARD_MODULES_MM, SetOverload, SetStep, Sizing, Space, size,
 };

@@ -71,7 +71,7 @@ pub struct Strength {
     pub required: Required,
     /// The steps of the duty; empty at an operating point.
     pub duty: Vec<DutyStep>,
-    /// The safety that is least over what is required of it; `null` where nothing is rated, which only a report tells so.
+    /// The safety that is least over what is required of it; `null` where no teeth are rated: where planet bearings alone are, and in a report.
     pub governing: Option<Governing>,
     /// Each gear of each mesh at the operating point; empty over a duty.
     pub at_point: Vec<Rated>,
@@ -114,11 +114,14 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`], [`Error::OfOnePoint`] for a gear or speed of a duty.
-/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where no set can be rated.
+/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where neither teeth nor planet bearings can be
+///   rated.
 /// - [`Error::NoGear`], [`Error::Load`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
     let strength = rated(subject, wanted, true)?;
-    if !strength.is_rated() {
+    // A duty that loads no teeth which are rated may wear planet bearings of compound sets.
+    let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
+    if !strength.is_rated() && !is_borne {
         return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
     }
     Ok(strength)

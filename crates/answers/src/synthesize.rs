@@ -21,11 +21,13 @@ pub mod teeth;
 
 mod drawn;
 mod gear;
+mod kept;
 mod left_out;
 mod tried;
 mod wanted;
 
 pub use gear::WantedGear;
+pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
 pub use tried::{Searching, Tried, tried};
 pub use wanted::{MOST_OPTIONAL, Wanted};
@@ -35,12 +37,11 @@ use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
-use epicyclic_synthesis::judge::{Judged, judge_all};
+use epicyclic_synthesis::judge::judge_all;
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::teeth::Design;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -273,25 +274,6 @@ impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
 }
 
-/// A solution that is told, as the search has it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
-    /// Its structure, shift elements and ratios.
-    pub found: Found,
-    /// Its best ring-to-sun ratios and its gearbox.
-    pub judged: Judged,
-    /// The gears that it has, by their places in the wish.
-    pub selection: Vec<usize>,
-    /// What it is worth.
-    pub rating: rank::Rating,
-    /// Its number among all solutions, from 1, the best first.
-    pub number: usize,
-    /// Its family.
-    pub family: family::Family,
-    /// The best tooth numbers, where any were asked for.
-    pub teeth: Vec<Design>,
-}
-
 /// All gearboxes that have the wanted ratios.
 ///
 /// # Errors
@@ -312,19 +294,45 @@ pub fn solve(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(Synthesis, Vec<Kept>), Error> {
-    solve_by(wanted, &mut |searching, wish| {
+    solve_by(wanted, &mut |searching: &Searching, wish: &Wish| {
         wanted.limits.check(&wish.gears)?;
         Ok(search(searching.class, wish, Share::WHOLE, &|at| progress(searching, at))?)
     })
 }
 
-/// The same where each class is searched by other means, which check the [limits](Wanted::limits) with its gears first.
+/// How each class is searched, and who is told of what follows.
+pub trait Means<E>: Sync {
+    /// Searches a class; checks the [limits](Wanted::limits) with its gears first.
+    ///
+    /// # Errors
+    /// Those of the search.
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E>;
+
+    /// So many of a class's solutions are judged; a break leaves out the others and ends the search.
+    fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
+        let _ = (done, of);
+        ControlFlow::Continue(())
+    }
+
+    /// All that was found so far was left out, so that larger classes follow, if there are any.
+    fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
+        let _ = (searching, left_out);
+    }
+}
+
+impl<E, F: FnMut(&Searching, &Wish) -> Result<run::Answer, E> + Sync> Means<E> for F {
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E> {
+        self(searching, wish)
+    }
+}
+
+/// The same where each class is searched by other means.
 ///
 /// # Errors
 /// As [`solve`], and those of the search.
 pub fn solve_by<E: From<Error>>(
     wanted: &Wanted,
-    search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
+    means: &mut dyn Means<E>,
 ) -> Result<(Synthesis, Vec<Kept>), E> {
     let k_double = (*wanted.double_planets.end() > 0).then(|| wanted.k_double.clone());
     let choices = wanted.teeth.as_ref().map(|teeth| Choices::wanted(teeth, k_double)).transpose()?;
@@ -363,16 +371,24 @@ pub fn solve_by<E: From<Error>>(
             break;
         }
         before = Some((class.sets(), shift_elements));
-        let mut answered = search(&searching, &wish)?;
+        let mut answered = means.search(&searching, &wish)?;
         // What has more gears is not told again with fewer.
         answered.found.retain(|found| known.insert(identity(found)));
         answer.complete &= answered.complete;
         answer.searched.push(Searched::of(&searching, selection.len(), &answered));
         left_out.add(Reason::Direct, answered.tally.without_direct);
         left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
-        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
-        if !answered.complete {
+        let of = answered.found.len();
+        let judged = |done| means.judged(done, of);
+        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out, &judged)?);
+        if left_out.has(Reason::Unjudged) {
+            answer.complete = false;
+        }
+        if !answer.complete {
             break;
+        }
+        if kept.is_empty() && !left_out.are_none() {
+            means.nothing_kept(&searching, &left_out.told());
         }
     }
     answer.left_out = left_out.told();
@@ -414,6 +430,7 @@ pub fn solve_by<E: From<Error>>(
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let side_by_side = wanted.side_by_side(&kept.selection, &gears);
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
+            kept.shift = teeth.shift();
             let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
             let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
@@ -443,6 +460,7 @@ fn keep(
     wanted: &Wanted,
     selection: &[usize],
     left_out: &mut LeftOuts,
+    judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Kept>, Error> {
     if wanted.drawable {
         let mut drawable = Vec::new();
@@ -456,8 +474,12 @@ fn keep(
         found = drawable;
     }
     let mut kept = Vec::new();
-    let judgements = judge_all(&found, wish, wanted.efficiency)?;
+    let judgements = judge_all(&found, wish, wanted.efficiency, judged)?;
     for (found, judged) in found.into_iter().zip(judgements) {
+        let Some(judged) = judged else {
+            left_out.add(Reason::Unjudged, 1);
+            continue;
+        };
         if !wish.are_falling(&judged.ratios) {
             left_out.add(Reason::Order, 1);
             continue;
@@ -468,7 +490,16 @@ fn keep(
                 let rating = rank::Rating::of(&judged)?;
                 let family = family::Family::of(&found, wish, selection);
                 let selection = selection.to_vec();
-                kept.push(Kept { found, judged, selection, rating, number: 0, family, teeth: Vec::new() });
+                kept.push(Kept {
+                    found,
+                    judged,
+                    selection,
+                    rating,
+                    number: 0,
+                    family,
+                    teeth: Vec::new(),
+                    shift: None,
+                });
             }
         }
     }

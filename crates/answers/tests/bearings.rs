@@ -131,3 +131,94 @@ fn what_is_missing_and_what_is_wrong_is_said() {
         assert!(refused.contains(place) && refused.starts_with("stage.yaml:"), "{refused}");
     }
 }
+
+/// The same set in short and gear by gear, behind the stage: forces, lives and safety are the same, and so is what is refused.
+#[test]
+fn a_compound_set_has_the_lives_of_the_same_set_in_short() {
+    const SHORT: &str = "  - { id: B, sun: H, ring: ground, carrier: K, teeth: [20, 70], planet_teeth: [25], planets: 3, module: 8 mm, planet_mass: 5 kg, \
+        load_rating: 200 kN, bearing_rolling: rollers, static_load_rating: 260 kN, fatigue_limit: 28 kN, bearing_diameter: 90 mm }\n";
+    const LONG: &str = "compound_sets:\n  - { id: B, carrier: K, suns: { H: 20 }, rings: { ground: 70 }, planet_gears: { p: [25] }, \
+        meshes: [{ gears: [H, p] }, { gears: [p, ground] }], planets: 3, module: 8 mm, planet_sizes: { p: { mass: 5 kg, \
+        load_rating: 200 kN, bearing_rolling: rollers, static_load_rating: 260 kN, fatigue_limit: 28 kN, bearing_diameter: 90 mm } } }\n";
+    let file = |set: &str| {
+        let stage = STAGE
+            .replace("output: H\n", "output: K\n")
+            .replace("1 } } }\noil", &format!("1 }} }} }}\n{set}oil"));
+        let mut all = strength(&stage).unwrap().bearings;
+        all.retain(|bearing| bearing.set == "B");
+        all.remove(0)
+    };
+    let (short, long) = (file(SHORT), file(LONG));
+    let near = |one: f64, other: f64| assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    near(long.greatest_force_n.unwrap(), short.greatest_force_n.unwrap());
+    near(long.static_safety.unwrap(), short.static_safety.unwrap());
+    near(long.basic_life_s.unwrap(), short.basic_life_s.unwrap());
+    let lives = [&long, &short].map(|one| one.modified.unwrap());
+    near(lives[0].life_s.unwrap(), lives[1].life_s.unwrap());
+    assert_eq!((lives[0].reliability_factor, &long.missing), (0.64, &short.missing));
+    let told = file(&LONG.replace(", fatigue_limit: 28 kN", ""));
+    assert_eq!((told.modified, told.missing), (None, vec!["fatigue_limit".to_owned()]));
+    assert!(told.static_safety.is_some());
+    let set = LONG.replace("static_load_rating: 260 kN", "static_load_rating: 0 kN");
+    let stage =
+        STAGE.replace("output: H\n", "output: K\n").replace("1 } } }\noil", &format!("1 }} }} }}\n{set}oil"));
+    let refused = strength(&stage).unwrap_err().to_string();
+    assert!(refused.contains("static_load_rating must be above 0"), "{refused}");
+}
+
+/// A Ravigneaux set alone has no teeth that are rated, and its planets' bearings are.
+#[test]
+fn planets_of_a_compound_set_alone_are_rated() {
+    const ALONE: &str = "\
+gearbox: four-speed
+input: turbine
+output: ring
+links: [carrier]
+compound_sets:
+  - { id: R, carrier: carrier, suns: { turbine: 30, large: 36 }, rings: { ring: 72 }, planet_gears: { long: [18], short: [18] },
+      meshes: [{ gears: [turbine, short] }, { gears: [short, long] }, { gears: [large, long] }, { gears: [long, ring] }], planets: 3, module: 3 mm,
+      planet_sizes: { long: { mass: 0.5 kg, load_rating: 25 kN, bearing_rolling: rollers, static_load_rating: 30 kN, fatigue_limit: 3 kN,
+        bearing_diameter: 26 mm }, short: { mass: 0.4 kg, load_rating: 25 kN, bearing_rolling: rollers, static_load_rating: 30 kN,
+        fatigue_limit: 3 kN, bearing_diameter: 26 mm } } }
+brakes: [{ id: LR, link: carrier }, { id: B, link: large }]
+oil: { viscosity: 100 mm²/s, working_viscosity: 30 mm²/s, contamination: 0.5 }
+life: 500 h
+duty:
+  - { gear: \"1\", share: 30 %, torque: 60 N·m, speed: 1500 rpm }
+  - { gear: \"2\", share: 70 %, torque: 60 N·m, speed: 2000 rpm }
+gears: [{ name: \"1\", engaged: [LR] }, { name: \"2\", engaged: [B] }]
+";
+    let told = strength(ALONE).unwrap();
+    assert!(told.governing.is_none() && told.over_duty.is_empty() && told.not_rated.len() == 1);
+    let names: Vec<&str> = told.bearings.iter().map(|bearing| bearing.planet.as_str()).collect();
+    assert_eq!(names, ["long", "short"]);
+    for bearing in &told.bearings {
+        assert_eq!((bearing.missing.as_slice(), bearing.steps.len()), ([].as_slice(), 2));
+        let safety = 30e3 / bearing.greatest_force_n.unwrap();
+        assert!((bearing.static_safety.unwrap() / safety - 1.0).abs() < 1e-12);
+        // By hand from the steps: Miner's sum of both with their own a_ISO.
+        let damage = bearing.steps.iter().zip([0.3, 0.7]).map(|(step, share)| {
+            let revolutions = libm::pow(25e3 / step.force_n, 10.0 / 3.0) * 1e6 * step.modification.unwrap();
+            share * step.speed_rad_s / (2.0 * PI) / revolutions
+        });
+        let life = 1.0 / damage.sum::<f64>();
+        assert!((bearing.modified.unwrap().life_s.unwrap() / life - 1.0).abs() < 1e-9);
+    }
+    let without = ALONE.replace("load_rating: 25 kN, ", "").replace("static_load_rating: 30 kN, ", "");
+    let without = without.replace("static_load_rating: 30 kN,\n", "\n");
+    assert!(strength(&without).unwrap_err().to_string().starts_with("no set can be rated"));
+}
+
+/// Forces on bevel planets are not calculated, and the bearing is told with why it has no life.
+#[test]
+fn bevel_planets_are_not_rated() {
+    let set = "compound_sets:\n  - { id: B, carrier: H, bevels_left: { K: 16 }, bevels_right: { ground: 16 }, planet_gears: { p: [10] }, \
+        meshes: [{ gears: [K, p] }, { gears: [p, ground] }], planets: 2, planet_sizes: { p: { mass: 1 kg, load_rating: 20 kN, \
+        static_load_rating: 20 kN } } }\n";
+    let stage =
+        STAGE.replace("output: H\n", "output: K\n").replace("1 } } }\noil", &format!("1 }} }} }}\n{set}oil"));
+    let told = strength(&stage).unwrap().bearings;
+    let told = told.iter().find(|bearing| bearing.set == "B").unwrap();
+    assert_eq!((told.basic_life_s, told.static_safety), (None, None));
+    assert_eq!(told.missing, ["forces on bevel planets are not calculated"]);
+}

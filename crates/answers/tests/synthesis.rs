@@ -4,10 +4,13 @@
 
 use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer, saved, solve};
+use epicyclic_answers::teeth::shifted::{ShiftAim, WantedShifts};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::wanted_ratio::Wanted as Ratio;
 use epicyclic_formats::{Document, WantedRatio};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::set::Limits as TeethLimits;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::catalogue::Scheme;
@@ -145,10 +148,40 @@ fn the_structures_of_select_are_class_core_of_two_sets_and_four_links() {
     assert_eq!(of_roles, all);
 }
 
+/// The file of a solution has the shifts of its sets: on the centre distance that is told, without backlash and without a fault.
+#[test]
+fn a_file_with_profile_shift_is_read_back() {
+    let bounds = Bounds { sun: 17..=30, ring: 50..=80, ..Bounds::default() };
+    let shifts = WantedShifts { offsets: 1..=2, aim: ShiftAim::BalancedSliding, tip_thickness: 0.3 };
+    let teeth =
+        TeethWanted { bounds, shifts: Some(shifts), alike: Alike::default(), aim: Aim::Deviation, most: 1 };
+    let wanted = Wanted { teeth: Some(teeth), ..wanted(vec![2.56, 1.465], 0.02) };
+    let (found, kept) = solve(&wanted, &|_, _| ControlFlow::Continue(())).unwrap();
+    let mut read = 0;
+    for (solution, kept) in found.solutions.iter().zip(&kept).filter(|(_, kept)| !kept.teeth.is_empty()) {
+        let gearbox = saved::gearbox(kept, "saved", kept.teeth.first()).unwrap();
+        let text = saved::file(&gearbox, &[]).unwrap();
+        let file: GearboxFile = Document::parse_one("saved.yaml", text.as_bytes()).unwrap().read().unwrap();
+        let again = file.gearbox().unwrap();
+        let told = &solution.teeth.as_ref().unwrap().choices[0].sets;
+        for (set, told) in again.sets().iter().zip(told) {
+            let shifts = told.shifts.unwrap();
+            assert!((1..=2).contains(&shifts.ring_offset));
+            let set = set.short().unwrap().involute_set(&BasicRack::default()).unwrap().unwrap();
+            assert!((set.centre_distance() - shifts.centre_distance_in_modules).abs() < 1e-9);
+            assert!(set.ring_mesh().backlash().abs() < 1e-9);
+            let limits = TeethLimits { tip_thickness: 0.3, ..TeethLimits::default() };
+            assert_eq!(set.faults(&limits), vec![]);
+            read += 1;
+        }
+    }
+    assert!(read > 1, "{read}");
+}
+
 #[test]
 fn a_file_with_the_teeth_of_a_double_planet_set_is_read_back() {
     let bounds = Bounds { ring: 60..=90, ..Bounds::default() };
-    let teeth = TeethWanted { bounds, alike: Alike::default(), aim: Aim::Deviation, most: 1 };
+    let teeth = TeethWanted { bounds, shifts: None, alike: Alike::default(), aim: Aim::Deviation, most: 1 };
     let wanted = Wanted { double_planets: 1..=1, teeth: Some(teeth), ..wanted(vec![2.56, 1.465], 0.01) };
     let (found, kept) = solve(&wanted, &|_, _| ControlFlow::Continue(())).unwrap();
     let with_teeth = found.solutions.iter().zip(&kept).filter(|(_, kept)| !kept.teeth.is_empty());

@@ -8,6 +8,7 @@ use crate::input;
 use crate::lists::List;
 use crate::options;
 use crate::output::OutputArgs;
+use crate::profile_shift::offsets;
 use crate::progress::Progress;
 use crate::select::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
 use crate::sizing;
@@ -22,6 +23,7 @@ use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating};
 use epicyclic_strength::load::load_sharing;
 use epicyclic_views::page::{self, sheet::Sheet};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
@@ -91,6 +93,11 @@ pub(crate) struct Args {
     /// Teeth of the rings.
     #[arg(long, value_name = "RANGE", default_value = "50..140")]
     ring: Span<u32>,
+
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9; --aim and
+    /// --tip-thickness decide which close. Without it only sets that need no shift get sizes.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
+    ring_offset: Option<RangeInclusive<i32>>,
 
     /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is usual.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
@@ -216,6 +223,7 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
         selection: select::Wanted { requirements, order, space, most: SCHEMES_TOLD, duty },
         mechanism: args.scheme.map(|scheme| scheme.0),
         bounds,
+        ring_offsets: args.ring_offset.clone(),
         teeth: args.tooth_design.map_or(Teeth::BestOf(args.tries.max(1)), Teeth::Number),
         shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
         overload: overload(args)?,

@@ -85,6 +85,7 @@ mod named;
 mod options;
 mod output;
 mod page;
+mod profile_shift;
 mod progress;
 mod ratios;
 #[cfg(test)]

@@ -51,6 +51,11 @@ impl<'d> Progress<'d> {
         Self::of(call, "writing", 0.0)
     }
 
+    /// Solutions that are judged.
+    pub(crate) fn of_judging(call: &Call<'d>) -> Self {
+        Self::of(call, "judging", 0.0)
+    }
+
     /// Runs of a sweep.
     pub(crate) fn of_runs(call: &Call<'d>) -> Self {
         Self::of(call, "running", 0.0)

@@ -9,6 +9,7 @@ use crate::imprint::{self, PageArgs};
 use crate::lists::{List, Numbers, Quantities};
 use crate::options;
 use crate::output::{Format, OutputArgs};
+use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use crate::ratios::PlainRatios;
 use crate::teeth::IN_A_SECOND;
@@ -278,11 +279,15 @@ struct BoundOptions {
     /// Number of planets of a set, from 2 to 8.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
     planet_count: Span<u32>,
+
+    #[command(flatten)]
+    shifts: ShiftOptions,
 }
 
 /// Runs the command.
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
+    args.teeth_bounds.shifts.only_with_teeth(args.teeth)?;
     let duty = args.duty.duty();
     duty.torque().map_err(|error| refuse(args, error))?;
     let rating = rating(args, &duty)?;
@@ -349,12 +354,14 @@ fn with_teeth(
         return Err(refuse(args, Error::TooManyDesigns { wanted: most, most: MOST_DESIGNS }));
     }
     let bounds = bounds(args)?;
+    let shifts = args.teeth_bounds.shifts.wanted();
+    let is_shifted = shifts.is_some();
     let eta0 = requirements.eta0;
     let space = args.speeds.space();
     let of_one_set = requirements.series.braked().len() == 1;
-    let wanted = teeth::Wanted { requirements, order, space, bounds, limits, most, duty };
+    let wanted = teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, duty };
     let shown = Progress::new(call);
-    if of_one_set {
+    if of_one_set && !is_shifted {
         let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
         shown.size(parts, IN_A_SECOND, || {
             format!("{parts:.1e} combinations of sun, planet and number of planets")
@@ -390,7 +397,9 @@ fn with_teeth(
                 design
             });
             let mut designs = Some(designs);
-            args.output.stream(call, &files, &mut |out| csv(designs.take().into_iter().flatten(), out))?;
+            args.output.stream(call, &files, &mut |out| {
+                csv(designs.take().into_iter().flatten(), is_shifted, out)
+            })?;
         }
     } else {
         let answer = found.answer().map_err(|error| refuse(args, error))?;

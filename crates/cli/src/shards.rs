@@ -11,6 +11,7 @@ use crate::progress::Progress;
 use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Tried, Wanted, solve_by, tried};
 use epicyclic_synthesis::asked::{Asked, asked};
 use epicyclic_synthesis::run::go_on;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::{Share, Work};
 use epicyclic_tables::merge::{merge, same_question};
 use epicyclic_tables::part::Part;
@@ -130,7 +131,7 @@ pub(crate) fn merged(
     }
     let mut answers = merge(&parts, VERSION, &asked)?.into_iter();
     drop(parts);
-    solve_by(wanted, &mut |_, _| {
+    solve_by(wanted, &mut |_: &Searching, _: &Wish| {
         // The classes come in the order of the questions.
         answers.next().ok_or_else(|| Failure::NothingFound("the parts have no such class".into()))
     })

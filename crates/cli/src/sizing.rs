@@ -5,11 +5,11 @@ use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::options;
 use crate::output::OutputArgs;
+use crate::profile_shift::Aim;
 use crate::{analyze, input};
 use epicyclic_answers::Error;
 use epicyclic_answers::size::records::Minimise;
-use epicyclic_answers::size::{Wanted, answer, bearings, saved, subject};
-use epicyclic_answers::teeth::shifted::ShiftAim;
+use epicyclic_answers::size::{Wanted, answer, bearings, listed, listed_rollers, saved, subject};
 use epicyclic_formats::{Number, Quantity, Span};
 use epicyclic_strength::Quantity as Of;
 use std::path::PathBuf;
@@ -98,9 +98,14 @@ pub(crate) struct Options {
     #[arg(long, value_name = "MODULES", default_value = "3.5", allow_negative_numbers = true)]
     ring_rim: Number,
 
-    /// Bearings of the planets, as CSV with the columns designation, rolling, d_mm, D_mm, B_mm, C_kN, C0_kN. Default: a table of ball bearings.
+    /// Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm, B_mm, C_kN, C0_kN. Default: a table,
+    /// by --bearing-type.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     bearings: Option<PathBuf>,
+
+    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or both.
+    #[arg(long, value_enum, default_value_t = BearingType::Balls, conflicts_with_all = ["bearings", "no_bearings"])]
+    bearing_type: BearingType,
 
     /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row bearing.
     #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=2))]
@@ -119,13 +124,15 @@ pub(crate) struct Options {
     most: usize,
 }
 
-/// What picks the shifts.
+/// Which bearings of the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Aim {
-    /// Equal specific sliding at the roots of sun and planets.
-    Sliding,
-    /// Least tip alteration.
-    TipAlteration,
+enum BearingType {
+    /// Deep groove ball bearings of the series 60, 62, 63.
+    Balls,
+    /// Cylindrical roller bearings of the series NJ 2, NJ 22, NJ 3, NJ 23.
+    Rollers,
+    /// Both.
+    Any,
 }
 
 /// What is least.
@@ -170,7 +177,11 @@ impl Options {
         let bearings = match &self.bearings {
             _ if self.no_bearings => vec![],
             Some(file) => bearings(&input::text(call, file)?).map_err(refuse)?,
-            None => usual.bearings,
+            None => match self.bearing_type {
+                BearingType::Balls => usual.bearings,
+                BearingType::Rollers => listed_rollers().to_vec(),
+                BearingType::Any => [listed(), listed_rollers()].concat(),
+            },
         };
         Ok(Wanted {
             modules: lengths(&self.modules, usual.modules),
@@ -178,10 +189,7 @@ impl Options {
             planets,
             centre_distance_step: self.centre_distance_step.0,
             width_ratio: self.width_ratio.map(Number::get),
-            aim: match self.aim {
-                Aim::Sliding => ShiftAim::BalancedSliding,
-                Aim::TipAlteration => ShiftAim::LeastTipAlteration,
-            },
+            aim: self.aim.into(),
             tip_thickness: self.tip_thickness.get(),
             planet_rim: self.planet_rim.get(),
             ring_rim: self.ring_rim.get(),

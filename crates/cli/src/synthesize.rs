@@ -7,6 +7,7 @@ use crate::input;
 use crate::lists::List;
 use crate::options;
 use crate::output::{Format, OutputArgs};
+use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use crate::ratios::Ratios;
 use crate::shards;
@@ -15,7 +16,9 @@ use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::near_miss::near_miss;
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
-use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve_by};
+use epicyclic_answers::synthesize::{
+    Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
+};
 use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
@@ -23,14 +26,16 @@ use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
-use epicyclic_synthesis::run::search;
+use epicyclic_synthesis::run::{self, search};
 use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::teeth::{Aim, Alike};
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 use uom::si::f64::{Ratio, Time};
 
 /// The most planet sets that are searched.
@@ -289,6 +294,9 @@ struct TeethOptions {
     /// Choices of tooth numbers shown of each gearbox.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "5")]
     teeth_limit: usize,
+
+    #[command(flatten)]
+    shifts: ShiftOptions,
 }
 
 /// Which tooth numbers are the best.
@@ -414,16 +422,54 @@ fn searched(
     longest: Option<Time>,
 ) -> Result<(Synthesis, Vec<Kept>), Failure> {
     let hearing = Hearing::new(call);
-    solve_by(wanted, &mut |searching, wish| {
+    solve_by(wanted, &mut Here { call, wanted, longest, hearing, judging: Mutex::default() })
+}
+
+/// A search on this machine.
+struct Here<'c, 'd> {
+    call: &'c Call<'d>,
+    wanted: &'c Wanted,
+    longest: Option<Time>,
+    hearing: Hearing<'d>,
+    /// While solutions are judged: how far that is, and whether the search had been asked to end before.
+    judging: Mutex<Option<(Progress<'d>, bool)>>,
+}
+
+impl Means<Failure> for Here<'_, '_> {
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, Failure> {
+        let Self { call, wanted, hearing, .. } = self;
         wanted.limits.check(&wish.gears).map_err(|error| options::of_synthesis(error.into()))?;
-        size::check(call, searching, wish, longest)?;
+        size::check(call, searching, wish, self.longest)?;
         let shown = Progress::new(call);
-        search(searching.class, wish, Share::WHOLE, &|at| {
+        let found = search(searching.class, wish, Share::WHOLE, &|at| {
             shown.at(at.done as f64 / at.of.max(1) as f64);
             if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })
-        .map_err(|error| options::of_synthesis(error.into()))
-    })
+        });
+        *self.judging.lock().unwrap_or_else(PoisonError::into_inner) = None;
+        found.map_err(|error| options::of_synthesis(error.into()))
+    }
+
+    fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
+        let is_asked = self.hearing.is_asked();
+        let mut judging = self.judging.lock().unwrap_or_else(PoisonError::into_inner);
+        // What a search that was ended has found is judged to the end.
+        let (shown, was_asked) = judging.get_or_insert_with(|| (Progress::of_judging(self.call), is_asked));
+        shown.at(done as f64 / of.max(1) as f64);
+        let is_over = is_asked && !*was_asked;
+        if is_over || done == of {
+            *judging = None;
+        }
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
+        self.call.complain(&format!(
+            "note: up to {} sets with {} shift elements nothing is left{}",
+            searching.class.sets(),
+            searching.shift_elements,
+            epicyclic_views::synthesize::left_out_in_words(left_out)
+        ));
+    }
 }
 
 impl Wishes {
@@ -511,12 +557,13 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
 
 impl TeethOptions {
     fn wanted(&self) -> Result<Option<TeethWanted>, Failure> {
+        self.shifts.only_with_teeth(self.teeth)?;
         if !self.teeth {
             return Ok(None);
         }
         let usual = Bounds::default();
         let planets = self.planet_count.within(usual.planets);
-        Ok(Some(TeethWanted {
+        let wanted = TeethWanted {
             bounds: Bounds {
                 sun: options::of_wheel("--sun", self.sun, usual.sun)?,
                 planet: options::of_wheel("--planet", self.planet, usual.planet)?,
@@ -525,12 +572,15 @@ impl TeethOptions {
                 ring_to_sun_ratio: ANY_K,
                 ..Bounds::default()
             },
+            shifts: self.shifts.wanted(),
             alike: Alike { rings: self.equal_rings, suns: self.equal_suns, sets: self.equal_sets },
             aim: match self.teeth_aim {
                 TeethAim::Deviation => Aim::Deviation,
                 TeethAim::Fewest => Aim::Teeth,
             },
             most: self.teeth_limit,
-        }))
+        };
+        self.shifts.check(&wanted.bounds)?;
+        Ok(Some(wanted))
     }
 }

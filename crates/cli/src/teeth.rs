@@ -4,6 +4,7 @@ use crate::desk::{Call, Content};
 use crate::failure::Failure;
 use crate::options;
 use crate::output::{Format, OutputArgs};
+use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
 use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, shifted, stages};
@@ -50,27 +51,11 @@ pub(crate) struct Args {
     tolerance: Quantity<Ratio>,
 
     /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the ring.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "ring_offset")]
     double_planet: bool,
 
-    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9. Without it
-    /// sets have no profile shift.
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets, conflicts_with_all = ["double_planet", "no_undercut"])]
-    ring_offset: Option<RangeInclusive<i32>>,
-
-    /// With --ring-offset: what picks the shifts, of which the sums are fixed.
-    #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::Sliding)]
-    aim: Aim,
-
-    /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
-    #[arg(
-        long,
-        value_name = "MODULES",
-        requires = "ring_offset",
-        default_value = "0.2",
-        allow_negative_numbers = true
-    )]
-    tip_thickness: Number,
+    #[command(flatten)]
+    shifts: ShiftOptions,
 
     /// Number of planets, or of pairs of planets, from 2 to 8.
     #[arg(long, default_value = "3..8")]
@@ -109,7 +94,7 @@ pub(crate) struct Args {
     pressure_angle: Quantity<Angle>,
 
     /// Leave out sets in which the rack would undercut sun or planet.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "ring_offset")]
     no_undercut: bool,
 
     /// Show at most this many sets. Default: 20 in a table, otherwise all, up to 100000.
@@ -135,25 +120,6 @@ enum Spacing {
     Equal,
     /// The assembly positions nearest to equal angles, where equal angles do not assemble.
     LeastUnequal,
-}
-
-/// What picks the shifts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Aim {
-    /// Equal specific sliding at the roots of sun and planets.
-    Sliding,
-    /// Least tip alteration.
-    TipAlteration,
-}
-
-fn offsets(text: &str) -> Result<RangeInclusive<i32>, String> {
-    let whole = |text: &str| {
-        text.trim().parse::<i32>().map_err(|_| format!("{text:?} is not a whole number; write -3..3, or 2"))
-    };
-    let ends = text.split_once("..=").or_else(|| text.split_once(".."));
-    let (from, to) = ends.unwrap_or((text, text));
-    let (from, to) = (whole(from)?, whole(to)?);
-    if from > to { Err(format!("write the smaller number first: {to}..{from}")) } else { Ok(from..=to) }
 }
 
 fn mode(text: &str) -> Result<Mode, String> {
@@ -187,13 +153,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         "sun, planet and number of planets"
     };
     shown.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
-    if let Some(offsets) = &args.ring_offset {
-        let aim = match args.aim {
-            Aim::Sliding => shifted::ShiftAim::BalancedSliding,
-            Aim::TipAlteration => shifted::ShiftAim::LeastTipAlteration,
-        };
-        let shifts =
-            shifted::WantedShifts { offsets: offsets.clone(), aim, tip_thickness: args.tip_thickness.get() };
+    if let Some(shifts) = args.shifts.wanted() {
         let found = shifted::answer(&wanted, &shifts, |share| shown.at(share)).map_err(refuse_answer)?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));

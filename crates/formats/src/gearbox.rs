@@ -68,7 +68,7 @@ mod strength;
 mod transmissions;
 mod vibration;
 mod written;
-pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
+pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};

@@ -13,7 +13,8 @@
 //! | `h_a*` | addendum coefficient | modules |
 //! | `s` | least gap wanted between the tip circles of adjacent planets | modules |
 //!
-//! Gears without profile shift: with it a real gear set may depart from `z_b = z_a + 2·z_g` by a tooth or two.
+//! Gears without profile shift: sets that depart from `z_b = z_a + 2·z_g` by some teeth and close by it are those of
+//! [`ShiftedSearch`](crate::involute::search::ShiftedSearch).
 //!
 //! # Source
 //! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
@@ -57,6 +58,22 @@ impl ToothNumbers {
     #[must_use]
     pub fn ring_to_sun_ratio(&self) -> f64 {
         self.ring.as_f64() / self.sun.as_f64()
+    }
+
+    /// By how much the ring departs from equal centre distances without profile shift, `z_b − z_a − 2·z_g`.
+    #[must_use]
+    pub fn ring_offset(&self) -> i32 {
+        let coaxial = i64::from(coaxial_ring(self.sun.get(), self.planet.get()));
+        (i64::from(self.ring.get()) - coaxial) as i32
+    }
+
+    /// Planet-to-sun ratio `r = z_g/z_a`; without an offset of the ring it is `(k − 1)/2`, and computed so.
+    #[must_use]
+    pub fn planet_to_sun_ratio(&self) -> f64 {
+        match self.ring_offset() {
+            0 => (self.ring_to_sun_ratio() - 1.0) / 2.0,
+            _ => self.planet.as_f64() / self.sun.as_f64(),
+        }
     }
 
     /// A planet as its neighbours see it, in modules.

@@ -49,6 +49,7 @@ words! {
         WidthOverDiameter "width over diameter"
         OuterDiameter "outer diameter"
         Ripple "ripple"
+        FlankRipple "ripple at the flanks"
         LeastRadius "least radius"
         ContactRatio "contact ratio"
         LeastTorque "least torque over the mean"

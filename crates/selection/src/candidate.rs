@@ -6,10 +6,12 @@ use super::requirements::{Limits, OBJECTED_CIRCULATION, Requirements};
 use super::size::relative_ring_diameter;
 use super::tolerance::SLACK;
 use super::{Drawing, Error, NotDrawable};
+use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::Gearbox;
+use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::speeds::PlanetMotion;
 use std::fmt;
 
@@ -220,7 +222,44 @@ impl Candidate {
         requirements: &Requirements,
         drawing: Option<&Drawing>,
     ) -> Result<Self, Error> {
-        let gearbox = mechanism.gearbox(&k, requirements.eta0, [Role::D, Role::B])?;
+        Self::with_planets(mechanism, k, &[], wanted, requirements, drawing)
+    }
+
+    /// The same of tooth numbers, one combination a set: with planets whose teeth need not be those of equal centre distances without shift.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_teeth(
+        mechanism: Mechanism,
+        teeth: &[ToothNumbers],
+        wanted: &[f64],
+        requirements: &Requirements,
+        drawing: Option<&Drawing>,
+    ) -> Result<Self, Error> {
+        let k = teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
+        Self::with_planets(mechanism, k, teeth, wanted, requirements, drawing)
+    }
+
+    /// Planets turn by `k` unless an offset of a ring says otherwise.
+    fn with_planets(
+        mechanism: Mechanism,
+        k: Vec<f64>,
+        teeth: &[ToothNumbers],
+        wanted: &[f64],
+        requirements: &Requirements,
+        drawing: Option<&Drawing>,
+    ) -> Result<Self, Error> {
+        let mut gearbox = mechanism.gearbox(&k, requirements.eta0, [Role::D, Role::B])?;
+        if teeth.iter().any(|teeth| teeth.ring_offset() != 0) {
+            let mut teeth = teeth.iter();
+            let with_teeth = |set: SetSpec| match teeth.next() {
+                None => set,
+                Some(of) => {
+                    SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }.planet_teeth(of.planet, None)
+                }
+            };
+            gearbox = gearbox.to_builder().map_sets(with_teeth).build()?;
+        }
         let gears = SchemeGear::BRAKED
             .into_iter()
             .zip(wanted)

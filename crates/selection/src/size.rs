@@ -9,27 +9,32 @@
 //! | `K` | load factor of the mesh: contact stress squared, but for constants of material | Pa |
 //! | `F_t`, `b` | tangential force, face width | N, m |
 //! | `d₁`, `u` | pitch diameter of the smaller of sun and planet, the larger over it | m, 1 |
+//! | `w` | working over reference diameters of sun and planets, `a/a_d`: 1 but of sets with an offset of the ring | 1 |
 //! | `T_a` | the largest torque on the sun over the braked gears, with losses | N·m |
 //! | `N`, `K_γ` | planets; mesh load factor: how much more than its share the most loaded mesh carries | 1 |
 //! | `ψ` | face-width ratio `b/d₁` | 1 |
 //!
-//! By equal centre distances `d_g = r·d_a` with `r = (k − 1)/2`, so with `T_a = τ·T_in` the ring has
+//! A planet has `d_g = r·d_a` with `r = z_g/z_a`, by equal centre distances without profile shift `r = (k − 1)/2`. The mesh carries its load at
+//! the working circles, `w·d_a` and `w·d_g`; `d_b` and `b = ψ·d₁` are by the reference circles, which are `m·z`. So with `T_a = τ·T_in` the ring has
 //!
 //! ```text
-//! d_b³ = k³·(1 + 1/r)/min(1, r)·τ·(K_γ/N) · 2·T_in/(ψ·K)
+//! d_b³ = k³·(1 + 1/r)/(w²·min(1, r))·τ·(K_γ/N) · 2·T_in/(ψ·K)
 //! ```
 //!
 //! The last factor is common to all sets and gearboxes at one input torque: without it the cube root is
-//! the *relative* size, and `∛(2·T_in/(ψ·K))` turns that into metres. So the size depends on `k` and the
+//! the *relative* size, and `∛(2·T_in/(ψ·K))` turns that into metres. So the size depends on `k`, `r` and the
 //! number of planets, not on the teeth beyond these. In direct drive the sets stand still within
 //! themselves, and their teeth, loaded but not rolling, do not count.
 //!
-//! Left out: the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
+//! Left out: the working pressure angle, which `K` does not have, and which lowers the contact stress of meshes with a large sum of shifts
+//! further; the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
 //! module within a diameter; shafts, bearings and shift elements.
 
 use super::Error;
 use crate::quantity::Rated;
 use crate::units::{metres, n_m, pascal};
+use epicyclic_gears::involute::search::ProfileShift;
+use epicyclic_gears::synthesis::ToothNumbers;
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
 
@@ -91,10 +96,9 @@ impl Rating {
 
 const PLANETS: RangeInclusive<u32> = 2..=MOST_PLANETS;
 
-/// `k³·(1 + 1/r)/min(1, r)`, what the ring-to-sun ratio does to the cube of the size.
-pub(crate) fn cube_of_ring_to_sun_ratio(k: f64) -> f64 {
-    let r = (k - 1.0) / 2.0;
-    k * k * k * (1.0 + 1.0 / r) / r.min(1.0)
+/// `k³·(1 + 1/r)/(w²·min(1, r))`, what the ratios of ring and planet to the sun do to the cube of the size.
+pub(crate) fn cube_of_ratios(k: f64, r: f64, w: f64) -> f64 {
+    k * k * k * (1.0 + 1.0 / r) / r.min(1.0) / (w * w)
 }
 
 /// Relative ring diameter of a set: [`Rating::unit`] times this is its ring's pitch diameter.
@@ -106,13 +110,38 @@ pub(crate) fn cube_of_ring_to_sun_ratio(k: f64) -> f64 {
 /// | `K_γ/N` | `rating`, `planets` | share of the most loaded planet |
 #[must_use]
 pub fn relative_ring_diameter(k: f64, sun_torque: f64, planets: u32, rating: &Rating) -> f64 {
-    libm::cbrt(cube_of_ring_to_sun_ratio(k) * sun_torque.abs() * rating.share(planets))
+    libm::cbrt(cube_of_ratios(k, (k - 1.0) / 2.0, 1.0) * sun_torque.abs() * rating.share(planets))
+}
+
+/// The same of a set of teeth, whose planets need not have `r = (k − 1)/2` where it has profile shift.
+///
+/// # Errors
+/// None of a set that a search with this shift found.
+pub fn relative_ring_diameter_of_teeth(
+    teeth: &ToothNumbers,
+    shift: Option<&ProfileShift>,
+    sun_torque: f64,
+    rating: &Rating,
+) -> Result<f64, Error> {
+    let w = working_over_reference(teeth, shift)?;
+    let cube = cube_of_ratios(teeth.ring_to_sun_ratio(), teeth.planet_to_sun_ratio(), w);
+    Ok(libm::cbrt(cube * sun_torque.abs() * rating.share(teeth.planets)))
+}
+
+/// `w` of a set.
+pub(crate) fn working_over_reference(
+    teeth: &ToothNumbers,
+    shift: Option<&ProfileShift>,
+) -> Result<f64, Error> {
+    Ok(shift.map_or(Ok(1.0), |shift| shift.working_over_reference(teeth))?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::units::{pressure, torque};
+    use epicyclic_gears::ToothCount;
+    use epicyclic_gears::involute::closing::Closing;
 
     /// Everything anew from F_t, b and u.
     #[test]
@@ -132,6 +161,24 @@ mod tests {
             let u = large / small;
             let factor = force / (0.8 * small * small) * (u + 1.0) / u;
             assert!((factor / 2.5e6 - 1.0).abs() < 1e-12, "k = {k}: {factor}");
+        }
+    }
+
+    /// As above, at the working circles of planets that are larger and smaller than the room between sun and ring.
+    #[test]
+    fn planets_of_sets_with_an_offset_count_with_their_own_teeth() {
+        let teeth = |count| ToothCount::new(count).unwrap();
+        let rating = Rating { load: Some((torque(1200.0), pressure(2.5e6))), ..Rating::default() };
+        let shift = ProfileShift { offsets: -3..=3, closing: Closing::default() };
+        for planet in [36, 37, 38, 39] {
+            let set = ToothNumbers { sun: teeth(18), planet: teeth(planet), ring: teeth(93), planets: 3 };
+            let size = relative_ring_diameter_of_teeth(&set, Some(&shift), 0.7, &rating).unwrap();
+            let module = size * rating.unit().unwrap().value / 93.0;
+            let a = module * shift.close(&set).unwrap().set.centre_distance();
+            let [d_a, d_g] = [18, planet].map(|count| 2.0 * a * f64::from(count) / f64::from(18 + planet));
+            let force = 2.0 * 0.7 * 1200.0 / (3.0 * d_a);
+            let factor = force / (18.0 * module) * (1.0 / d_a + 1.0 / d_g);
+            assert!((factor / 2.5e6 - 1.0).abs() < 1e-12, "{planet}: {factor}");
         }
     }
 

@@ -3,19 +3,25 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use epicyclic_gears::involute::closing::Closing;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::{Role, SetRoles};
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{MOST_TOOTH_SETS, OneSetFound, OneSetSearch};
-use epicyclic_selection::size::relative_ring_diameter;
+use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{Error, Mechanism, Objective, Order, Requirements, Signs, Space};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
 use uom::si::length::millimeter;
 use uom::si::pressure::megapascal;
 use uom::si::torque::newton_meter;
+
+#[path = "brute_common/mod.rs"]
+mod brute_common;
 
 /// Links of sun, ring and carrier, the teeth, and whether the output is to reverse.
 type Key = (SetRoles, ToothNumbers, bool);
@@ -25,7 +31,8 @@ fn search(ratio: f64) -> OneSetSearch {
 }
 
 /// Efficiency, speed, ring-to-sun ratio, ratio error, size, as costs; of a design that meets the criteria.
-fn costs(requirements: &Requirements, set: SetRoles, wanted: f64, teeth: ToothNumbers) -> Option<[f64; 5]> {
+fn costs(search: &OneSetSearch, set: SetRoles, wanted: f64, teeth: ToothNumbers) -> Option<[f64; 5]> {
+    let requirements = &search.requirements;
     let limits = &requirements.limits;
     let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
     let k = teeth.ring_to_sun_ratio();
@@ -38,7 +45,7 @@ fn costs(requirements: &Requirements, set: SetRoles, wanted: f64, teeth: ToothNu
     let speeds = roles.map(|role| gear.speed(gearbox.link(role.symbol()).unwrap()).unwrap());
     let speed = |role: Role| speeds[roles.iter().position(|one| *one == role).unwrap()];
     let links = speeds.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    let planets = ((speed(set[0]) - speed(set[2])) * 2.0 / (k - 1.0)).abs();
+    let planets = ((speed(set[0]) - speed(set[2])) * teeth.sun.as_f64() / teeth.planet.as_f64()).abs();
     let pairs = if limits.drawable {
         drawable_direct_clutches(mechanism).ok()?
     } else {
@@ -54,7 +61,8 @@ fn costs(requirements: &Requirements, set: SetRoles, wanted: f64, teeth: ToothNu
         && (wanted > 0.0 || !limits.same_direction);
     let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
     let torque = gear.driving()?.members[0].as_ref()?[0];
-    let size = relative_ring_diameter(k, torque, teeth.planets, &requirements.rating);
+    let size =
+        relative_ring_diameter_of_teeth(&teeth, search.shift.as_ref(), torque, &requirements.rating).unwrap();
     let distance = (libm::log(k) - libm::log(k.clamp(low, high))).abs();
     met.then_some([-efficiency, links.max(planets), distance, error, size])
 }
@@ -64,8 +72,12 @@ fn by_trial(search: &OneSetSearch) -> (BTreeMap<Key, [f64; 5]>, usize) {
     let mut all = vec![];
     for target in search.requirements.targets() {
         for &set in &search.sets {
-            for teeth in tooth_numbers_by_trial(&search.bounds).unwrap() {
-                let costs = costs(&search.requirements, set, target[0], teeth);
+            let tried = match &search.shift {
+                None => tooth_numbers_by_trial(&search.bounds).unwrap(),
+                Some(shift) => brute_common::shifted_by_trial(&search.bounds, shift),
+            };
+            for teeth in tried {
+                let costs = costs(search, set, target[0], teeth);
                 all.extend(costs.map(|costs| ((set, teeth, target[0] < 0.0), costs)));
             }
         }
@@ -114,6 +126,66 @@ fn the_conveyor_over_small_rings() {
     search.requirements.limits.planet_speed = 20.0;
     search.requirements.limits.link_speed = 20.0;
     assert!(equals_brute_force(&search).unwrap() > 3);
+}
+
+fn offsets(offsets: RangeInclusive<i32>) -> Option<ProfileShift> {
+    Some(ProfileShift { offsets, closing: Closing::default() })
+}
+
+/// 18/36/93 of a wind gearbox, and planets that turn by their own teeth.
+#[test]
+fn sets_with_profile_shift_are_found() {
+    let mut search = search(111.0 / 18.0);
+    search.bounds =
+        Bounds { sun: 17..=20, planet: 30..=44, ring: 85..=100, planets: 3..=4, ..Bounds::default() };
+    search.requirements.limits.planet_speed = 20.0;
+    search.requirements.tolerance = 0.03;
+    assert!(equals_brute_force(&search).unwrap() > 1);
+    let without = search.front().unwrap().counts();
+    search.shift = offsets(-3..=3);
+    assert!(equals_brute_force(&search).unwrap() > 3);
+    let found = search.front().unwrap();
+    assert!(found.counts().tooth_sets > without.tooth_sets && found.counts().feasible > without.feasible);
+    search.shift = offsets(0..=0);
+    assert!(equals_brute_force(&search).unwrap() > 1);
+    search.requirements.tolerance = 1e-6;
+    search.shift = offsets(3..=3);
+    let found = search.front().unwrap();
+    let all: Vec<String> = found
+        .entries()
+        .iter()
+        .flat_map(|entry| found.designs(entry))
+        .flat_map(|design| design.teeth)
+        .map(|teeth| teeth.to_string())
+        .collect();
+    assert_eq!(all, ["18/36/93 ×3"]);
+    search.shift = offsets(-12..=3);
+    assert!(matches!(search.front(), Err(Error::GearSet(_))));
+    search.shift = offsets(0..=3);
+    (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (1..=2000, 1..=2000, 1..=4000);
+    assert!(matches!(search.front(), Err(Error::TooManyToothSets { .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+    /// With the planets' own teeth in speeds and sizes.
+    #[test]
+    fn search_with_profile_shift_equals_brute_force(
+        ratio in prop_oneof![-6.0..-1.5_f64, 1.15..8.0_f64],
+        sun in 12..24_u32,
+        low in -3..=0_i32,
+        more in 0..=3_i32,
+        planet_speed in 0.5..6.0_f64,
+        objective in 0..5_usize,
+    ) {
+        let mut search = search(ratio);
+        search.requirements.tolerance = 0.1;
+        search.requirements.limits.planet_speed = planet_speed;
+        search.order = Order::new(&[Objective::ALL[objective]]).unwrap();
+        search.bounds = Bounds { sun: sun..=sun + 3, planet: 12..=28, ring: 36..=76, planets: 3..=4, ..Bounds::default() };
+        search.shift = offsets(low..=low + more);
+        equals_brute_force(&search)?;
+    }
 }
 
 proptest! {

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use epicyclic_gears::involute::closing::Closing;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
@@ -39,7 +41,13 @@ fn members(found: &Found) -> BTreeMap<Key, [f64; 5]> {
 }
 
 fn equals_brute_force(search: &ToothSearch) -> Result<usize, TestCaseError> {
-    let (designs, _) = brute::designs(&search.requirements, &search.structures, &search.bounds);
+    let (designs, _) = match &search.shift {
+        None => brute::designs(&search.requirements, &search.structures, &search.bounds),
+        Some(shift) => {
+            let all = brute::shifted_by_trial(&search.bounds, shift);
+            brute::designs_of(&search.requirements, &search.structures, &all, Some(shift))
+        }
+    };
     let exact: BTreeMap<Key, [f64; 5]> = brute::front(&designs)
         .into_iter()
         .map(|d| ((d.structure, d.teeth, d.wanted[0] > d.wanted[1]), d.costs))
@@ -81,6 +89,29 @@ fn the_excavator_wheel_over_small_rings() {
     let mut search = ToothSearch::new(excavator());
     search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
     assert!(equals_brute_force(&search).unwrap() > 10);
+}
+
+/// Planets of one ring and sun with several tooth numbers, so that `k` alone tells neither speeds nor sizes.
+#[test]
+fn the_excavator_wheel_with_profile_shift() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { sun: 12..=20, ring: 30..=48, planets: 3..=4, ..Bounds::default() };
+    search.requirements.limits.planet_speed = 2.5;
+    search.structures = Structure::catalogue();
+    // Sets without an offset are closed as well: of those with few teeth some are undercut whatever the shifts.
+    let mut levels = vec![];
+    for offsets in [0..=0, -2..=2] {
+        search.shift = Some(ProfileShift { offsets: offsets.clone(), closing: Closing::default() });
+        for objective in [Objective::Size, Objective::Speed] {
+            search.order = Order::new(&[objective]).unwrap();
+            let found = equals_brute_force(&search).unwrap();
+            assert!(offsets == (0..=0) || found > 10, "{found}");
+        }
+        levels.push(search.front().unwrap().counts().levels);
+    }
+    assert!(levels[1] > 2 * levels[0], "{levels:?}");
+    search.shift = Some(ProfileShift { offsets: 10..=11, closing: Closing::default() });
+    assert!(matches!(search.front(), Err(Error::GearSet(_))));
 }
 
 /// A search of what the document's question leaves open.
@@ -134,6 +165,13 @@ proptest! {
     #[test]
     fn search_equals_brute_force_for_any_signs(search in any_search(Signs::Any)) {
         equals_brute_force(&search)?;
+    }
+
+    #[test]
+    fn search_with_profile_shift_equals_brute_force(search in any_search(Signs::Alike), low in -2..=0_i32, more in 0..=2_i32) {
+        let shift = ProfileShift { offsets: low..=low + more, closing: Closing::default() };
+        let bounds = Bounds { planet: 14..=22, ..search.bounds.clone() };
+        equals_brute_force(&ToothSearch { bounds, shift: Some(shift), ..search })?;
     }
 
     #[test]

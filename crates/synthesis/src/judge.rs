@@ -12,6 +12,8 @@ use epicyclic_train::set::SetKind;
 use epicyclic_train::{Analysis, Gearbox};
 #[cfg(feature = "parallel")]
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// A solution with its best ring-to-sun ratios, judged.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +48,8 @@ impl Judged {
     }
 }
 
-/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`.
+/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`. After each `judged` is told
+/// how many are; from a break on nothing is judged, and there is nothing in the place of what is left.
 ///
 /// # Errors
 /// Those of [`judge`].
@@ -57,12 +60,24 @@ pub fn judge_all(
     found: &[Found],
     wish: &Wish,
     mesh_efficiency: MeshEfficiency,
-) -> Result<Vec<Judged>, epicyclic_train::Error> {
+    judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
+) -> Result<Vec<Option<Judged>>, epicyclic_train::Error> {
+    let (ended, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let one = |found: &Found| {
+        if ended.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        let answer = judge(found, wish, mesh_efficiency)?;
+        if judged(done.fetch_add(1, Ordering::Relaxed) + 1).is_break() {
+            ended.store(true, Ordering::Relaxed);
+        }
+        Ok(Some(answer))
+    };
     #[cfg(feature = "parallel")]
     let found = found.par_iter();
     #[cfg(not(feature = "parallel"))]
     let found = found.iter();
-    found.map(|found| judge(found, wish, mesh_efficiency)).collect()
+    found.map(one).collect()
 }
 
 /// Judges a solution of a wish; the solver has to confirm each ratio.

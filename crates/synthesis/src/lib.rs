@@ -66,6 +66,7 @@ pub mod tally;
 pub mod teeth;
 pub mod ternary;
 mod tolerance;
+mod watch;
 pub mod wish;
 pub mod work;
 

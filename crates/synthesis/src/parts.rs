@@ -116,7 +116,12 @@ pub struct Bounds {
 impl Bounds {
     /// Widened by a part of 10⁹.
     pub(crate) fn widened(self) -> Self {
-        Self { least: self.least - WIDENING * self.least.abs(), most: self.most + WIDENING * self.most.abs() }
+        self.widened_by(WIDENING)
+    }
+
+    /// Widened by a part of each.
+    pub(crate) fn widened_by(self, part: f64) -> Self {
+        Self { least: self.least - part * self.least.abs(), most: self.most + part * self.most.abs() }
     }
 
     /// Whether a box may hold a point with a ratio within the bounds, by the values of its `P` and `Q` at the corners.
@@ -129,6 +134,11 @@ impl Bounds {
             smaller &= least < 0.0 && most < 0.0;
         }
         !larger && !smaller
+    }
+
+    /// How far a ratio is from the middle, by half the width; without width infinite or not a number.
+    pub(crate) fn deviation(self, ratio: f64) -> f64 {
+        (ratio - 0.5 * (self.most + self.least)) / (0.5 * (self.most - self.least))
     }
 
     /// Whether a ratio is within.

@@ -89,7 +89,7 @@ pub fn go_on(
     }
 }
 
-/// How many structures a thread searches before it tells and a break is seen.
+/// How many structures a thread searches before it puts what it found to the rest.
 const CHUNK: usize = 16;
 
 fn go_on_with<W: Word + Send>(
@@ -105,6 +105,13 @@ fn go_on_with<W: Word + Send>(
     let next = AtomicUsize::new(0);
     let ended = AtomicBool::new(false);
     let work = Mutex::new(work);
+    // Who finds another at it has nothing to add.
+    let is_over = || {
+        if work.try_lock().is_ok_and(|work| kept(&work).is_break()) {
+            ended.store(true, Ordering::Relaxed);
+        }
+        ended.load(Ordering::Relaxed)
+    };
     let on_a_thread = || {
         let mut search = Search::<W>::new(wish.clone(), class.links());
         while !ended.load(Ordering::Relaxed) {
@@ -113,16 +120,20 @@ fn go_on_with<W: Word + Send>(
             else {
                 break;
             };
-            let mut found = Vec::new();
+            let (mut done, mut found) = (0, Vec::new());
             for place in chunk {
                 let structure = &structures[*place];
-                let solutions = search.structure(structure).into_iter();
+                // One structure of many sets may take long: then it is told, and a break seen, within it.
+                let Some(solutions) = search.structure_unless(structure, &is_over) else { break };
+                done += 1;
                 found.extend(
-                    solutions.map(|solution| (*place, Found { structure: structure.clone(), solution })),
+                    solutions
+                        .into_iter()
+                        .map(|solution| (*place, Found { structure: structure.clone(), solution })),
                 );
             }
             let mut work = work.lock().unwrap_or_else(PoisonError::into_inner);
-            work.add(chunk, found, search.take_tally());
+            work.add(&chunk[..done], found, search.take_tally());
             if kept(&work).is_break() {
                 ended.store(true, Ordering::Relaxed);
             }

@@ -29,6 +29,7 @@ use crate::structure::Structure;
 use crate::table::{Functions, Table, members};
 use crate::tally::Tally;
 use crate::ternary::Word;
+use crate::watch::Watch;
 use crate::wish::Wish;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -139,6 +140,25 @@ impl<W: Word> Search<W> {
 
     /// All solutions of a structure; of those that an automorphism makes equal, one.
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
+        self.solutions(structure, &Watch::new(&|| false))
+    }
+
+    /// The same, unless it is ended before all are found: `ended` is asked now and then. Then nothing of it is counted.
+    pub fn structure_unless(
+        &mut self,
+        structure: &Structure,
+        ended: &dyn Fn() -> bool,
+    ) -> Option<Vec<Solution>> {
+        let (before, watch) = (self.tally, Watch::new(ended));
+        let found = self.solutions(structure, &watch);
+        if watch.is_over() {
+            self.tally = before;
+            return None;
+        }
+        Some(found)
+    }
+
+    fn solutions(&mut self, structure: &Structure, watch: &Watch<'_>) -> Vec<Solution> {
         self.tally.structures += 1;
         self.take(structure);
         let gears = 0..self.wish.gears.len();
@@ -152,14 +172,14 @@ impl<W: Word> Search<W> {
         self.visited.clear();
         self.seen.clear();
         self.candidates.clear();
-        self.grow(0, self.open);
+        self.grow(0, self.open, watch);
         let candidates = std::mem::take(&mut self.candidates);
         let symmetries = if candidates.is_empty() { Vec::new() } else { self.symmetries(structure) };
         let mut found = Vec::new();
         for (chosen, parts) in &candidates {
             let least = symmetries.iter().all(|places| image(*chosen, places) >= *chosen);
             if least {
-                found.extend(self.decide(*chosen, *parts));
+                found.extend(self.decide(*chosen, *parts, watch));
             }
         }
         self.candidates = candidates;
@@ -208,7 +228,10 @@ impl<W: Word> Search<W> {
     }
 
     /// Goes on from chosen elements, in those of some parts where this was not done before.
-    fn grow(&mut self, chosen: u64, parts: Parts) {
+    fn grow(&mut self, chosen: u64, parts: Parts, watch: &Watch<'_>) {
+        if watch.is_over() {
+            return;
+        }
         let missing = self.wish.elements - chosen.count_ones() as usize;
         if missing == 0 {
             if self.seen.insert(chosen) {
@@ -259,7 +282,7 @@ impl<W: Word> Search<W> {
                     // Without as many elements as may still come nothing may be left of it.
                     let left = (0..missing).fold(choice & !chosen, |left, _| left & left.wrapping_sub(1));
                     if left == 0 {
-                        self.grow(chosen | choice, open);
+                        self.grow(chosen | choice, open, watch);
                     }
                 }
             }
@@ -267,15 +290,15 @@ impl<W: Word> Search<W> {
         }
         self.room.push(functions);
         if !parts.is_empty() {
-            self.add_any(chosen, parts);
+            self.add_any(chosen, parts, watch);
         }
     }
 
     /// Adds each further element.
-    fn add_any(&mut self, chosen: u64, parts: Parts) {
+    fn add_any(&mut self, chosen: u64, parts: Parts, watch: &Watch<'_>) {
         for element in 0..self.elements.len() {
             if chosen >> element & 1 == 0 {
-                self.grow(chosen | 1 << element, parts);
+                self.grow(chosen | 1 << element, parts, watch);
             }
         }
     }

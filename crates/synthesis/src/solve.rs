@@ -14,17 +14,28 @@
 //! # Complete
 //! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither a solution nor a proof is
 //! *undecided*, and counted.
+//!
+//! Bounds of round numbers may leave the gears one common point, or a line of them, where several are at their bounds: `k₂·k₃` up to 3.78
+//! beside `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to the last digit, so a point is taken where they are kept but for
+//! 10⁻⁸ of them. Else all of the line would be halved to the smallest boxes.
 
 use crate::class::MOST_SETS;
 use crate::equal::Equal;
 use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
-use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
+use crate::tolerance::{ACCEPTED, DAMPING, SMALLEST, WIDENING};
+use crate::watch::Watch;
 
 /// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
 /// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
 /// bound, with 0.005 thirty times as long as with 0.1.
 const NARROW: f64 = 0.1;
+
+/// The most Gauss-Newton steps towards a point, of each kind.
+const STEPS: usize = 6;
+
+/// The greatest deviation, by half the width of the bounds, from which steps towards the bounds are taken.
+const NEAR_BOUNDS: f64 = 1.1;
 
 /// What is left of the sum of a box's logarithmic widths at most for shrinking it once more.
 const WORTH_MORE: f64 = 0.8;
@@ -79,12 +90,16 @@ pub struct Solver<'a> {
     gears: Vec<Bounds>,
     /// The bounds widened by rounding.
     widened: Vec<Bounds>,
+    /// The bounds for a point that is found.
+    accepted: Vec<Bounds>,
     /// Which functions together are an answer.
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
     /// Sets with equal `k`: their ranges stay one.
     equal: Equal,
     /// Pairs of gears of which the first has the higher ratio.
     falling: &'a [[usize; 2]],
+    /// Whether the search is to end.
+    watch: Option<&'a Watch<'a>>,
     values: [Vec<f64>; 2],
     sets: usize,
     undecided: bool,
@@ -111,9 +126,11 @@ impl<'a> Solver<'a> {
             functions,
             gears: gears.to_vec(),
             widened,
+            accepted: gears.iter().map(|gear| gear.widened_by(ACCEPTED)).collect(),
             accept,
             equal: Equal::NONE,
             falling: &[],
+            watch: None,
             values: [Vec::new(), Vec::new()],
             sets: 0,
             undecided: false,
@@ -134,6 +151,13 @@ impl<'a> Solver<'a> {
     #[must_use]
     pub(crate) const fn with_falling(mut self, falling: &'a [[usize; 2]]) -> Self {
         self.falling = falling;
+        self
+    }
+
+    /// The same, watched: where it is ended the box counts as undecided.
+    #[must_use]
+    pub(crate) const fn with_watch(mut self, watch: &'a Watch<'a>) -> Self {
+        self.watch = Some(watch);
         self
     }
 
@@ -169,6 +193,10 @@ impl<'a> Solver<'a> {
     fn go(&mut self, mut range: Range, left: &mut Left, mut known: bool) -> Option<(Vec<f64>, Vec<usize>)> {
         let sets = self.sets;
         loop {
+            if self.watch.is_some_and(Watch::is_over) {
+                self.undecided = true;
+                return None;
+            }
             let cuboid = &mut range[..sets];
             if !known {
                 self.reduce(cuboid, left)?;
@@ -397,39 +425,51 @@ impl<'a> Solver<'a> {
         Some(())
     }
 
-    /// A point of the box where each gear is within its bounds, if a few Gauss-Newton steps from the middle lead there.
+    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few Gauss-Newton steps from the middle lead
+    /// there: first towards the middles of all bounds, and from near the bounds towards those that are missed.
     fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
-        for _ in 0..6 {
-            let ratios: Vec<f64> =
-                functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
-            let within = ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio));
-            if within && self.falling.iter().all(|[higher, lower]| ratios[*higher] > ratios[*lower]) {
-                return Some(k);
+        for to_bounds in [false, true] {
+            for _ in 0..STEPS {
+                let ratios: Vec<f64> =
+                    functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
+                let within = ratios.iter().zip(&self.accepted).all(|(ratio, gear)| gear.contain(*ratio));
+                if within && self.falling.iter().all(|[higher, lower]| ratios[*higher] > ratios[*lower]) {
+                    return Some(k);
+                }
+                let misses: Vec<f64> =
+                    ratios.iter().zip(&self.gears).map(|(ratio, gear)| gear.deviation(*ratio)).collect();
+                if to_bounds && misses.iter().any(|miss| miss.abs() > NEAR_BOUNDS) {
+                    return None;
+                }
+                let step = self.step(&k, functions, &misses, to_bounds)?;
+                for ((k, step), [least, most]) in k.iter_mut().zip(step).zip(cuboid) {
+                    *k = (*k + step).clamp(*least, *most);
+                }
+                self.equal.spread(&mut k);
             }
-            let step = self.step(&k, functions, &ratios)?;
-            for ((k, step), [least, most]) in k.iter_mut().zip(step).zip(cuboid) {
-                *k = (*k + step).clamp(*least, *most);
-            }
-            self.equal.spread(&mut k);
         }
         None
     }
 
-    /// The step that least squares of the deviations, each by its tolerance, ask for.
-    fn step(&self, k: &[f64], functions: &[usize], ratios: &[f64]) -> Option<Vec<f64>> {
+    /// The step that least squares of the deviations, each by half the width of its bounds, ask for; `to_bounds` of what exceeds the bounds
+    /// alone.
+    fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
         let sets = k.len();
         let mut normal = vec![vec![0.0; sets + 1]; sets];
-        for ((function, ratio), gear) in functions.iter().zip(ratios).zip(&self.gears) {
+        for ((function, deviation), gear) in functions.iter().zip(deviations).zip(&self.gears) {
+            let to_go = if to_bounds { deviation - deviation.clamp(-1.0, 1.0) } else { *deviation };
+            if to_bounds && to_go == 0.0 {
+                continue;
+            }
             let half = 0.5 * (gear.most - gear.least);
-            let deviation = (ratio - 0.5 * (gear.most + gear.least)) / half;
             let mut slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
             self.equal.gather(&mut slopes);
             for row in 0..sets {
                 for column in 0..sets {
                     normal[row][column] += slopes[row] * slopes[column];
                 }
-                normal[row][sets] -= slopes[row] * deviation;
+                normal[row][sets] -= slopes[row] * to_go;
             }
         }
         // A little damping: a `k` that moves nothing stays.

@@ -4,7 +4,9 @@
 //! 1. The tooth numbers of a simple set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre distances, assembly,
 //!    clearance between planets. Sets that differ in the number of planets alone are one, with the most planets. Those of a
 //!    double-planet set are those of [`epicyclic_gears::double_planet`]: of the pairs of planets that fit a sun and a ring the one that
-//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend on it.
+//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend on it. Simple sets with
+//!    profile shift ([`Choice::shifted`]) are those that [`epicyclic_gears::involute::search`] closes; of the planets that fit a sun and a ring
+//!    one is taken, since ratios do not depend on it either.
 //! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets. Their box is shrunk by the
 //!    signs of `P − gQ` at its corners, which hold everywhere in it, and a box without a point ends the branch.
 //! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns' teeth, also with
@@ -19,9 +21,12 @@ use crate::ratio::{Polynomial, Ratio};
 use crate::tolerance::WIDENING;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetNumbers;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::synthesis::{self, ToothNumbers};
 use epicyclic_train::set::{Gearing, SetSpec};
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -199,6 +204,28 @@ impl Choice {
         for set in bounds.tooth_numbers().map_err(Error::Teeth)? {
             let known = by_teeth.entry((set.sun, set.ring)).or_insert(set);
             known.planets = known.planets.max(set.planets);
+        }
+        Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
+    }
+
+    /// All of simple sets with profile shift within bounds, each pair of sun and ring once: of the planets with which it closes those with the
+    /// least offset of the ring, of two with equal ones the smaller, and as many as there is room for.
+    ///
+    /// # Errors
+    /// [`Error::Teeth`] for bounds, offsets and limits that nothing can keep.
+    pub fn shifted(bounds: &synthesis::Bounds, shift: &ProfileShift) -> Result<Self, Error> {
+        let search = shift.within(bounds);
+        search.check().map_err(Error::Teeth)?;
+        let suns: Vec<u32> = bounds.sun.clone().collect();
+        let of_suns = suns.par_iter().map(|sun| search.of_sun(ToothCount::new(*sun)?, |_, _| true));
+        let of_suns: Vec<_> = of_suns.collect::<Result<_, _>>().map_err(Error::Teeth)?;
+        let mut by_teeth: BTreeMap<_, ToothNumbers> = BTreeMap::new();
+        for set in of_suns.into_iter().flatten() {
+            let key = |set: &ToothNumbers| (set.ring_offset().abs(), set.planet, Reverse(set.planets));
+            let known = by_teeth.entry((set.sun, set.ring)).or_insert(set);
+            if key(&set) < key(known) {
+                *known = set;
+            }
         }
         Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
     }
@@ -451,6 +478,7 @@ mod tests {
     use crate::gearbox::gearbox;
     use crate::structure::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_gears::involute::closing::Closing;
 
     /// `1 + k₁`, `(1 + k₁ + k₂)/(1 + k₂)` and `−k₂`, as of a four-speed.
     fn four_speed() -> (Vec<Ratio>, Vec<Bounds>) {
@@ -523,6 +551,51 @@ mod tests {
             assert_eq!((found.count, found.complete), (tried.len() as u64, true));
             assert_eq!(!tried.is_empty(), some, "{alike:?}");
         }
+    }
+
+    /// Against the closing of every sun, planet, ring and number of planets.
+    #[test]
+    fn each_pair_of_sun_and_ring_that_closes_is_a_choice_with_its_least_offset() {
+        let bounds = synthesis::Bounds {
+            sun: 17..=20,
+            planet: 14..=38,
+            ring: 60..=93,
+            planets: 3..=4,
+            ..synthesis::Bounds::default()
+        };
+        let shift = ProfileShift { offsets: -3..=3, closing: Closing::default() };
+        let count = |teeth| ToothCount::new(teeth).unwrap();
+        let mut expected = BTreeMap::new();
+        for (sun, ring) in bounds.sun.clone().flat_map(|sun| bounds.ring.clone().map(move |ring| (sun, ring)))
+        {
+            for (planet, planets) in bounds.planet.clone().flat_map(|planet| [(planet, 3), (planet, 4)]) {
+                let of = ToothNumbers { sun: count(sun), planet: count(planet), ring: count(ring), planets };
+                if of.ring_offset().abs() > 3
+                    || !(sun + ring).is_multiple_of(planets)
+                    || shift.close(&of).is_err()
+                {
+                    continue;
+                }
+                let key = (of.ring_offset().abs(), planet, Reverse(planets));
+                let least = expected.entry((sun, ring)).or_insert(key);
+                *least = key.min(*least);
+            }
+        }
+        let found: BTreeMap<_, _> = Choice::shifted(&bounds, &shift)
+            .unwrap()
+            .0
+            .into_iter()
+            .map(|set| match set {
+                SetTeeth::Simple(of) => {
+                    let key = (of.ring_offset().abs(), of.planet.get(), Reverse(of.planets));
+                    ((of.sun.get(), of.ring.get()), key)
+                }
+                SetTeeth::DoublePlanet(_) => panic!("a double-planet set"),
+            })
+            .collect();
+        assert!(found.get(&(18, 93)) == Some(&(1, 37, Reverse(3))) && found == expected);
+        let beyond = ProfileShift { offsets: -10..=3, ..shift };
+        assert!(matches!(Choice::shifted(&bounds, &beyond), Err(Error::Teeth(_))));
     }
 
     #[test]

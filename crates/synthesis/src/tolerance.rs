@@ -3,6 +3,7 @@
 //! | constant | of | why this size |
 //! |---|---|---|
 //! | `WIDENING` | the bounds of a gear and of a range that is shrunk, over them | a million times the rounding of a ratio of six sets: nothing is lost by it |
+//! | `ACCEPTED` | the bounds of a gear for a point that is found, over them | a box that several gears together shrink to one point at their bounds has its middle there but for a few `WIDENING` |
 //! | `SMALLEST` | the width of a range of `k` that is halved no more, over `k` | far above rounding, far below what teeth can realise |
 //! | `DAMPING` | what least squares add for a `k` that moves nothing | it stays where it is, the others hardly move |
 //! | `NO_WIDTH` | half the width of bounds, over the ratio | bounds without width still measure deviations |
@@ -14,6 +15,8 @@
 
 /// See the table.
 pub(crate) const WIDENING: f64 = 1e-9;
+/// See the table.
+pub(crate) const ACCEPTED: f64 = 1e-8;
 /// See the table.
 pub(crate) const SMALLEST: f64 = 1e-7;
 /// See the table.
@@ -28,4 +31,5 @@ pub(crate) const SLACK: f64 = 1e-12;
 pub(crate) const NEAR: f64 = 1e-6;
 /// See the table.
 pub(crate) const LAST: f64 = 1e-9;
+/// See the table.
 pub(crate) const ALIKE: f64 = 1e-5;

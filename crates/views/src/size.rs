@@ -129,6 +129,7 @@ pub(crate) fn designs<'s>(
             Figure::Count(place as u32 + 1),
             length(design.module_m),
             length(design.face_width_m),
+            Figure::Printed(design.face_width_over_sun, 2),
             Figure::Count(design.planets),
             length(design.centre_distance_m),
             designation.map_or(Figure::None, text),
@@ -154,6 +155,7 @@ pub(crate) fn designs<'s>(
             Column::number("place", "no."),
             Column::headed("module", "m, mm", Dimension::Length),
             Column::headed("face_width", "b, mm", Dimension::Length),
+            Column::number("face_width_over_sun", "b/d_s"),
             Column::number("planets", "p"),
             Column::headed("centre_distance", "a, mm", Dimension::Length),
             Column::words("bearing", "bearing"),
@@ -170,20 +172,25 @@ pub(crate) fn designs<'s>(
         ],
         rows,
         views: vec![
-            View::new(
-                title,
-                &[
-                    "set",
-                    "place",
-                    "module",
-                    "face_width",
-                    "planets",
-                    "centre_distance",
-                    "bearing",
-                    "ring_diameter",
-                    "mass",
-                ],
-            ),
+            View {
+                note: "b/d_s: face width over the sun's reference diameter, which --width-ratio bounds."
+                    .to_owned(),
+                ..View::new(
+                    title,
+                    &[
+                        "set",
+                        "place",
+                        "module",
+                        "face_width",
+                        "face_width_over_sun",
+                        "planets",
+                        "centre_distance",
+                        "bearing",
+                        "ring_diameter",
+                        "mass",
+                    ],
+                )
+            },
             View::new(
                 format!("{title}: what governs, least safeties, bearing life, shifts"),
                 &[

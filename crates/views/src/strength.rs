@@ -28,8 +28,10 @@ impl AsReport for Strength {
         if !self.not_rated.is_empty() {
             parts.push(Part::Records(not_rated(&self.not_rated)));
         }
-        let title =
-            self.governing.as_ref().map(|governing| format!("{}: {governing} governs.", self.gearbox));
+        let title = Some(match &self.governing {
+            Some(governing) => format!("{}: {governing} governs.", self.gearbox),
+            None => format!("{}: no teeth are rated, but planet bearings.", self.gearbox),
+        });
         Report { title, parts, warnings: warned(&self.warnings) }
     }
 }

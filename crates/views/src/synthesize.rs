@@ -99,6 +99,7 @@ const fn why(reason: Reason) -> &'static str {
         Reason::Slip => "with a faster slip of an open shift element",
         Reason::LinkSpeed => "with a faster link",
         Reason::PlanetSpeed => "with a planet that turns faster on its carrier",
+        Reason::Unjudged => "not judged before the search was ended",
     }
 }
 

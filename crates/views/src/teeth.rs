@@ -1,7 +1,7 @@
 //! Tooth numbers for a ratio, as tables.
 
 mod double_planet;
-mod shifted;
+pub(crate) mod shifted;
 
 use crate::AsReport;
 use crate::figure::Figure;

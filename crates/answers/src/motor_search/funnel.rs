@@ -69,8 +69,9 @@ pub enum Reason {
 }
 
 impl Reason {
-    const fn of(reason: search::Reason) -> Self {
-        match reason {
+    /// `None` of reasons of bounds that are not asked here: of figures at the flanks.
+    const fn of(reason: search::Reason) -> Option<Self> {
+        Some(match reason {
             search::Reason::NotClosed => Self::NotClosed,
             search::Reason::Check(Subject::StatorBulge) => Self::StatorBulge,
             search::Reason::Check(Subject::StatorHollow) => Self::StatorHollow,
@@ -81,7 +82,10 @@ impl Reason {
             search::Reason::LeastRadius => Self::LeastRadius,
             search::Reason::Size => Self::Size,
             search::Reason::Ripple => Self::Ripple,
-        }
+            search::Reason::NoTeeth | search::Reason::FlankRipple | search::Reason::LeastTorque => {
+                return None;
+            }
+        })
     }
 
     /// Its name, as in JSON.
@@ -122,9 +126,9 @@ impl Reason {
 impl Funnel {
     pub(super) fn of(found: &Found, apart: usize) -> Self {
         let funnel = &found.funnel;
-        let refused = search::Reason::ALL
-            .iter()
-            .map(|&reason| Refused { reason: Reason::of(reason), motors: funnel.refused(reason) });
+        let refused = search::Reason::ALL.iter().filter_map(|&reason| {
+            Some(Refused { reason: Reason::of(reason)?, motors: funnel.refused(reason) })
+        });
         Self {
             sets: funnel.sets,
             outside_limits: funnel.outside_limits,

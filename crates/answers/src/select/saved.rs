@@ -6,7 +6,7 @@ use crate::saved::names;
 use epicyclic_formats::gearbox::{NotWritable, WrittenSize, written_with_sizes};
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_selection::{Candidate, Requirements};
-use epicyclic_train::set::{Gearing, SetSpec};
+use epicyclic_train::set::{Gearing, SetSpec, Shifts};
 use epicyclic_train::{GearSpec, Gearbox};
 
 /// A design as a gearbox.
@@ -22,11 +22,11 @@ pub struct Saved {
 }
 
 impl Saved {
-    /// A candidate; of one with teeth the tooth numbers of each set.
+    /// A candidate; of one with teeth the tooth numbers of each set, with its profile shifts if it has any.
     pub(super) fn of(
         candidate: &Candidate,
         requirements: &Requirements,
-        teeth: &[ToothNumbers],
+        teeth: &[(ToothNumbers, Option<Shifts>)],
         sizes: Vec<WrittenSize>,
     ) -> Result<Self, Error> {
         let scheme = candidate
@@ -61,9 +61,11 @@ impl Saved {
                     Gearing::BasicRatio(k) => SetSpec { gearing: Gearing::BasicRatio(short(k)), ..set },
                     Gearing::Teeth(..) => set,
                 },
-                Some(of) => SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
-                    .planet_teeth(of.planet, None)
-                    .planet_count(of.planets),
+                Some((of, shifts)) => {
+                    SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), shifts: *shifts, ..set }
+                        .planet_teeth(of.planet, None)
+                        .planet_count(of.planets)
+                }
             })
             .build()?;
         Ok(Self { scheme, gearbox, sizes })

@@ -5,16 +5,19 @@ use super::decisive;
 use super::duty::Duty;
 use super::required::{Required, finite};
 use super::saved::Saved;
+use crate::teeth::shifted::{RequiredShifts, SetShifts, WantedShifts};
 use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
 use crate::{Answer, Error, finite};
 use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::WrittenSize;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Found, OneSetSearch, Progress, ToothSearch};
-use epicyclic_selection::size::relative_ring_diameter;
+use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
+use epicyclic_train::set::Shifts;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::{Error as _, SerializeSeq as _};
 use serde::{Serialize, Serializer};
@@ -37,12 +40,20 @@ pub struct Wanted {
     pub space: Space,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
+    /// Sets with profile shift in place of those without.
+    pub shifts: Option<WantedShifts>,
     /// Limits of what a set may need at the load factor.
     pub limits: SizeLimits,
     /// How many designs are told.
     pub most: usize,
     /// Speed and load of the input.
     pub duty: Duty,
+}
+
+impl Wanted {
+    fn shift(&self) -> Option<ProfileShift> {
+        Some(self.shifts.as_ref()?.within(&self.bounds))
+    }
 }
 
 /// Limits of the size of a set at the load factor; one that is `None` allows whatever a gear could have.
@@ -81,6 +92,9 @@ pub struct SelectTeeth {
     pub required: Required,
     /// Limits of the size of a set.
     pub size_limits: RequiredSize,
+    /// What is wanted of the profile shifts; none of sets without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_shift: Option<RequiredShifts>,
     /// What was searched.
     pub searched: Searched,
     /// How many designs are told here.
@@ -167,6 +181,9 @@ pub struct SetTeeth {
     pub ring_diameter_m: Option<f64>,
     /// Module that this diameter gives; `null` without a torque and a load factor.
     pub module_m: Option<f64>,
+    /// Its profile shifts; none of a set without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shifts: Option<SetShifts>,
 }
 
 impl Answer for SelectTeeth {
@@ -257,7 +274,9 @@ impl<'a> Searches<'a> {
         let (requirements, teeth) = (&self.wanted.requirements, &self.found[place].teeth);
         let width = requirements.rating.face_width_ratio;
         let sizes = design.tooth_numbers.iter().filter_map(|set| size(set, width)).collect();
-        Saved::of(&candidate, requirements, teeth, sizes).map(Some)
+        let shifts = design.tooth_numbers.iter().map(|set| Some(set.shifts?.shifts()));
+        let teeth: Vec<(ToothNumbers, Option<Shifts>)> = teeth.iter().copied().zip(shifts).collect();
+        Saved::of(&candidate, requirements, &teeth, sizes).map(Some)
     }
 
     /// The whole answer.
@@ -275,9 +294,10 @@ impl<'a> Searches<'a> {
     pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
         let head = self.without_designs()?;
         finite::check(&head)?;
-        let SelectTeeth { required, size_limits, searched, shown, best_of_structures, .. } = head;
+        let SelectTeeth { required, size_limits, profile_shift, searched, shown, best_of_structures, .. } =
+            head;
         let designs = Designs { of: self, told };
-        Ok(Streamed { required, size_limits, searched, shown, designs, best_of_structures })
+        Ok(Streamed { required, size_limits, profile_shift, searched, shown, designs, best_of_structures })
     }
 
     fn without_designs(&self) -> Result<SelectTeeth, Error> {
@@ -289,6 +309,7 @@ impl<'a> Searches<'a> {
                 least_module_m: limits.least_module.map(Physical::si),
                 greatest_module_m: limits.greatest_module.map(Physical::si),
             },
+            profile_shift: self.wanted.shifts.as_ref().map(RequiredShifts::of),
             searched: self.searched,
             shown: self.shown(),
             designs: vec![],
@@ -314,9 +335,9 @@ impl<'a> Searches<'a> {
     fn designed(&self, first: &First, no: u32) -> Result<(Design, selection::Candidate), Error> {
         let wanted = self.wanted;
         let requirements = &wanted.requirements;
-        let mut candidate = selection::Candidate::new(
+        let mut candidate = selection::Candidate::of_teeth(
             first.mechanism,
-            first.k.clone(),
+            &first.teeth,
             &first.wanted,
             requirements,
             Some(&drawable_direct_clutches),
@@ -324,9 +345,11 @@ impl<'a> Searches<'a> {
         // Those by which it was compared, each on its grid.
         let circulation = candidate.objectives.circulation;
         candidate.objectives = selection::Objectives { circulation, ..first.objectives };
+        let shift = wanted.shift();
         let teeth = first.teeth.iter().enumerate();
-        let tooth_numbers =
-            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
+        let tooth_numbers = teeth
+            .map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating, shift.as_ref()))
+            .collect::<Result<_, _>>()?;
         let behind = decisive(wanted.order, &self.found[0].objectives, &first.objectives);
         let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
         let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
@@ -339,6 +362,8 @@ impl<'a> Searches<'a> {
 pub struct Streamed<'a> {
     required: Required,
     size_limits: RequiredSize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    profile_shift: Option<RequiredShifts>,
     searched: Searched,
     shown: usize,
     designs: Designs<'a>,
@@ -383,7 +408,6 @@ impl Answer for Streamed<'_> {
 struct First {
     mechanism: Mechanism,
     wanted: Vec<f64>,
-    k: Vec<f64>,
     /// Tooth numbers of each set.
     teeth: Vec<ToothNumbers>,
     objectives: selection::Objectives,
@@ -395,6 +419,7 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
     let search = OneSetSearch {
         sets: wanted.space.sets(),
         bounds: wanted.bounds.clone(),
+        shift: wanted.shift(),
         order: wanted.order,
         ring_diameter: wanted.limits.ring_diameter,
         module: wanted.limits.module()?,
@@ -408,7 +433,6 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
         Some(First {
             mechanism: Mechanism::OneSet(first.set),
             wanted: vec![first.wanted],
-            k: vec![first.k],
             teeth: first.teeth.first().copied().into_iter().collect(),
             objectives: entry.objectives,
             others: count.saturating_sub(1) as u64,
@@ -422,7 +446,6 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
                 of_structures.push(First {
                     mechanism,
                     wanted: vec![design.wanted],
-                    k: vec![design.k],
                     teeth: design.teeth.first().copied().into_iter().collect(),
                     objectives: entry.objectives,
                     others: design.teeth.len().saturating_sub(1) as u64,
@@ -436,6 +459,7 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
 fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
     let search = ToothSearch {
         bounds: wanted.bounds.clone(),
+        shift: wanted.shift(),
         order: wanted.order,
         structures: wanted.space.structures(),
         ring_diameter: wanted.limits.ring_diameter,
@@ -460,7 +484,6 @@ fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
         Some(First {
             mechanism: Mechanism::TwoSets(first.structure),
             wanted: first.wanted.to_vec(),
-            k: first.k.to_vec(),
             teeth: first.pairs.first().map(|pair| pair.to_vec()).unwrap_or_default(),
             objectives: entry.objectives,
             others: count.saturating_sub(1),
@@ -500,14 +523,19 @@ fn size(set: &SetTeeth, face_width_ratio: f64) -> Option<WrittenSize> {
 }
 
 impl SetTeeth {
-    fn of(teeth: &ToothNumbers, set: usize, candidate: &selection::Candidate, rating: &Rating) -> Self {
+    fn of(
+        teeth: &ToothNumbers,
+        set: usize,
+        candidate: &selection::Candidate,
+        rating: &Rating,
+        shift: Option<&ProfileShift>,
+    ) -> Result<Self, Error> {
         let torque =
             |gear: &selection::GearReport| gear.sun_torques.get(set).map_or(0.0, |torque| torque.abs());
         let torque = candidate.gears.iter().map(torque).fold(0.0, f64::max);
-        let k = candidate.k.get(set).copied().unwrap_or(f64::NAN);
-        let size = relative_ring_diameter(k, torque, teeth.planets, rating);
+        let size = relative_ring_diameter_of_teeth(teeth, shift, torque, rating)?;
         let ring_diameter_m = rating.unit().map(|unit| unit.si() * size);
-        Self {
+        Ok(Self {
             sun: teeth.sun.get(),
             planet: teeth.planet.get(),
             ring: teeth.ring.get(),
@@ -515,7 +543,8 @@ impl SetTeeth {
             size,
             ring_diameter_m,
             module_m: ring_diameter_m.map(|diameter| diameter / f64::from(teeth.ring.get())).and_then(finite),
-        }
+            shifts: shift.map(|shift| SetShifts::of(shift, teeth)).transpose()?,
+        })
     }
 }
 
@@ -538,6 +567,7 @@ mod tests {
             order: Order::default(),
             space: Space::Catalogue,
             bounds: Bounds { ring: 12..=60, ..Bounds::default() },
+            shifts: None,
             limits: SizeLimits::default(),
             most: 3,
             duty: Duty::default(),

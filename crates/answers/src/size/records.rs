@@ -265,6 +265,8 @@ pub struct SizedDesign {
     pub module_m: f64,
     /// Face width.
     pub face_width_m: f64,
+    /// Face width over the sun's reference diameter.
+    pub face_width_over_sun: f64,
     /// Number of planets.
     pub planets: u32,
     /// Centre distance.
@@ -310,6 +312,8 @@ impl SizedDesign {
         Self {
             module_m: design.module.si(),
             face_width_m: design.face_width.si(),
+            face_width_over_sun: design.face_width.si()
+                / (design.module.si() * gears[0].reference_diameter()),
             planets: design.set.planets(),
             centre_distance_m: design.centre_distance.si(),
             profile_shifts: gears.map(InvoluteGear::shift),

@@ -34,8 +34,16 @@ struct File<'a> {
     reliability: Reliability,
 }
 
-/// The entry of a set with two central gears, and its place.
-type Entry<'a> = Option<(usize, &'a SetEntry)>;
+/// What a file says of the bearings of a planet beside their load rating: of a set with two central gears with the keys of the set, of a
+/// compound set with those of the planet.
+#[derive(Default)]
+struct Given {
+    /// Where these keys stand.
+    path: Path,
+    static_load_rating: Option<Quantity<Force>>,
+    fatigue_limit: Option<Quantity<Force>>,
+    bearing_diameter: Option<Quantity<Length>>,
+}
 
 /// What the modified life asks for.
 struct Conditions {
@@ -83,9 +91,10 @@ impl File<'_> {
         peaks: &[Peak<'_>],
     ) -> Result<BearingOverDuty, Error> {
         let set = &self.subject.gearbox.sets()[bearing.set];
-        let entry = self.file.sets.iter().enumerate().find(|(_, entry)| entry.id == set.id());
-        let sharing = self.sharing(entry.map(|(_, entry)| entry), bearing)?;
-        let (conditions, mut missing) = self.conditions(entry)?;
+        let entry = self.file.sets.iter().find(|entry| entry.id == set.id());
+        let sharing = self.sharing(entry, bearing)?;
+        let given = self.given(set.id(), &set.planets()[bearing.planet].name);
+        let (conditions, mut missing) = self.conditions(&given)?;
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
             planet: planet_name(set, bearing.planet),
@@ -122,7 +131,7 @@ impl File<'_> {
             greatest = greatest.max(force);
         }
         row.greatest_force_n = Some(greatest);
-        if let Some(rating) = self.of_set(entry, "static_load_rating", |entry| entry.static_load_rating)? {
+        if let Some(rating) = self.of(&given, "static_load_rating", given.static_load_rating)? {
             row.static_safety = (greatest > 0.0).then(|| rating.si() / greatest);
         }
         let life = |steps: &[BearingStep], reliability| {
@@ -145,6 +154,30 @@ impl File<'_> {
         Ok(row)
     }
 
+    /// What the file says of the bearings of a planet.
+    fn given(&self, set: &str, planet: &str) -> Given {
+        if let Some((place, entry)) = self.file.sets.iter().enumerate().find(|(_, entry)| entry.id == set) {
+            return Given {
+                path: Path::root().key("sets").index(place),
+                static_load_rating: entry.static_load_rating,
+                fatigue_limit: entry.fatigue_limit,
+                bearing_diameter: entry.bearing_diameter,
+            };
+        }
+        let compound = self.file.compound_sets.iter().enumerate().find(|(_, entry)| entry.id == set);
+        let Some((place, entry)) =
+            compound.and_then(|(place, of)| Some((place, of.planet_sizes.get(planet)?)))
+        else {
+            return Given::default();
+        };
+        Given {
+            path: Path::root().key("compound_sets").index(place).key("planet_sizes").key(planet),
+            static_load_rating: entry.static_load_rating,
+            fatigue_limit: entry.fatigue_limit,
+            bearing_diameter: entry.bearing_diameter,
+        }
+    }
+
     /// `K_γ` as the file gives it, or by the number of planets.
     fn sharing(&self, entry: Option<&SetEntry>, bearing: &PlanetBearing) -> Result<f64, Error> {
         let given = entry.and_then(|entry| entry.strength.as_ref()?.factors.get("K_gamma"));
@@ -155,7 +188,7 @@ impl File<'_> {
     }
 
     /// What the modified life asks for, or the keys that are missing where some are there.
-    fn conditions(&self, entry: Entry<'_>) -> Result<(Option<Conditions>, Vec<String>), Error> {
+    fn conditions(&self, given: &Given) -> Result<(Option<Conditions>, Vec<String>), Error> {
         let oil = self.file.oil.as_ref();
         let of_oil = Path::root().key("oil");
         let viscosity = oil.and_then(|oil| oil.working_viscosity).map(|of| of.0);
@@ -165,8 +198,8 @@ impl File<'_> {
             let message = "a contamination factor is from 0 to 1";
             return Err(refused(self.subject.document, &of_oil, &["contamination"], message));
         }
-        let fatigue_limit = self.of_set(entry, "fatigue_limit", |entry| entry.fatigue_limit)?;
-        let diameter = self.of_set(entry, "bearing_diameter", |entry| entry.bearing_diameter)?;
+        let fatigue_limit = self.of(given, "fatigue_limit", given.fatigue_limit)?;
+        let diameter = self.of(given, "bearing_diameter", given.bearing_diameter)?;
         if let (Some(viscosity), Some(contamination), Some(fatigue_limit), Some(diameter)) =
             (viscosity, contamination, fatigue_limit, diameter)
         {
@@ -186,17 +219,15 @@ impl File<'_> {
         Ok((None, lacking(&known)))
     }
 
-    /// A quantity of a set, which must be above 0.
-    fn of_set<T: Physical>(
+    /// A quantity of a bearing, which must be above 0.
+    fn of<T: Physical>(
         &self,
-        entry: Entry<'_>,
+        given: &Given,
         key: &str,
-        of: impl Fn(&SetEntry) -> Option<Quantity<T>>,
+        value: Option<Quantity<T>>,
     ) -> Result<Option<T>, Error> {
-        let Some((place, value)) = entry.and_then(|(place, entry)| Some((place, of(entry)?.0))) else {
-            return Ok(None);
-        };
-        self.above_0(value, &Path::root().key("sets").index(place), key)?;
+        let Some(value) = value.map(|value| value.0) else { return Ok(None) };
+        self.above_0(value, &given.path, key)?;
         Ok(Some(value))
     }
 

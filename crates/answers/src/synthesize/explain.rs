@@ -451,7 +451,7 @@ fn are_joined(sets: &[Members]) -> bool {
 mod tests {
     use super::*;
     use crate::gearbox::{Choice, one};
-    use crate::synthesize::{solve, solve_by};
+    use crate::synthesize::{Searching, solve, solve_by};
     use epicyclic_formats::Document;
     use epicyclic_formats::WantedRatio;
     use epicyclic_formats::wanted_ratio::Wanted as Ratio;
@@ -461,6 +461,7 @@ mod tests {
     use epicyclic_synthesis::run::{self, Found};
     use epicyclic_synthesis::search::Search;
     use epicyclic_synthesis::tally::Tally;
+    use epicyclic_synthesis::wish::Wish;
     use epicyclic_train::set::SetSpec;
     use std::ops::{ControlFlow, RangeInclusive};
 
@@ -641,7 +642,7 @@ mod tests {
 
     fn searched_alone(wanted: &Wanted) -> (Synthesis, Vec<Kept>) {
         let simple: Structure = "0-1-c x-2-h y-h-2".parse().unwrap();
-        solve_by(wanted, &mut |searching, wish| -> Result<run::Answer, Error> {
+        solve_by(wanted, &mut |searching: &Searching, wish: &Wish| -> Result<run::Answer, Error> {
             let mut search = Search::<u8>::new(wish.clone(), searching.class.links());
             let mut found = Vec::new();
             for structure in simple.with_double_planets(searching.double_planets) {

@@ -37,6 +37,8 @@ pub enum Reason {
     LinkSpeed,
     /// A planet turns faster on its carrier.
     PlanetSpeed,
+    /// The search was ended before they were judged.
+    Unjudged,
 }
 
 /// Counts of what was left out.
@@ -50,8 +52,16 @@ impl LeftOuts {
         }
     }
 
-    pub(super) fn told(self) -> Vec<LeftOut> {
-        self.0.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect()
+    pub(super) fn has(&self, by: Reason) -> bool {
+        self.0.contains_key(&by)
+    }
+
+    pub(super) fn are_none(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(super) fn told(&self) -> Vec<LeftOut> {
+        self.0.iter().map(|(by, solutions)| LeftOut { by: *by, solutions: *solutions }).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a page of a search draws.
 
 use super::Kept;
+use crate::Error;
 use epicyclic_layout::{Layout, Options, Verdict, draw};
 use epicyclic_train::Gearbox;
 
@@ -17,7 +18,7 @@ pub struct Drawn {
 ///
 /// # Errors
 /// Those of [`gearbox`](super::saved::gearbox).
-pub fn drawn(kept: &[Kept], most: usize) -> Result<Vec<Drawn>, epicyclic_train::Error> {
+pub fn drawn(kept: &[Kept], most: usize) -> Result<Vec<Drawn>, Error> {
     let one = |kept: &Kept| {
         let gearbox = super::saved::gearbox(kept, &format!("Gearbox {}", kept.number), None)?;
         let layout = match draw(&gearbox, Options::default()) {

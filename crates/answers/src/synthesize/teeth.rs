@@ -4,6 +4,9 @@ use super::gear::WantedGear;
 use super::{Kept, saved};
 use crate::Error;
 use crate::shared::Fraction;
+use crate::teeth::shifted::{RequiredShifts, SetShifts, WantedShifts};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::Bounds as ToothBounds;
 use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::judge::planet_speed;
@@ -18,6 +21,8 @@ use std::ops::RangeInclusive;
 pub struct TeethWanted {
     /// Limits of teeth and planets, of a double-planet set of each of its two planets and of the pairs; the `k` are those of the search.
     pub bounds: ToothBounds,
+    /// Simple sets with profile shift in place of those without. Double-planet sets have none.
+    pub shifts: Option<WantedShifts>,
     /// How many sets are alike at least.
     pub alike: Alike,
     /// Which are the best.
@@ -35,6 +40,9 @@ pub struct Teeth {
     pub found: u64,
     /// Whether all were counted; the trial ends after a great many.
     pub complete: bool,
+    /// What is wanted of the profile shifts; none of sets without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_shift: Option<RequiredShifts>,
     /// The best of them, the best first.
     pub choices: Vec<TeethOfSets>,
 }
@@ -54,7 +62,7 @@ pub struct TeethOfSets {
 }
 
 /// Tooth numbers of a set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethOfSet {
     /// Teeth of the sun.
@@ -68,6 +76,16 @@ pub struct TeethOfSet {
     pub ring: u32,
     /// The most planets, of a double-planet set pairs of planets, that assemble at equal angles and clear each other.
     pub planets: u32,
+    /// Its profile shifts; none of a set without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shifts: Option<SetShifts>,
+}
+
+impl TeethWanted {
+    /// How the simple sets close that have profile shift.
+    pub(super) fn shift(&self) -> Option<ProfileShift> {
+        Some(self.shifts.as_ref()?.within(&self.bounds))
+    }
 }
 
 /// Tooth numbers of sets to choose from.
@@ -84,7 +102,11 @@ impl Choices {
             Choice::of_double_planets(&bounds)
         };
         let double_planet = k_double.map(of_double_planets).transpose()?;
-        Ok(Self { simple: Choice::within(&teeth.bounds)?, double_planet })
+        let simple = match teeth.shift() {
+            Some(shift) => Choice::shifted(&teeth.bounds, &shift)?,
+            None => Choice::within(&teeth.bounds)?,
+        };
+        Ok(Self { simple, double_planet })
     }
 
     /// That of each set of a structure.
@@ -126,7 +148,8 @@ impl Teeth {
         all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
         let told = all.first.iter().map(|design| TeethOfSets::of(kept, design, gears));
         let choices = told.collect::<Result<_, _>>()?;
-        Ok((Self { found: all.count, complete: all.complete, choices }, all.first))
+        let profile_shift = teeth.shifts.as_ref().map(RequiredShifts::of);
+        Ok((Self { found: all.count, complete: all.complete, profile_shift, choices }, all.first))
     }
 }
 
@@ -150,7 +173,7 @@ impl TeethOfSets {
             greatest_planet_speed = greatest_planet_speed.max(planet_speed(&analysis));
         }
         Ok(Self {
-            sets: design.sets.iter().map(TeethOfSet::of).collect(),
+            sets: design.sets.iter().zip(saved::shifts(kept, Some(design))?).map(TeethOfSet::of).collect(),
             ratios: design.ratios.iter().map(|ratio| Fraction::of(*ratio)).collect(),
             greatest_deviation: design.ratios.iter().zip(wanted).filter_map(deviation).fold(0.0, f64::max),
             greatest_planet_speed,
@@ -159,11 +182,12 @@ impl TeethOfSets {
 }
 
 impl TeethOfSet {
-    fn of(set: &SetTeeth) -> Self {
+    fn of((set, shifts): (&SetTeeth, Option<SetShifts>)) -> Self {
         let (planet, outer_planet, planets) = match set {
             SetTeeth::Simple(of) => (of.planet, None, of.planets),
             SetTeeth::DoublePlanet(of) => (of.inner, Some(of.outer.get()), of.pairs),
         };
-        Self { sun: set.sun().get(), planet: planet.get(), outer_planet, ring: set.ring().get(), planets }
+        let [sun, planet, ring] = [set.sun(), planet, set.ring()].map(ToothCount::get);
+        Self { sun, planet, outer_planet, ring, planets, shifts }
     }
 }

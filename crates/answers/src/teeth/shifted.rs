@@ -2,14 +2,16 @@
 
 use super::{MOST_SETS, Wanted};
 use crate::shared::{Fraction, Motion};
-use crate::tolerance::ROUNDED;
+use crate::tolerance::{ROUNDED, rounded};
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::family::Aim;
-use epicyclic_gears::involute::search::{Shifted, ShiftedSearch};
+use epicyclic_gears::involute::search::{ProfileShift, Shifted};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Profile};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_train::set::Shifts;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -33,6 +35,80 @@ pub enum ShiftAim {
     BalancedSliding,
     /// Least tip alteration.
     LeastTipAlteration,
+}
+
+impl WantedShifts {
+    /// Within these bounds: their rack and their gap between planets.
+    #[must_use]
+    pub fn within(&self, bounds: &Bounds) -> ProfileShift {
+        let limits =
+            Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
+        let closing = Closing {
+            profile: Profile::of_rack(bounds.rack),
+            aim: self.aim.into(),
+            limits,
+            ..Closing::default()
+        };
+        ProfileShift { offsets: self.offsets.clone(), closing }
+    }
+}
+
+/// What was wanted of the profile shifts of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RequiredShifts {
+    /// The least and the greatest offset of a ring.
+    pub ring_offsets: [i32; 2],
+    /// What picks the shifts.
+    pub aim: ShiftAim,
+    /// Least normal thickness of the tips, in modules.
+    pub least_tip_thickness_in_modules: f64,
+}
+
+impl RequiredShifts {
+    pub(crate) fn of(wanted: &WantedShifts) -> Self {
+        Self {
+            ring_offsets: [*wanted.offsets.start(), *wanted.offsets.end()],
+            aim: wanted.aim,
+            least_tip_thickness_in_modules: wanted.tip_thickness,
+        }
+    }
+}
+
+/// Profile shifts of a simple set that a search found; lengths in modules.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SetShifts {
+    /// By how much the ring departs from the teeth of the sun and twice those of a planet.
+    pub ring_offset: i32,
+    /// Centre distance, in modules.
+    pub centre_distance_in_modules: f64,
+    /// Profile shift coefficients of sun, planets and ring; of a ring above 0 inwards.
+    pub profile_shifts: [f64; 3],
+    /// Tip alterations of sun, planets and ring, in modules; below 0 shorter.
+    pub tip_alterations: [f64; 3],
+    /// Whether the aim is met, or only as far as the limits allow.
+    pub aim_met: bool,
+}
+
+impl SetShifts {
+    /// Those of a set that a search with this shift found.
+    pub(crate) fn of(shift: &ProfileShift, teeth: &ToothNumbers) -> Result<Self, Error> {
+        let choice = shift.close(teeth)?;
+        let gears = choice.set.gears();
+        Ok(Self {
+            ring_offset: teeth.ring_offset(),
+            centre_distance_in_modules: choice.set.centre_distance(),
+            profile_shifts: gears.map(|gear| rounded(gear.shift())),
+            tip_alterations: gears.map(|gear| rounded(gear.tip_alteration())),
+            aim_met: choice.limited_by.is_none(),
+        })
+    }
+
+    /// As the solver has them.
+    pub(crate) const fn shifts(&self) -> Shifts {
+        Shifts { profile: self.profile_shifts, tips: self.tip_alterations }
+    }
 }
 
 impl From<ShiftAim> for Aim {
@@ -120,15 +196,7 @@ impl Answer for ShiftedTeeth {
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be; [`Error::TooMany`].
 pub fn answer(wanted: &Wanted, shifts: &WantedShifts, done: impl FnMut(f64)) -> Result<ShiftedTeeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
-    let limits =
-        Limits { tip_thickness: shifts.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
-    let closing = Closing {
-        profile: Profile::of_rack(bounds.rack),
-        aim: shifts.aim.into(),
-        limits,
-        ..Closing::default()
-    };
-    let search = ShiftedSearch { bounds: bounds.clone(), offsets: shifts.offsets.clone(), closing };
+    let search = shifts.within(bounds).within(bounds);
     let (found, first) = search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found > MOST_SETS as u64 {
         return Err(Error::TooMany { found, most: MOST_SETS });

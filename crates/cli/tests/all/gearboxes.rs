@@ -618,6 +618,103 @@ fn sizes_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
+/// What `select` and `synthesize` save of sets with profile shift; the centre distance of the data sheet is the one that was told.
+#[test]
+fn every_command_reads_a_saved_gearbox_with_profile_shift() {
+    let folder = here();
+    let select = "select --ratios 6.1667 --teeth --ring-offset 3 --sun 18 --planet-count 3 --tolerance 0.01% --planet-speed 5 --save box.yaml \
+                  --format json --load-factor 2MPa --torque 500N·m";
+    let found = output(folder.path(), &select.split(' ').collect::<Vec<_>>());
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let found: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    let set = &found["designs"][0]["tooth_numbers"][0];
+    assert_eq!([&set["sun"], &set["planet"], &set["ring"]], [18, 36, 93]);
+    // With what strength and size ask for, and no efficiency, module and width of its own.
+    let saved = fs::read_to_string(folder.path().join("box.yaml")).unwrap();
+    let strength = "strength: { materials: [18CrNiMo7-6, 18CrNiMo7-6, 34CrNiMo6], flank_roughness: [4 µm, 4 µm, 6 µm], \
+                    root_roughness: [16 µm, 16 µm, 20 µm], shaper: { teeth: 30 }, ring_factors: { Y_delta_rel_T_stat: 1 }, \
+                    factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 } }, efficiency";
+    assert!(saved.contains("profile_shifts: [") && saved.contains("efficiency"), "{saved}");
+    let whole = saved.replacen("efficiency", strength, 1)
+        + "oil: { viscosity: 220 mm²/s }\nlife: 500 h\nduty: [{ gear: \"1\", share: 1, torque: 500 N·m, speed: 1450 rpm }]\n";
+    fs::write(folder.path().join("whole.yaml"), whole).unwrap();
+    let told = |line: &str| {
+        let told = output(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        assert!(told.status.success(), "{line}: {}", text(&told.stderr));
+        told.stdout
+    };
+    let json = |line: &str| -> serde_json::Value { serde_json::from_slice(&told(line)).unwrap() };
+    let sheet = json("sheet box.yaml --format json");
+    let near = |one: &serde_json::Value, other: f64| {
+        let one = one.as_f64().unwrap();
+        assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
+    };
+    let centre = set["shifts"]["centre_distance_in_modules"].as_f64().unwrap();
+    near(&sheet["sets"][0]["centre_distance_m"], centre * set["module_m"].as_f64().unwrap());
+    let size = json("size whole.yaml --format json --most 1");
+    for place in 0..3 {
+        near(
+            &size["sets"][0]["found"][0]["profile_shifts"][place],
+            set["shifts"]["profile_shifts"][place].as_f64().unwrap(),
+        );
+    }
+    assert!(!json("strength whole.yaml --format json")["over_duty"].as_array().unwrap().is_empty());
+    told("analyze box.yaml --gear 1");
+    told("draw box.yaml --view teeth -o teeth.svg");
+    let synthesize = "synthesize --ratios 2.56,1.465 --sets 2 --elements 2 --teeth --ring ..110 --ring-offset 1..2 --limit 1 --save two.yaml";
+    told(synthesize);
+    told("draw two.yaml --view teeth -o two.svg");
+}
+
+#[test]
+fn losses_that_are_refused() {
+    let drags = fs::read_to_string(examples().join("drags.yaml")).unwrap();
+    let folder = here();
+    let at_speed: &[&str] = &["--speed", "1475 rpm", "--torque", "60 N·m"];
+    let mut seen = String::new();
+    for (old, new) in [
+        ("speeds: [0 rpm, 800 rpm", "speeds: [0 rpm, 1700 rpm"),
+        ("speeds: [0 rpm, 800 rpm", "speeds: [-1 rpm, 800 rpm"),
+        ("speeds: [0 rpm, 800 rpm, 1600 rpm", "speeds: [0 rpm, 800 rpm"),
+        ("2 N·m, 8 N·m", "2 N·m, -8 N·m"),
+        ("2 N·m, 8 N·m", "2 N·m, 8 N"),
+        ("speeds: [0 rpm], torques: [1.2 N·m], beyond: constant", "speeds: [], torques: []"),
+        (", beyond: constant", ", beyond: linear"),
+        (", beyond: constant", ""),
+        ("between: [motor, ground]", "between: [motor, motor]"),
+        ("between: [motor, ground]", "between: [motor, drum]"),
+        ("friction: [0.06, 0.05]", "friction: [0.06, -0.05]"),
+        ("friction: [0.06, 0.05]", "friction: [6, 0.05]"),
+        ("id: churning", "id: seal of the input"),
+    ] {
+        assert!(drags.contains(old), "{old}");
+        fs::write(folder.path().join("box.yaml"), drags.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &[&["losses", "box.yaml"], at_speed].concat());
+        seen.push('\n');
+    }
+    fs::write(folder.path().join("box.yaml"), drags).unwrap();
+    for options in [
+        &["--speed", "1475 rpm"][..],
+        &["--torque", "60 N·m"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--gear", "third"],
+        &["--speed", "1475", "--torque", "60 N·m"],
+        &["--speed", "5000 rpm", "--torque", "60 N·m"],
+        &["--speed", "0 rpm", "--power", "5 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--power", "5 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--cooler", "1 kW"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "0 W/K"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "9 W/K", "--cooler", "-1 W"],
+        &["--speed", "1475 rpm", "--torque", "60 N·m", "--conductance", "9 W/K", "--allowed-rise", "0 K"],
+        &["--gear", "slow", "--speeds", "500rpm..3000rpm", "--torques", "10N·m..60N·m/2"],
+        &["--gear", "slow", "--speeds", "500rpm..3000rpm/1", "--torques", "10N·m..60N·m/2"],
+        &["--speeds", "500rpm..3000rpm/2", "--torques", "10N·m..60N·m/2"],
+    ] {
+        seen += &session(folder.path(), &[&["losses", "box.yaml"], options].concat());
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
 /// The answer says what leaves out every design; no file says that there is one.
 #[test]
 fn a_set_that_no_size_holds() {
@@ -1065,6 +1162,39 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring", "0.."],
             &["select", "--ratios", "2.5", "--least-efficiency", "-1%"],
             &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring-diameter", "100 mm"],
+            &["select", "--ratios", "2.5", "--ring-offset", "1"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "-12..3"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "3..-3"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "a"],
+            &["select", "--ratios", "2.5", "--teeth", "--ring-offset", "1", "--tip-thickness", "-0.1"],
+            &["select", "--ratios", "2.5", "--teeth", "--aim", "sliding"],
+            &[
+                "select",
+                "--ratios",
+                "2.5",
+                "--teeth",
+                "--ring-offset",
+                "1",
+                "--sun",
+                "1..5000",
+                "--ring",
+                "1..9000",
+                "--planet",
+                "1..2000"
+            ],
+            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--ring-offset", "1"],
+            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--teeth", "--ring-offset", "-12..3"],
+            &[
+                "design",
+                "--ratios",
+                "2.5",
+                "--power",
+                "75 kW",
+                "--input",
+                "1475 rpm",
+                "--ring-offset",
+                "10..11"
+            ],
         ]
     ));
 }
@@ -1404,4 +1534,30 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     );
     assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
     assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
+}
+
+#[test]
+fn what_leaves_all_of_a_class_out_is_told_before_a_larger_one_is_searched() {
+    let folder = here();
+    let ratios = "3.059, 1.625, 1, 0.696, -2.294";
+    let line = [
+        "synthesize",
+        "--ratios",
+        ratios,
+        "--class",
+        "all-sparse",
+        "--sets",
+        "2",
+        "--engaged",
+        "2",
+        "--slip",
+        "1.4",
+    ];
+    let told = |elements: &str| {
+        let done = output(folder.path(), &[&line[..], &["--elements", elements]].concat());
+        String::from_utf8_lossy(&done.stderr).into_owned()
+    };
+    let note = "note: up to 2 sets with 5 shift elements nothing is left; left out 14 with a faster slip of an open shift element\n";
+    assert!(told("5..6").contains(note), "{}", told("5..6"));
+    assert!(!told("4").contains("nothing is left"));
 }

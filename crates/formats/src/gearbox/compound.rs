@@ -19,7 +19,7 @@ use uom::si::f64::{Force, Length, Mass, Ratio};
 /// is named as the planet, or `planet.1`, `planet.2`… where it has several.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct CompoundEntry {
+pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// Its name.
     pub id: String,
     /// Link of the carrier.
@@ -52,7 +52,7 @@ pub struct CompoundEntry {
     pub module: Option<Quantity<Length>>,
     /// Sizes of single planets, by their names.
     #[serde(default)]
-    pub planet_sizes: BTreeMap<String, PlanetSizeEntry>,
+    pub planet_sizes: BTreeMap<String, P>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
@@ -76,8 +76,8 @@ pub struct MeshEntry {
     pub behind: bool,
 }
 
-/// The size of a planet of a compound set, for the forces on its bearing.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+/// The size of a planet of a compound set, for the forces on its bearing, and what its bearing bears over the duty.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetSizeEntry {
     /// Radius of its centre; goes before that of module and teeth.
@@ -98,6 +98,75 @@ pub struct PlanetSizeEntry {
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
+    /// Static load rating of these bearings together, for their safety at rest.
+    #[serde(default)]
+    pub static_load_rating: Option<Quantity<Force>>,
+    /// Fatigue load limit of these bearings together, for their modified life.
+    #[serde(default)]
+    pub fatigue_limit: Option<Quantity<Force>>,
+    /// Mean diameter of these bearings, (d + D)/2, for their modified life.
+    #[serde(default)]
+    pub bearing_diameter: Option<Quantity<Length>>,
+}
+
+/// The size of a planet of a compound set in a list of transmissions, for the forces on its bearing.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ListedPlanetEntry {
+    /// Radius of its centre; goes before that of module and teeth.
+    #[serde(default)]
+    pub carrier_radius: Option<Quantity<Length>>,
+    /// Face width of each of its gears, for its mass.
+    #[serde(default)]
+    pub face_widths: Vec<Quantity<Length>>,
+    /// Its bore. Default: solid.
+    #[serde(default)]
+    pub bore: Option<Quantity<Length>>,
+    /// Its mass with what turns about its pin; goes before that of its shape.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Basic dynamic load rating of its bearings together, for their life.
+    #[serde(default)]
+    pub load_rating: Option<Quantity<Force>>,
+    /// What rolls in these bearings. Default balls.
+    #[serde(default)]
+    pub bearing_rolling: RollingEntry,
+}
+
+/// What states the size of a planet.
+pub trait PlanetSized {
+    /// The size.
+    fn size(&self) -> PlanetSize;
+}
+
+impl PlanetSized for PlanetSizeEntry {
+    fn size(&self) -> PlanetSize {
+        PlanetSize {
+            carrier_radius: self.carrier_radius.map(|radius| radius.0),
+            face_widths: self.face_widths.iter().map(|width| Some(width.0)).collect(),
+            bore: self.bore.map(|bore| bore.0),
+            mass: self.mass.map(|mass| mass.0),
+            bearing: self.load_rating.map(|rating| (rating.0, self.bearing_rolling.into())),
+        }
+    }
+}
+
+impl PlanetSized for ListedPlanetEntry {
+    fn size(&self) -> PlanetSize {
+        let Self { carrier_radius, face_widths, bore, mass, load_rating, bearing_rolling } = self.clone();
+        let entry = PlanetSizeEntry {
+            carrier_radius,
+            face_widths,
+            bore,
+            mass,
+            load_rating,
+            bearing_rolling,
+            static_load_rating: None,
+            fatigue_limit: None,
+            bearing_diameter: None,
+        };
+        entry.size()
+    }
 }
 
 /// A remark of any form: a text, a list, keys with values. Nothing reads it.
@@ -120,7 +189,7 @@ impl JsonSchema for Note {
     }
 }
 
-impl CompoundEntry {
+impl<P: PlanetSized> CompoundEntry<P> {
     /// The set, with the link of each member by `link`.
     pub(super) fn spec(
         &self,
@@ -171,16 +240,8 @@ impl CompoundEntry {
 
     /// What it says of its size; the rest as usual.
     pub(super) fn size(&self, set: &PlanetSet, usual: &SetSize) -> SetSize {
-        let planet = |planet: &Planet| {
-            let Some(entry) = self.planet_sizes.get(&planet.name) else { return PlanetSize::default() };
-            PlanetSize {
-                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
-                face_widths: entry.face_widths.iter().map(|width| Some(width.0)).collect(),
-                bore: entry.bore.map(|bore| bore.0),
-                mass: entry.mass.map(|mass| mass.0),
-                bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
-            }
-        };
+        let planet =
+            |planet: &Planet| self.planet_sizes.get(&planet.name).map_or_else(PlanetSize::default, P::size);
         let mesh = |mesh: &MeshEntry| MeshSize {
             module: mesh.module.map(|module| module.0),
             is_behind: mesh.behind,

@@ -1,6 +1,6 @@
 //! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
-use super::compound::{CompoundEntry, Note};
+use super::compound::{CompoundEntry, ListedPlanetEntry, Note};
 use super::{DescriptionError, losses};
 use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
@@ -40,7 +40,7 @@ pub struct Transmission {
     pub sets: Vec<TransmissionSet>,
     /// Sets of any other form, gear by gear; their members too are named in links.
     #[serde(default)]
-    pub compound_sets: Vec<CompoundEntry>,
+    pub compound_sets: Vec<CompoundEntry<ListedPlanetEntry>>,
     /// Which members turn as one piece: by node.
     pub links: BTreeMap<String, Vec<String>>,
     /// Node where power enters, unless a gear says otherwise.

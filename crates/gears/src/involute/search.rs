@@ -1,20 +1,67 @@
-//! Tooth numbers with profile shift for a ratio: *every* simple set within bounds whose ring departs from `z_s + 2·z_p` by an offset.
+//! Tooth numbers with profile shift: *every* simple set within bounds whose ring departs from `z_s + 2·z_p` by an offset, of a ratio or of any.
 //!
 //! Sun, planet, offset and number of planets are gone through, and each set whose ratio is near is [closed](super::closing). Nothing is
 //! left out beforehand but by ratio, bounds and assembly; what [`Family::choose`](super::family::Family::choose) may miss is told there.
+//!
+//! [`ShiftedSearch::first_for_ratio`] ranks the sets of one ratio; [`ShiftedSearch::of_sun`] gives all of a sun to searches that combine
+//! sets.
 
 use super::closing::Closing;
-use super::family::Choice;
+use super::family::{Choice, natural_centre_distance};
 use super::fault::SetFault;
 use crate::mesh::coaxial_ring;
-use crate::simple_set::{Fraction, Mode, exact_ratio};
+use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::synthesis::{Bounds, Placement, Search, ToothNumbers};
+use crate::units::radians;
 use crate::{Error, ToothCount};
 use std::ops::RangeInclusive;
 
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
 pub const MOST_OFFSET: i32 = 9;
+
+/// By how much rings may depart from equal centre distances without shift, and how such sets are closed, each at its
+/// [natural centre distance](super::family::natural_centre_distance).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProfileShift {
+    /// Offsets `z_r − z_s − 2·z_p`.
+    pub offsets: RangeInclusive<i32>,
+    /// How the sets are closed; their number of planets is that of each set, and their centre distance the natural one.
+    pub closing: Closing,
+}
+
+impl ProfileShift {
+    /// The search within bounds.
+    #[must_use]
+    pub fn within(&self, bounds: &Bounds) -> ShiftedSearch {
+        let closing = Closing { centre_distance: None, ..self.closing };
+        ShiftedSearch { bounds: bounds.clone(), offsets: self.offsets.clone(), closing }
+    }
+
+    /// A set with the shifts that the aim picks.
+    ///
+    /// # Errors
+    /// Those of [`Closing::close`]; none of a set that [`ShiftedSearch`] found.
+    pub fn close(&self, teeth: &ToothNumbers) -> Result<Choice, Error> {
+        let closing = Closing { planets: teeth.planets, centre_distance: None, ..self.closing };
+        closing.close([teeth.sun, teeth.planet, teeth.ring])
+    }
+
+    /// Working over reference diameters of sun and planets, `2·a·cos β/(z_a + z_g)`: 1 without an offset of the ring. Sets with the same
+    /// ratios of teeth have the same.
+    ///
+    /// # Errors
+    /// Those of [`natural_centre_distance`]; none of a set that [`ShiftedSearch`] found.
+    pub fn working_over_reference(&self, teeth: &ToothNumbers) -> Result<f64, Error> {
+        if teeth.ring_offset() == 0 {
+            return Ok(1.0);
+        }
+        let profile = self.closing.profile;
+        let a = natural_centre_distance([teeth.sun, teeth.planet, teeth.ring], profile)?;
+        let cos_beta = libm::cos(radians(profile.helix_angle));
+        Ok(2.0 * a * cos_beta / (teeth.sun.as_f64() + teeth.planet.as_f64()))
+    }
+}
 
 /// What is sought.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,8 +93,7 @@ impl Shifted {
     /// Offset of the ring, `z_r − z_s − 2·z_p`.
     #[must_use]
     pub fn offset(&self) -> i32 {
-        let coaxial = i64::from(coaxial_ring(self.teeth.sun.get(), self.teeth.planet.get()));
-        (i64::from(self.teeth.ring.get()) - coaxial) as i32
+        self.teeth.ring_offset()
     }
 }
 
@@ -92,13 +138,22 @@ impl ShiftedSearch {
         let (mut found, mut held): (u64, Vec<Shifted>) = (0, Vec::new());
         let (first, last) = (*self.bounds.sun.start(), *self.bounds.sun.end());
         for sun in first..=last {
-            self.each_of(ToothCount::new(sun)?, mode, &mut search, |set| {
-                found += 1;
-                held.push(set);
-                if held.len() >= most.saturating_mul(2) {
-                    held.select_nth_unstable_by(most, order);
-                    held.truncate(most);
+            self.each_ring(ToothCount::new(sun)?, |gears @ [sun, _, ring]| {
+                let ratio = BasicRatio::simple(sun, ring).ratio(mode)?;
+                if !(search.is_near(ratio) || search.is_nearer(ratio)) {
+                    return Ok(());
                 }
+                let exact_ratio = exact_ratio(sun, ring, mode);
+                self.each_closed(gears, |teeth, choice| {
+                    let Some(ratio_error) = search.take(ratio) else { return };
+                    found += 1;
+                    held.push(Shifted { teeth, ratio, exact_ratio, ratio_error, choice });
+                    if held.len() >= most.saturating_mul(2) {
+                        held.select_nth_unstable_by(most, order);
+                        held.truncate(most);
+                    }
+                });
+                Ok(())
             })?;
             done(f64::from(sun - first + 1) / f64::from(last - first + 1));
         }
@@ -110,7 +165,63 @@ impl ShiftedSearch {
         Ok((found, held))
     }
 
-    fn check(&self) -> Result<(), Error> {
+    /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close, ascending.
+    ///
+    /// ```
+    /// use epicyclic_gears::ToothCount;
+    /// use epicyclic_gears::involute::closing::Closing;
+    /// use epicyclic_gears::involute::search::ShiftedSearch;
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// # fn main() -> Result<(), epicyclic_gears::Error> {
+    /// let bounds = Bounds { planets: 3..=3, ring: 108..=108, ..Bounds::default() };
+    /// let search = ShiftedSearch { bounds, offsets: -3..=3, closing: Closing::default() };
+    /// search.check()?;
+    /// let of_21 = search.of_sun(ToothCount::new(21)?, |_, _| true)?;
+    /// let planets: Vec<u32> = of_21.iter().map(|teeth| teeth.planet.get()).collect();
+    /// assert_eq!(planets, [42, 43, 44, 45]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// None within bounds that [`check`](Self::check) accepts.
+    pub fn of_sun(
+        &self,
+        sun: ToothCount,
+        is_wanted: impl Fn(ToothCount, ToothCount) -> bool,
+    ) -> Result<Vec<ToothNumbers>, Error> {
+        let mut found = vec![];
+        self.each_ring(sun, |gears @ [sun, _, ring]| {
+            if is_wanted(sun, ring) {
+                self.each_closed(gears, |teeth, _| found.push(teeth));
+            }
+            Ok(())
+        })?;
+        Ok(found)
+    }
+
+    /// How many combinations of sun, planet, ring and number of planets are gone through, before assembly and shifts are looked at.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn space(&self) -> Result<u64, Error> {
+        self.check()?;
+        let mut rings = 0_u64;
+        for sun in self.bounds.sun.clone() {
+            self.each_ring(ToothCount::new(sun)?, |_| {
+                rings += 1;
+                Ok(())
+            })?;
+        }
+        Ok(rings * self.bounds.planets.clone().count() as u64)
+    }
+
+    /// Refuses what cannot be sought.
+    ///
+    /// # Errors
+    /// [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of [`Bounds`] and of
+    /// [`Profile::check`](super::Profile::check).
+    pub fn check(&self) -> Result<(), Error> {
         self.bounds.check()?;
         self.closing.profile.check()?;
         self.closing.limits.check()?;
@@ -121,13 +232,11 @@ impl ShiftedSearch {
         Ok(())
     }
 
-    /// The sets of one sun.
-    fn each_of(
+    /// Planets and rings of one sun within the bounds, ascending: sun, planet, ring.
+    fn each_ring(
         &self,
         sun: ToothCount,
-        mode: Mode,
-        search: &mut Search,
-        mut each: impl FnMut(Shifted),
+        mut each: impl FnMut([ToothCount; 3]) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let bounds = &self.bounds;
         // An offset of o asks for planets of up to o/2 teeth more or fewer within the ranges of ring and k.
@@ -141,35 +250,32 @@ impl ShiftedSearch {
                     continue;
                 };
                 let k = f64::from(ring) / sun.as_f64();
-                if !(bounds.ring.contains(&ring) && bounds.ring_to_sun_ratio.contains(&k)) {
-                    continue;
-                }
-                let ring = ToothCount::new(ring)?;
-                let exact_ratio = exact_ratio(sun, ring, mode);
-                for planets in bounds.planets.clone() {
-                    let teeth = ToothNumbers { sun, planet, ring, planets };
-                    let ratio = teeth.basic_ratio().ratio(mode)?;
-                    if !(search.is_near(ratio) || search.is_nearer(ratio)) {
-                        break;
-                    }
-                    let is_equal = PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
-                    if !is_equal && bounds.placement == Placement::Equal {
-                        continue;
-                    }
-                    match (Closing { planets, ..self.closing }).close([sun, planet, ring]) {
-                        Ok(choice) => {
-                            if let Some(ratio_error) = search.take(ratio) {
-                                each(Shifted { teeth, ratio, exact_ratio, ratio_error, choice });
-                            }
-                        }
-                        // More planets stand closer: of equally spaced ones none of the following clears.
-                        Err(Error::NoShifts { fault: SetFault::Planets { .. }, .. }) if is_equal => break,
-                        Err(_) => {}
-                    }
+                if bounds.ring.contains(&ring) && bounds.ring_to_sun_ratio.contains(&k) {
+                    each([sun, planet, ToothCount::new(ring)?])?;
                 }
             }
         }
         Ok(())
+    }
+
+    /// The numbers of planets with which sun, planet and ring close.
+    fn each_closed(
+        &self,
+        gears @ [sun, planet, ring]: [ToothCount; 3],
+        mut each: impl FnMut(ToothNumbers, Choice),
+    ) {
+        for planets in self.bounds.planets.clone() {
+            let is_equal = PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+            if !is_equal && self.bounds.placement == Placement::Equal {
+                continue;
+            }
+            match (Closing { planets, ..self.closing }).close(gears) {
+                Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, choice),
+                // More planets stand closer: of equally spaced ones none of the following clears.
+                Err(Error::NoShifts { fault: SetFault::Planets { .. }, .. }) if is_equal => break,
+                Err(_) => {}
+            }
+        }
     }
 }
 

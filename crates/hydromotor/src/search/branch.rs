@@ -4,6 +4,7 @@ use crate::closure::{Family, Interval};
 use crate::tolerance::EDGE;
 
 use super::front::{Cover, Value};
+use super::objective::Objective;
 use super::point::{Point, Yardstick};
 
 /// How often a cell is halved at most.
@@ -44,7 +45,7 @@ impl Branch {
     /// Sorts the open cells out: those without admissible motors, those that the front covers, and the rest, which are
     /// halved. Cells beside a halved one are open again, as their estimates see a nearer neighbour. The number of points added.
     pub(super) fn refine(&mut self, yardstick: &Yardstick, front: &Cover, slack: f64) -> usize {
-        self.sort_out(front, slack);
+        self.sort_out(yardstick, front, slack);
         let before = std::mem::take(&mut self.cells);
         let halved = |i: usize| before.get(i) == Some(&Cell::Open);
         let old = std::mem::take(&mut self.points);
@@ -67,12 +68,12 @@ impl Branch {
         self.points.len() - count
     }
 
-    fn sort_out(&mut self, front: &Cover, slack: f64) {
+    fn sort_out(&mut self, yardstick: &Yardstick, front: &Cover, slack: f64) {
         for i in 0..self.cells.len() {
             if self.cells[i] != Cell::Open {
                 continue;
             }
-            self.cells[i] = match self.prospect(i) {
+            self.cells[i] = match self.prospect(yardstick, i) {
                 Prospect::Refused => Cell::Refused,
                 Prospect::Values(best) if front.covers(best, slack) || self.is_narrow(i) => Cell::Closed,
                 Prospect::Values(_) => Cell::Open,
@@ -86,7 +87,7 @@ impl Branch {
     }
 
     /// The best that may lie in a cell, by estimate: see [`bound`].
-    fn prospect(&mut self, i: usize) -> Prospect {
+    fn prospect(&mut self, yardstick: &Yardstick, i: usize) -> Prospect {
         let ends = [i, i + 1];
         if ends.iter().all(|&end| !self.points[end].accepted()) {
             let margin = self.bound(i, |point| Some(point.margin));
@@ -98,19 +99,43 @@ impl Branch {
         // The neighbours too, so that an estimate does not depend on what was looked at before.
         let near = i.saturating_sub(1)..(i + 3).min(self.points.len());
         for point in &mut self.points[near] {
-            point.work(numbers);
+            point.work(yardstick, numbers);
         }
-        // Displacement and radius as they are, since a radius may vanish at an end; the ripple by its logarithm.
-        let volume = self.bound(i, |point| Some(point.working?.by_volume()));
-        let ripple = self.bound(i, |point| Some(-libm::log(point.working?.ripple())));
-        let radius = self.bound(i, |point| Some(point.radius));
-        match (volume, ripple, radius) {
-            (Some(volume), Some(ripple), Some(radius)) => {
-                Prospect::Values([libm::log(volume), ripple, libm::log(radius)])
-            }
-            // Where an end is no motor at all; it lies a rounding off the interval's own.
-            _ => Prospect::Refused,
+        let mut best = Value::default();
+        for &objective in &yardstick.objectives {
+            // Displacement, radius and torque as they are, since a radius may vanish at an end; a ripple by its logarithm.
+            let bound = match objective {
+                Objective::DisplacementByVolume => {
+                    self.bound(i, |point| Some(point.working?.by_volume())).map(libm::log)
+                }
+                Objective::Ripple => self.bound(i, |point| Some(-libm::log(point.working?.ripple()))),
+                Objective::LeastRadius => self.bound(i, |point| Some(point.radius)).map(libm::log),
+                Objective::FlankRipple => {
+                    self.bound_where_teeth(i, |point| Some(-libm::log(point.at_flanks?.ripple)))
+                }
+                // Nothing is above its mean.
+                Objective::LeastTorque => self
+                    .bound_where_teeth(i, |point| Some(point.at_flanks?.least_over_mean))
+                    .map(|least| libm::log(least.min(1.0))),
+            };
+            // None where an end is no motor at all; it lies a rounding off the interval's own. Or without teeth at either end.
+            let Some(bound) = bound.filter(|bound| !bound.is_nan()) else { return Prospect::Refused };
+            best[objective as usize] = bound;
         }
+        Prospect::Values(best)
+    }
+
+    /// The same where an end may have no teeth: then the line through the other end and its neighbour, on to the end without, either way.
+    fn bound_where_teeth(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
+        let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
+        let (here, there, beyond) = match (at(i), at(i + 1)) {
+            (Some(from), None) => (from, self.points[i + 1].part, i.checked_sub(1).and_then(at)),
+            (None, Some(to)) => (to, self.points[i].part, at(i + 2)),
+            _ => return self.bound(i, quantity),
+        };
+        let rise =
+            beyond.map_or(0.0, |(part, value)| ((here.1 - value) / (here.0 - part) * (there - here.0)).abs());
+        Some(here.1 + rise)
     }
 
     /// An estimate of the most that a quantity reaches in a cell: the greater end, and what the quantity differs by at one end
@@ -137,11 +162,11 @@ impl Branch {
     }
 
     /// The estimates of every cell that may have admissible motors.
-    pub(super) fn prospects(&mut self) -> Vec<Value> {
+    pub(super) fn prospects(&mut self, yardstick: &Yardstick) -> Vec<Value> {
         let mut found = Vec::new();
         for i in 0..self.cells.len() {
             if self.cells[i] != Cell::Refused
-                && let Prospect::Values(best) = self.prospect(i)
+                && let Prospect::Values(best) = self.prospect(yardstick, i)
             {
                 found.push(best);
             }

@@ -11,6 +11,7 @@ use crate::numbers::MotorNumbers;
 use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
 
 use super::front::Value;
+use super::objective::AtFlanks;
 use super::point::{Point, Working};
 use super::requirements::{Sizing, mean_flow};
 use super::{MotorSearch, Reason};
@@ -28,7 +29,8 @@ pub struct Found {
     pub refinement_gain: SpacingError,
 }
 
-/// By how much an admissible motor between the places tried may be better, relative, by estimate; see [`crate::search`].
+/// By how much an admissible motor between the places tried may be better, relative, by estimate, in each of the
+/// [objectives](MotorSearch::objectives); 0 of what is none. See [`crate::search`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpacingError {
     /// Displacement by volume: 0.01 where it may be 1.01 times as great.
@@ -37,13 +39,18 @@ pub struct SpacingError {
     pub ripple: f64,
     /// Least curvature radius: 0.01 where it may be 1.01 times as great.
     pub least_radius: f64,
+    /// Ripple at the flanks: 0.01 where it may be less by a factor of 1.01.
+    pub flank_ripple: f64,
+    /// Least torque over the mean at the flanks: 0.01 where it may be 1.01 times as great.
+    pub least_torque: f64,
 }
 
 impl SpacingError {
     /// From differences of logarithms.
     pub(super) fn of(excess: Value) -> Self {
-        let [displacement_by_volume, ripple, least_radius] = excess.map(libm::expm1);
-        Self { displacement_by_volume, ripple, least_radius }
+        let [displacement_by_volume, ripple, least_radius, flank_ripple, least_torque] =
+            excess.map(libm::expm1);
+        Self { displacement_by_volume, ripple, least_radius, flank_ripple, least_torque }
     }
 }
 
@@ -89,8 +96,11 @@ pub struct Design {
     pub numbers: MotorNumbers,
     /// Displacement over the volume of the cylinder about the stator's centrode.
     pub displacement_by_volume: f64,
-    /// Ripple `δ` of flow and torque.
+    /// Ripple `δ` of flow and torque, satellites sealing at the pitch points.
     pub ripple: f64,
+    /// Ripple and least torque with satellites that seal at the flanks of the [form](super::FlankTerms::form), where an objective or a
+    /// bound is of them; [`AtFlanks::of`] gives them of any design's motor.
+    pub at_flanks: Option<AtFlanks>,
     /// Least curvature radius of the centrodes over the module.
     pub least_radius: f64,
     /// The curve that has it.
@@ -121,7 +131,7 @@ pub struct Dimensions {
     pub displacement: Volume,
     /// Mean torque at the pressure wanted, without losses.
     pub torque: Option<Torque>,
-    /// The least torque over a revolution, with which it starts at worst, without losses.
+    /// The least torque over a revolution, without losses, satellites sealing at the pitch points.
     pub least_torque: Option<Torque>,
     /// Mean flow at the speed wanted.
     pub flow: Option<VolumeRate>,
@@ -176,6 +186,7 @@ impl MotorSearch {
             numbers,
             displacement_by_volume: working.by_volume(),
             ripple: working.ripple(),
+            at_flanks: point.at_flanks,
             least_radius: point.radius,
             least_radius_of: point.radius_of,
             nearest_check,

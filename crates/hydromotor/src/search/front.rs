@@ -1,7 +1,12 @@
-//! The Pareto front of three objectives, and which of its members covers a point.
+//! The Pareto front of the objectives, and which of its members covers a point.
 
-/// Three objectives as logarithms, each the greater the better.
-pub(super) type Value = [f64; 3];
+use super::objective::Objective;
+
+/// How many objectives there are.
+const COUNT: usize = Objective::ALL.len();
+
+/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what is not asked for.
+pub(super) type Value = [f64; COUNT];
 
 /// Indices of the values that no other dominates, ascending; equal ones stand together.
 pub(super) fn front(values: &[Value]) -> Vec<usize> {
@@ -46,7 +51,7 @@ impl Cover {
 
 /// By how much a value exceeds a member in the objective where it does so most.
 fn excess(value: Value, member: Value) -> f64 {
-    (0..3).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
+    (0..COUNT).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling first objective;
@@ -54,9 +59,11 @@ fn excess(value: Value, member: Value) -> f64 {
 pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
     let best =
         |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });
-    let mut kept: Vec<usize> = (0..3).filter_map(best).collect();
+    // Of an objective in which all are equal there is no best.
+    let differ = |i: &usize| values.iter().any(|value| value[*i].total_cmp(&values[0][*i]).is_ne());
+    let mut kept: Vec<usize> = (0..COUNT).filter(differ).filter_map(best).collect();
     for k in 0..values.len() {
-        let near = |other: &usize| (0..3).all(|i| (values[k][i] - values[*other][i]).abs() <= resolution);
+        let near = |other: &usize| (0..COUNT).all(|i| (values[k][i] - values[*other][i]).abs() <= resolution);
         if !kept.iter().any(near) {
             kept.push(k);
         }
@@ -72,17 +79,22 @@ mod tests {
     use proptest::prelude::*;
 
     fn dominates(one: &Value, other: &Value) -> bool {
-        (0..3).all(|i| one[i] >= other[i]) && one != other
+        (0..COUNT).all(|i| one[i] >= other[i]) && one != other
     }
 
     fn values() -> impl Strategy<Value = Vec<Value>> {
         // Few levels, for many ties.
         prop_oneof![
             proptest::collection::vec(
-                [0..5_u8, 0..5_u8, 0..5_u8].prop_map(|value| value.map(f64::from)),
+                proptest::array::uniform5(0..5_u8).prop_map(|value| value.map(f64::from)),
                 0..120
             ),
-            proptest::collection::vec([0.0..1.0, 0.0..1.0, 0.0..1.0], 0..120),
+            proptest::collection::vec(proptest::array::uniform5(0.0..1.0), 0..120),
+            // Three of them asked for.
+            proptest::collection::vec(
+                [0.0..1.0, 0.0..1.0, 0.0..1.0].prop_map(|[a, b, c]| [a, b, c, 0.0, 0.0]),
+                0..120
+            ),
         ]
     }
 
@@ -97,25 +109,26 @@ mod tests {
         #[test]
         fn what_is_left_out_lies_near_what_is_kept(values in values(), resolution in 0.0..0.3) {
             let kept = apart(&values, resolution);
-            let near = |one: &Value, other: &Value| (0..3).all(|i| (one[i] - other[i]).abs() <= resolution);
+            let near = |one: &Value, other: &Value| (0..COUNT).all(|i| (one[i] - other[i]).abs() <= resolution);
             for value in &values {
                 prop_assert!(kept.iter().any(|&k| near(value, &values[k])));
             }
             let best = |i: usize, value: &Value| values.iter().all(|other| other[i] <= value[i]);
-            for i in 0..3 {
+            for i in 0..COUNT {
                 prop_assert!(values.is_empty() || kept.iter().any(|&k| best(i, &values[k])));
             }
             // Beside the best in each objective nothing is near anything.
-            let others = |k: &&usize| (0..3).all(|i| !best(i, &values[**k]));
+            let is_asked = |i: &usize| values.iter().any(|value| value[*i] != values[0][*i]);
+            let others = |k: &&usize| (0..COUNT).filter(is_asked).all(|i| !best(i, &values[**k]));
             for &one in kept.iter().filter(others) {
                 prop_assert!(kept.iter().all(|&other| one == other || !near(&values[one], &values[other])));
             }
         }
 
         #[test]
-        fn the_nearest_member_is_that_of_trial(values in values(), value in [0.0..4.0, 0.0..4.0, 0.0..4.0]) {
+        fn the_nearest_member_is_that_of_trial(values in values(), value in proptest::array::uniform5(0.0..4.0)) {
             let cover = Cover::new(values.clone());
-            let excess = |member: &Value| (0..3).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max);
+            let excess = |member: &Value| (0..COUNT).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max);
             let least = values.iter().map(excess).fold(f64::INFINITY, f64::min);
             match cover.nearest(value) {
                 Some((_, found)) => {

@@ -6,8 +6,13 @@
 //! | objective | better | unit | why so |
 //! |---|---|---|---|
 //! | displacement by volume `q/V` | more | 1 | `V` is the cylinder about the stator's centrode, [`Envelope`](crate::checks::Envelope); with `V` = area · width it depends on neither module nor width, and `V = q/(q/V)` is what the motor takes |
-//! | ripple `δ` | less | 1 | of flow and torque, [`Ripple`](crate::flow::Ripple) |
+//! | ripple `δ` | less | 1 | of flow and torque, satellites sealing at the pitch points, [`Ripple`](crate::flow::Ripple) |
 //! | least curvature radius over the module | more | 1 | of both centrodes, hollow and convex: what is held against roots and satellites, whose measure is the module, [`Check`](crate::checks::Check) |
+//!
+//! These three are [usual](Objective::USUAL). Ripple and least torque over the mean with satellites that seal at the flanks
+//! ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) beside them or in their place; they depend on a tooth form
+//! ([`FlankTerms`]), whose limits are not looked at. Every motor that passes the checks is then looked at for its teeth, which takes about
+//! twelve times as long.
 //!
 //! None depends on module or width, so that the shape is sought first and every size that serves it is listed with it
 //! ([`Dimensions`]). Limits of the size do tell shapes apart.
@@ -29,6 +34,10 @@
 //! A cell is left when its estimate exceeds some motor of the front by at most half the [resolution](MotorSearch::resolution) in
 //! every objective, or when by the same estimate no motor in it is admissible; others are halved, up to ten times. Then of motors
 //! of one set that differ by less than the other half in every objective one stays; the best of the set in each objective do.
+//!
+//! Bounds of figures at the flanks act as that of the ripple at the pitch points: a motor beyond them is refused, last of all, and how far
+//! it is beyond tells cells that may have motors within them. A motor to which the form gives no teeth is refused where such a figure is bounded or an
+//! objective. Of a cell with such an end the estimate is that of the line through the other end and its neighbour.
 //!
 //! What remains is stated. The estimate of each cell is laid to the motor that it exceeds least, and [`Design::spacing_error`] is
 //! the most that is laid to a motor: *by estimate, every admissible motor within the bounds, tried or not, is better than some
@@ -64,10 +73,11 @@ mod branch;
 pub mod forms;
 mod found;
 mod front;
+mod objective;
 mod point;
 mod requirements;
 
-use crate::quantity::Quantity;
+use crate::quantity::{Choice, Quantity};
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -83,6 +93,7 @@ use point::Yardstick;
 use requirements::{Sizing, positive};
 
 pub use found::{Design, Dimensions, Found, Funnel, SpacingError};
+pub use objective::{AtFlanks, FlankTerms, Objective};
 pub use requirements::{PREFERRED_MODULES_MM, Requirements, Size, SizeLimits};
 
 /// The greatest number of sets that a search takes.
@@ -102,6 +113,10 @@ pub struct MotorSearch {
     pub heights: ToothHeights,
     /// What a design may not exceed.
     pub limits: Limits,
+    /// The teeth for figures at the flanks, and what is asked of these.
+    pub flanks: FlankTerms,
+    /// What motors are held against each other by, [`Objective::USUAL`] by default.
+    pub objectives: Vec<Objective>,
     /// Evenly spaced places in each interval of a family, 16 by default.
     pub points: u32,
     /// Relative difference of the objectives below which designs of one set count as one, and up to which the front is refined; by
@@ -202,11 +217,17 @@ pub enum Reason {
     Size,
     /// [`Limits::ripple`].
     Ripple,
+    /// The [form](FlankTerms::form) gives no teeth, where figures at the flanks are objectives or bounded.
+    NoTeeth,
+    /// [`FlankTerms::ripple`].
+    FlankRipple,
+    /// [`FlankTerms::least_torque`], or the torque vanishes at some angle.
+    LeastTorque,
 }
 
 impl Reason {
     /// All of them, in their order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 13] = [
         Self::NotClosed,
         Self::Check(Subject::StatorBulge),
         Self::Check(Subject::StatorHollow),
@@ -217,6 +238,9 @@ impl Reason {
         Self::LeastRadius,
         Self::Size,
         Self::Ripple,
+        Self::NoTeeth,
+        Self::FlankRipple,
+        Self::LeastTorque,
     ];
 }
 
@@ -250,6 +274,8 @@ impl MotorSearch {
             bounds: Bounds::default(),
             heights: ToothHeights::default(),
             limits: Limits::default(),
+            flanks: FlankTerms::default(),
+            objectives: Objective::USUAL.to_vec(),
             points: 16,
             resolution: Some(0.02),
         }
@@ -286,7 +312,8 @@ impl MotorSearch {
         let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
         funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
 
-        let mut values = front_values(&branches);
+        let objectives = self.objectives.as_slice();
+        let mut values = front_values(&branches, objectives);
         let grid = Cover::new(values.clone());
         // Half of the resolution, as logarithms.
         let half = self.resolution.map(|resolution| 0.5 * libm::log1p(resolution));
@@ -297,7 +324,7 @@ impl MotorSearch {
                 let refined =
                     map_mut(&mut branches, |branch| pass.part(branch.refine(&yardstick, &cover, slack)));
                 let added: usize = refined.into_iter().sum();
-                values = front_values(&branches);
+                values = front_values(&branches, objectives);
                 if added == 0 {
                     break;
                 }
@@ -326,7 +353,13 @@ impl MotorSearch {
         {
             return Err(out_of(Quantity::Resolution, resolution, 0.001, 1.0, ""));
         }
-        Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius })
+        if self.objectives.is_empty() {
+            return Err(Error::NothingToChoose { what: Choice::Objectives });
+        }
+        self.flanks.checked()?;
+        let flanks = self.flanks.are_needed(&self.objectives).then_some(self.flanks);
+        let objectives = self.objectives.clone();
+        Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius, objectives, flanks })
     }
 
     fn found(
@@ -337,7 +370,7 @@ impl MotorSearch {
         refinement_gain: SpacingError,
         half: Option<f64>,
     ) -> Found {
-        let (places, values) = accepted(&branches);
+        let (places, values) = accepted(&branches, &self.objectives);
         let on_front = front(&values);
         funnel.accepted = places.len();
         funnel.front = on_front.len();
@@ -356,15 +389,20 @@ impl MotorSearch {
                 sets.flat_map(thinned).collect()
             }
         };
-        members.sort_by(|&one, &other| values[other][0].total_cmp(&values[one][0]));
+        let by_volume = |k: usize| {
+            let Place { branch, point } = places[k];
+            branches[branch].points[point].working.map_or(0.0, |working| working.by_volume())
+        };
+        members.sort_by(|&one, &other| by_volume(other).total_cmp(&by_volume(one)));
         let cover = Cover::new(members.iter().map(|&k| values[k]).collect());
-        let (spacing_error, each) = spacing_errors(&mut branches, &cover);
-        let design = |(&k, error): (&usize, &SpacingError)| {
+        let (spacing_error, each) = spacing_errors(yardstick, &mut branches, &cover);
+        let members: Vec<(usize, SpacingError)> = members.into_iter().zip(each).collect();
+        let designs = map(&members, |&(k, error)| {
             let Place { branch, point } = places[k];
             let numbers = branches[branch].family.numbers();
-            self.design(&yardstick.sizing, numbers, &branches[branch].points[point], *error)
-        };
-        let designs = members.iter().zip(&each).filter_map(design).collect();
+            self.design(&yardstick.sizing, numbers, &branches[branch].points[point], error)
+        });
+        let designs = designs.into_iter().flatten().collect();
         Found { designs, funnel, spacing_error, refinement_gain }
     }
 }
@@ -399,12 +437,12 @@ fn branches(yardstick: &Yardstick, numbers: MotorNumbers, points: u32) -> Vec<Br
 }
 
 /// All accepted points by their sets and `l`, and their values.
-fn accepted(branches: &[Branch]) -> (Vec<Place>, Vec<Value>) {
+fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<Value>) {
     let mut places = Vec::new();
     let mut values = Vec::new();
     for (branch, of) in branches.iter().enumerate() {
         for (point, of) in of.points.iter().enumerate() {
-            if let Some(value) = of.value().filter(|_| of.accepted()) {
+            if let Some(value) = of.value(objectives).filter(|_| of.accepted()) {
                 places.push(Place { branch, point });
                 values.push(value);
             }
@@ -414,15 +452,19 @@ fn accepted(branches: &[Branch]) -> (Vec<Place>, Vec<Value>) {
 }
 
 /// The values of the front of all accepted points.
-fn front_values(branches: &[Branch]) -> Vec<Value> {
-    let values = accepted(branches).1;
+fn front_values(branches: &[Branch], objectives: &[Objective]) -> Vec<Value> {
+    let values = accepted(branches, objectives).1;
     front(&values).into_iter().map(|k| values[k]).collect()
 }
 
 /// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member by.
-fn spacing_errors(branches: &mut [Branch], cover: &Cover) -> (SpacingError, Vec<SpacingError>) {
+fn spacing_errors(
+    yardstick: &Yardstick,
+    branches: &mut [Branch],
+    cover: &Cover,
+) -> (SpacingError, Vec<SpacingError>) {
     let laid: Vec<Vec<(usize, Value)>> = map_mut(branches, |branch| {
-        branch.prospects().into_iter().filter_map(|best| cover.nearest(best)).collect()
+        branch.prospects(yardstick).into_iter().filter_map(|best| cover.nearest(best)).collect()
     });
     let mut each = vec![Value::default(); cover.len()];
     for &(member, excess) in laid.iter().flatten() {

@@ -9,6 +9,7 @@ use crate::numbers::MotorNumbers;
 
 use super::Reason;
 use super::front::Value;
+use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};
 
 /// What a point is held against.
@@ -18,6 +19,9 @@ pub(super) struct Yardstick {
     pub(super) sizing: Sizing,
     pub(super) ripple: f64,
     pub(super) least_radius: f64,
+    pub(super) objectives: Vec<Objective>,
+    /// Where an objective or a bound needs them of every motor.
+    pub(super) flanks: Option<FlankTerms>,
 }
 
 /// A motor at a place of its family, in units of the module.
@@ -37,6 +41,8 @@ pub(super) struct Point {
     pub(super) refused: Option<Reason>,
     /// What it does, of an accepted point and where asked for.
     pub(super) working: Option<Working>,
+    /// The same at the flanks where every motor is looked at for them; none of one without teeth.
+    pub(super) at_flanks: Option<AtFlanks>,
 }
 
 /// What a motor does.
@@ -79,6 +85,7 @@ impl Point {
             margin: f64::INFINITY,
             refused: None,
             working: None,
+            at_flanks: None,
         };
         match point.motor(family.numbers()) {
             Some(motor) => point.judge(yardstick, &motor),
@@ -126,8 +133,27 @@ impl Point {
         self.limit(Reason::Size, yardstick.sizing.margin(working.displacement, working.diameter));
         self.limit(Reason::Ripple, at_least(yardstick.ripple, working.ripple()));
         self.working = Some(working);
-        if self.value().is_none() {
+        if self.value(&Objective::USUAL).is_none() {
             (self.margin, self.refused) = (-1.0, Some(Reason::NotClosed));
+        }
+        if let Some(terms) = &yardstick.flanks
+            && self.refused.is_none()
+        {
+            self.at_flanks = AtFlanks::of(motor, terms.form);
+            self.judge_flanks(terms, yardstick.objectives.contains(&Objective::LeastTorque));
+        }
+    }
+
+    /// The dearest last. A torque that vanishes at some angle is refused where the least is looked at.
+    fn judge_flanks(&mut self, terms: &FlankTerms, is_by_torque: bool) {
+        let Some(at) = self.at_flanks else {
+            (self.margin, self.refused) = (-1.0, Some(Reason::NoTeeth));
+            return;
+        };
+        self.limit(Reason::FlankRipple, at_least(terms.ripple.unwrap_or(f64::INFINITY), at.ripple));
+        if is_by_torque || terms.least_torque.is_some() {
+            let margin = at_least(at.least_over_mean, terms.least_torque.unwrap_or(0.0));
+            self.limit(Reason::LeastTorque, if at.least_over_mean > 0.0 { margin } else { -1.0 });
         }
     }
 
@@ -154,16 +180,34 @@ impl Point {
     }
 
     /// What a motor does, whether or not it is refused.
-    pub(super) fn work(&mut self, numbers: MotorNumbers) {
-        if self.working.is_none() {
-            self.working = self.motor(numbers).map(|motor| Working::of(&motor));
+    pub(super) fn work(&mut self, yardstick: &Yardstick, numbers: MotorNumbers) {
+        if self.working.is_some()
+            && (self.at_flanks.is_some() || yardstick.flanks.is_none() || self.accepted())
+        {
+            return;
+        }
+        let Some(motor) = self.motor(numbers) else { return };
+        self.working.get_or_insert_with(|| Working::of(&motor));
+        if let Some(terms) = &yardstick.flanks
+            && self.refused != Some(Reason::NoTeeth)
+        {
+            self.at_flanks = self.at_flanks.or_else(|| AtFlanks::of(&motor, terms.form));
         }
     }
 
     /// Logarithms of the objectives, each the greater the better; none where a point was not worked.
-    pub(super) fn value(&self) -> Option<Value> {
+    pub(super) fn value(&self, objectives: &[Objective]) -> Option<Value> {
         let working = self.working?;
-        let value = [libm::log(working.by_volume()), -libm::log(working.ripple()), libm::log(self.radius)];
+        let mut value = Value::default();
+        for &objective in objectives {
+            value[objective as usize] = match objective {
+                Objective::DisplacementByVolume => libm::log(working.by_volume()),
+                Objective::Ripple => -libm::log(working.ripple()),
+                Objective::LeastRadius => libm::log(self.radius),
+                Objective::FlankRipple => -libm::log(self.at_flanks?.ripple),
+                Objective::LeastTorque => libm::log(self.at_flanks?.least_over_mean),
+            };
+        }
         value.iter().all(|part| part.is_finite()).then_some(value)
     }
 

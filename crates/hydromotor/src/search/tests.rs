@@ -130,7 +130,7 @@ fn finer_places_are_better_by_no_more_than_the_error_says() {
         let mut fronts = 0;
         for tried in all.iter().filter(|tried| tried.refused.is_none()) {
             let covered = found.designs.iter().any(|design| {
-                let SpacingError { displacement_by_volume, ripple, least_radius } = design.spacing_error;
+                let SpacingError { displacement_by_volume, ripple, least_radius, .. } = design.spacing_error;
                 tried.objectives[0]
                     <= design.displacement_by_volume * (1.0 + displacement_by_volume) * (1.0 + 1e-9)
                     && -tried.objectives[1] * (1.0 + ripple) * (1.0 + 1e-9) >= design.ripple
@@ -141,6 +141,70 @@ fn finer_places_are_better_by_no_more_than_the_error_says() {
         }
         assert!(fronts > 2000, "{fronts}");
     }
+}
+
+/// The same with figures at the flanks as objectives, beside and in place of those at the pitch points; and every figure that of the motor.
+#[test]
+fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
+    let mut search = small(5..=6, 55..=60);
+    search.bounds.satellite_teeth = 9..=11;
+    search.objectives = vec![Objective::DisplacementByVolume, Objective::FlankRipple, Objective::LeastTorque];
+    search.flanks = FlankTerms { ripple: Some(0.1), least_torque: Some(0.93), ..FlankTerms::default() };
+    let found = search.front().unwrap();
+    let form = search.flanks.form;
+    for design in &found.designs {
+        let at = AtFlanks::of(&design.motor(mm(2.0)).unwrap(), form).unwrap();
+        let own = design.at_flanks.unwrap();
+        assert!((at.ripple / own.ripple - 1.0).abs() < 1e-9, "{at:?} {own:?}");
+        assert!((at.least_over_mean - own.least_over_mean).abs() < 1e-9, "{at:?} {own:?}");
+        assert!(own.ripple <= 0.1 && own.least_over_mean >= 0.93 && own.ripple > design.ripple);
+        let SpacingError { ripple, least_radius, .. } = design.spacing_error;
+        assert_eq!((ripple, least_radius), (0.0, 0.0));
+    }
+    assert!(!found.designs.is_empty() && found.funnel.refused(Reason::FlankRipple) > 0, "{:?}", found.funnel);
+    let mut tried = 0;
+    for numbers in search.bounds.all().unwrap() {
+        let Ok(family) = Family::new(numbers, Length::new::<meter>(1.0)) else { continue };
+        for i in 0..96 {
+            let part = (f64::from(i) / 95.0).clamp(1e-6, 1.0 - 1e-6);
+            let Some(arcs) = family.within(&family.intervals()[0], part) else { continue };
+            let motor = Motor::of_closed_arcs(numbers, arcs);
+            if motor.checks(search.heights).unwrap().iter().any(|check| !check.holds()) {
+                continue;
+            }
+            let Some(at) = AtFlanks::of(&motor, form) else { continue };
+            if at.ripple > 0.1 || at.least_over_mean < 0.93 {
+                continue;
+            }
+            let volume = motor.envelope().displacement_by_volume;
+            let covered = found.designs.iter().any(|design| {
+                let (own, error) = (design.at_flanks.unwrap(), design.spacing_error);
+                let reach = |error: f64| (1.0 + error) * (1.0 + 1e-9);
+                volume <= design.displacement_by_volume * reach(error.displacement_by_volume)
+                    && at.ripple * reach(error.flank_ripple) >= own.ripple
+                    && at.least_over_mean <= own.least_over_mean * reach(error.least_torque)
+            });
+            assert!(covered, "{numbers:?} {part} {volume} {at:?}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 100, "{tried}");
+}
+
+/// What is asked of the flanks refuses, and without it every motor is as before.
+#[test]
+fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
+    let usual = small(5..=6, 55..=60).front().unwrap();
+    assert_eq!(
+        [Reason::NoTeeth, Reason::FlankRipple, Reason::LeastTorque].map(|of| usual.funnel.refused(of)),
+        [0; 3]
+    );
+    assert!(usual.designs.iter().all(|design| design.at_flanks.is_none()));
+    let mut bound = small(5..=6, 55..=60);
+    bound.flanks.least_torque = Some(0.95);
+    let bound = bound.front().unwrap();
+    assert!(bound.funnel.refused(Reason::LeastTorque) > 0 && bound.funnel.accepted < usual.funnel.accepted);
+    assert!(bound.designs.iter().all(|design| design.at_flanks.unwrap().least_over_mean >= 0.95));
 }
 
 #[test]
@@ -163,7 +227,7 @@ fn a_finer_resolution_lists_more_and_leaves_less() {
     for resolution in [0.2, 0.05, 0.01] {
         search.resolution = Some(resolution);
         let found = search.front().unwrap();
-        let SpacingError { displacement_by_volume, ripple, least_radius } = found.spacing_error;
+        let SpacingError { displacement_by_volume, ripple, least_radius, .. } = found.spacing_error;
         assert!([displacement_by_volume, ripple, least_radius].iter().all(|error| *error <= resolution));
         if let Some(last) = last {
             assert!(found.designs.len() > last.designs.len() && found.funnel.refined > last.funnel.refined);
@@ -301,6 +365,9 @@ fn orders_that_make_no_sense_are_refused() {
         refused(&|search| search.limits.least_radius = Some(-1.0)),
         refused(&|search| search.limits.rotor_lobes = 3..=2),
         refused(&|search| search.heights.addendum = -1.0),
+        refused(&|search| search.objectives.clear()),
+        refused(&|search| search.flanks.ripple = Some(0.0)),
+        refused(&|search| search.flanks.least_torque = Some(1.2)),
         refused(&|search| search.points = 2),
         refused(&|search| search.resolution = Some(0.0)),
         refused(&|search| search.bounds.stator_teeth = 50..=40),

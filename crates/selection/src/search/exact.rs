@@ -22,12 +22,12 @@ pub(super) fn coefficients(set: SetRoles, teeth: [f64; 2], exponent: i8, eta0: f
     found
 }
 
-/// Cube of the relative ring diameter of a set of these teeth of sun and ring, one planet carrying all:
-/// `k³·(1 + 1/r)/min(1, r)` times the torque on the sun.
-pub(super) fn cube([sun, ring]: [f64; 2], torque: Double) -> Double {
-    let (one, k) = (Double::from(1.0), Double::from(ring) / Double::from(sun));
-    let r = (k - one) / Double::from(2.0);
-    k * k * k * (one + one / r) / r.min(one) * torque
+/// Cube of the relative ring diameter of a set of these teeth of sun and ring, and of the planet, one planet carrying all:
+/// `k³·(1 + 1/r)/(w²·min(1, r))` times the torque on the sun.
+pub(super) fn cube([sun, ring]: [f64; 2], planet: f64, working: f64, torque: Double) -> Double {
+    let (one, w) = (Double::from(1.0), Double::from(working));
+    let [k, r] = [ring, planet].map(|teeth| Double::from(teeth) / Double::from(sun));
+    k * k * k * (one + one / r) / r.min(one) / (w * w) * torque
 }
 
 /// Distance of two numbers of 40 bits near a value.

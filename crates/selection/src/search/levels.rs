@@ -1,17 +1,20 @@
-//! Tooth numbers by their ring-to-sun ratio: all that objectives can tell apart.
+//! Tooth numbers by their ring-to-sun and planet-to-sun ratios: all that objectives can tell apart.
 //!
-//! Ratios, speeds, torques and losses of a gearbox depend on its tooth numbers through `k = z_b/z_a` alone,
-//! and the size on `k` and the number of planets. So the tooth numbers of one `k` are one *level*; within it only
-//! the share `K_γ/N` of the most loaded planet tells them apart, and those whose share is not the least
-//! make a design no better than those of the least. Of the 8016 combinations within the default bounds 2696 `k` are
-//! distinct.
+//! Ratios, speeds of links, torques and losses of a gearbox depend on its tooth numbers through `k = z_b/z_a` alone, speeds of planets and
+//! the size on `r = z_g/z_a` too, and the size on the number of planets. So the tooth numbers of one `k` and one `r` are one *level*; within
+//! it only the share `K_γ/N` of the most loaded planet tells them apart, and those whose share is not the least
+//! make a design no better than those of the least. Without profile shift `r = (k − 1)/2`, and of the 8016 combinations within the default
+//! bounds 2696 `k` are distinct; with offsets of the ring one `k` may have several `r`.
 
+use crate::Error;
 use crate::requirements::Limits;
-use crate::size::{Rating, cube_of_ring_to_sun_ratio};
+use crate::size::{Rating, cube_of_ratios, working_over_reference};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::ToothNumbers;
 use std::ops::RangeInclusive;
 
-/// Tooth numbers of one ring-to-sun ratio.
+/// Tooth numbers of one ring-to-sun ratio and one planet-to-sun ratio.
 #[derive(Debug, Clone)]
 pub(crate) struct Level {
     pub(crate) k: f64,
@@ -19,9 +22,15 @@ pub(crate) struct Level {
     pub(crate) tooth_sets: [u32; 2],
     /// Teeth of sun and ring of its first tooth numbers: `k` as a fraction.
     pub(crate) teeth: [f64; 2],
+    /// Teeth of their planet: `r` as a fraction over the sun's.
+    pub(crate) planet: f64,
+    /// `r`, the planet's teeth over the sun's.
+    pub(crate) planet_to_sun: f64,
+    /// Working over reference diameters of sun and planets, `w`.
+    pub(crate) working: f64,
     /// How far `k` is from the preferred range: as a fraction, times a limit of that range or 1.
     pub(crate) distance: Distance,
-    /// `k³·(1 + 1/r)/min(1, r)`.
+    /// `k³·(1 + 1/r)/(w²·min(1, r))`.
     pub(crate) cube: f64,
     /// The least `K_γ/N` of its tooth numbers.
     pub(crate) share: f64,
@@ -60,34 +69,43 @@ impl Distance {
     }
 }
 
-/// All levels within the limits, ascending by `k`, and the tooth numbers by level.
+/// All levels within the limits, ascending by `k`, then by `r`, and the tooth numbers by level.
 pub(crate) fn levels(
     mut tooth_sets: Vec<ToothNumbers>,
     limits: &Limits,
     rating: &Rating,
-) -> (Vec<Level>, Vec<ToothNumbers>) {
+    shift: Option<&ProfileShift>,
+) -> Result<(Vec<Level>, Vec<ToothNumbers>), Error> {
     tooth_sets.retain(|teeth| limits.ring_to_sun.contains(&teeth.ring_to_sun_ratio()));
-    // By k as a fraction: exact, and without a thought of rounding.
+    // By k and r as fractions: exact, and without a thought of rounding.
     let cross = |one: &ToothNumbers, other: &ToothNumbers| {
-        let product = |a: &ToothNumbers, b: &ToothNumbers| u64::from(a.ring.get()) * u64::from(b.sun.get());
-        product(one, other).cmp(&product(other, one))
+        let of = |gear: fn(&ToothNumbers) -> ToothCount| {
+            let product =
+                |a: &ToothNumbers, b: &ToothNumbers| u64::from(gear(a).get()) * u64::from(b.sun.get());
+            product(one, other).cmp(&product(other, one))
+        };
+        of(|teeth| teeth.ring).then_with(|| of(|teeth| teeth.planet))
     };
     tooth_sets.sort_by(|one, other| cross(one, other).then(one.cmp(other)));
     let mut found: Vec<Level> = vec![];
     let mut from = 0_u32;
     for alike in tooth_sets.chunk_by(|one, other| cross(one, other).is_eq()) {
-        let k = alike[0].ring_to_sun_ratio();
+        let (k, planet_to_sun) = (alike[0].ring_to_sun_ratio(), alike[0].planet_to_sun_ratio());
+        let working = working_over_reference(&alike[0], shift)?;
         let teeth = [alike[0].sun, alike[0].ring].map(|teeth| f64::from(teeth.get()));
         let to = from + alike.len() as u32;
         found.push(Level {
             k,
             tooth_sets: [from, to],
             teeth,
+            planet: f64::from(alike[0].planet.get()),
+            planet_to_sun,
+            working,
             distance: Distance::new(teeth, &limits.preferred),
-            cube: cube_of_ring_to_sun_ratio(k),
+            cube: cube_of_ratios(k, planet_to_sun, working),
             share: alike.iter().map(|teeth| rating.share(teeth.planets)).fold(f64::INFINITY, f64::min),
         });
         from = to;
     }
-    (found, tooth_sets)
+    Ok((found, tooth_sets))
 }

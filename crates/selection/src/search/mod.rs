@@ -6,9 +6,9 @@
 //! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
 //! 2.8·10¹⁰ designs. What is left out is left out for a reason that holds for each:
 //!
-//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂` and, of the size, on the number of planets.
-//!    Tooth numbers of one `k` are one level, the best share of planets stands for it; others of the level are
-//!    no better, and where they are equal they are listed as members of the same entry.
+//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂`, of planet speeds and size on the planets' teeth over the suns' `r₁`, `r₂`, and
+//!    of the size on the number of planets. Tooth numbers of one `k` and one `r` are one level, the best share of planets stands for it;
+//!    others of the level are no better, and where they are equal they are listed as members of the same entry.
 //! 2. **Reach.** A structure is left out where, by the corners of the range of `k`, a ratio cannot come
 //!    within tolerance: a quotient of bilinear functions, monotonous in each between zeros and poles.
 //! 3. **Windows.** Beside each `k₁` only the interval of `k₂` is tried outside which a ratio, a link speed
@@ -22,6 +22,11 @@
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
 //! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
+//!
+//! # Sets with profile shift
+//! With [`ToothSearch::shift`] the tooth numbers are those of sets that some shifts close without a fault, found set by set before levels are
+//! made; sets without an offset of the ring are closed in the same way. Within the default bounds and offsets from −3 to 3 they are 38 437 with
+//! 21 380 levels in place of 8016 with 2696, and some 60 times as many pairs are tried. Nothing else changes.
 //!
 //! # The first designs without the rest
 //! What dominates a design stands before it in any order of objectives. So whether a design before some bound is on the
@@ -84,6 +89,7 @@ mod levels;
 mod one_set;
 mod patch;
 mod screen;
+mod shifted;
 mod window;
 
 pub use found::{Counts, Found, ToothDesign};
@@ -95,6 +101,7 @@ use crate::objectives::{Costs, Objective, Objectives, Order};
 use crate::requirements::Requirements;
 use crate::threads::map;
 use contenders::{Bound, Contenders, first_of_front};
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
 use epicyclic_schemes::structures::Structure;
@@ -129,6 +136,8 @@ pub struct ToothSearch {
     pub structures: Vec<Structure>,
     /// Bounds of the tooth numbers of both sets.
     pub bounds: Bounds,
+    /// Sets with profile shift in place of those without; `None` by default.
+    pub shift: Option<ProfileShift>,
     /// Order of objectives by which entries are sorted; circulating power, which is not compared here, stands last.
     pub order: Order,
     /// Module that each set needs at the load factor K, limits included.
@@ -214,6 +223,7 @@ impl ToothSearch {
             requirements,
             structures: Structure::all(),
             bounds: Bounds::default(),
+            shift: None,
             order: Order::default(),
             module: None,
             ring_diameter: None,
@@ -362,13 +372,10 @@ impl ToothSearch {
         self.requirements.check()?;
         check_order(self.order)?;
         let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, &self.requirements.rating)?;
-        let counted = self.bounds.count()?;
-        if counted > MOST_TOOTH_SETS {
-            return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
-        }
-        let all = self.bounds.tooth_numbers()?;
-        let count = all.len();
-        let (levels, tooth_sets) = levels(all, &self.requirements.limits, &self.requirements.rating);
+        let all = shifted::all(&self.bounds, self.shift.as_ref())?;
+        let (count, counted) = (all.len(), all.len() as u64);
+        let (levels, tooth_sets) =
+            levels(all, &self.requirements.limits, &self.requirements.rating, self.shift.as_ref())?;
         let assignments = self.assignments()?;
         let of = assignments.len();
         if levels.len() as u64 * of as u64 > MOST_WINDOWS {

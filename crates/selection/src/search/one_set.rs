@@ -18,6 +18,7 @@ use super::exact;
 use super::found::{Counts, SizeLimits};
 use super::levels::{Level, levels};
 use super::patch::Allowed;
+use super::shifted::shifted;
 use super::{MOST_TOOTH_SETS, check_order};
 use crate::drawing::drawable_direct_clutches;
 use crate::front::{Entry, front};
@@ -25,6 +26,7 @@ use crate::mechanism::{Mechanism, Space};
 use crate::objectives::{Costs, Objectives, Order, on_grid};
 use crate::requirements::Requirements;
 use crate::{Error, Rating};
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
 use epicyclic_schemes::structures::{Role, SetRoles};
@@ -40,6 +42,8 @@ pub struct OneSetSearch {
     pub sets: Vec<SetRoles>,
     /// Bounds of the tooth numbers.
     pub bounds: Bounds,
+    /// Sets with profile shift in place of those without; `None` by default.
+    pub shift: Option<ProfileShift>,
     /// Order of objectives by which entries are sorted; circulating power, of which one set has none, stands last.
     pub order: Order,
     /// Module that the set needs at the load factor K, limits included.
@@ -110,6 +114,7 @@ impl OneSetSearch {
             requirements,
             sets: Space::All.sets(),
             bounds: Bounds::default(),
+            shift: None,
             order: Order::default(),
             module: None,
             ring_diameter: None,
@@ -137,7 +142,7 @@ impl OneSetSearch {
         let allowed = Allowed::new(&self.requirements);
         let ways = self.ways()?;
         let (near, tooth_sets) = self.near(&ways, &allowed, done)?;
-        let (levels, near) = levels(near, limits, rating);
+        let (levels, near) = levels(near, limits, rating, self.shift.as_ref())?;
         let mut counts = Counts {
             tooth_sets,
             levels: levels.len(),
@@ -156,7 +161,7 @@ impl OneSetSearch {
                     continue;
                 }
                 counts.tried += 1;
-                let Some(measured) = way.measure(level.teeth, &allowed) else { continue };
+                let Some(measured) = way.measure(level, &allowed) else { continue };
                 let Some(share) = fitting(level.of(&near), &measured, size, rating).min_by(f64::total_cmp)
                 else {
                     continue;
@@ -208,6 +213,17 @@ impl OneSetSearch {
         done: impl FnMut(f64),
     ) -> Result<(Vec<ToothNumbers>, usize), Error> {
         let k = &self.requirements.limits.ring_to_sun;
+        if let Some(shift) = &self.shift {
+            let all: Vec<ToothNumbers> = shifted(&self.bounds, shift, done)?;
+            let is_near = |teeth: &ToothNumbers| {
+                let of = [teeth.sun, teeth.ring].map(|teeth| f64::from(teeth.get()));
+                ways.iter().any(|way| way.is_near(of, allowed))
+            };
+            let within = all.into_iter().filter(|teeth| k.contains(&teeth.ring_to_sun_ratio()));
+            let (near, far): (Vec<ToothNumbers>, Vec<ToothNumbers>) = within.partition(is_near);
+            let count = near.len() + far.len();
+            return Ok((near, count));
+        }
         let (mut near, mut count, mut of_near) = (vec![], 0, 0);
         self.bounds.each(done, |teeth| {
             if !k.contains(&teeth.ring_to_sun_ratio()) {
@@ -265,7 +281,8 @@ impl Way {
     }
 
     /// Measures it; `None` where a criterion is not met.
-    fn measure(&self, teeth @ [sun, ring]: [f64; 2], allowed: &Allowed) -> Option<Measured> {
+    fn measure(&self, level: &Level, allowed: &Allowed) -> Option<Measured> {
+        let (teeth, [sun, _]) = (level.teeth, level.teeth);
         let [d, b] = self.of_shafts(teeth);
         // Speeds times the numerator of the ratio, -b.
         let mut above = [0.0; 4];
@@ -274,8 +291,8 @@ impl Way {
         let links = speed(Role::D, Role::T1).max(speed(Role::B, Role::T1));
         let [a, _, h] = self.set;
         let relative = above[a.index()] - above[h.index()];
-        // The planet's speed over that of the sun, both relative to the carrier: `2/(k − 1)`.
-        let planets = (relative * (2.0 * sun) / ((ring - sun) * b)).abs();
+        // The planet's speed over that of the sun, both relative to the carrier: `1/r`.
+        let planets = (relative * (2.0 * sun) / (2.0 * level.planet * b)).abs();
         if links > allowed.link_speed || planets > allowed.planet_speed {
             return None;
         }
@@ -291,7 +308,7 @@ impl Way {
             return None;
         }
         let of_sun = loaded[a.index()];
-        let cube = exact::cube(teeth, (of_sun / over_d).abs());
+        let cube = exact::cube(teeth, level.planet, level.working, (of_sun / over_d).abs());
         let ratio_error = self.ratio_error([d, b]);
         Some(Measured { efficiency, speed: links.max(planets), ratio_error, cube })
     }
@@ -332,7 +349,7 @@ impl OneSetFound {
     fn design(&self, point: Point, entry: &Entry) -> Option<OneSetDesign> {
         let (way, level) = (&self.ways[point.way as usize], &self.levels[point.level as usize]);
         // What met the criteria once meets them again.
-        let measured = way.measure(level.teeth, &Allowed::ANY)?;
+        let measured = way.measure(level, &Allowed::ANY)?;
         let fits = |teeth: &&ToothNumbers| {
             let share = self.rating.share(teeth.planets);
             let cube = measured.cube.high * share;

@@ -3,7 +3,7 @@
 use super::double::Double;
 use super::exact::{self, relative_step};
 use super::levels::Level;
-use super::window::{Wanted, window};
+use super::window::{Planets, Wanted, window};
 use crate::Mechanism;
 use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid, on_relative_grid};
@@ -110,11 +110,18 @@ impl Patch {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
+        // By how much r is above (k − 1)/2: without offsets of the ring by nothing.
+        let above = |level: &Level| {
+            let [sun, ring] = level.teeth;
+            (2.0 * level.planet - (ring - sun)) / (2.0 * sun)
+        };
+        let above = levels.iter().map(above).fold(0.0, f64::max);
         let mut strips = vec![];
         for (place, level) in levels.iter().enumerate() {
             let first_set = coefficients(sets[0], level.k);
             let range = [first.k, last.k];
-            let Some([from, to]) = window(sets, &first_set, level.k, wanted, limits, range) else { continue };
+            let planets = Planets { first: level.planet_to_sun, above };
+            let Some([from, to]) = window(sets, &first_set, planets, wanted, limits, range) else { continue };
             let from = levels.partition_point(|level| level.k < from);
             let to = levels.partition_point(|level| level.k <= to);
             if from < to {
@@ -196,10 +203,11 @@ impl Patch {
         }
         let mut planets = 0.0_f64;
         for (set, [a, _, h]) in self.sets.iter().enumerate() {
-            // The planet's speed over that of the sun, both relative to the carrier: `2/(k − 1)`.
-            let [sun, ring] = levels[pair[set]].teeth;
+            // The planet's speed over that of the sun, both relative to the carrier: `1/r`.
+            let level = &levels[pair[set]];
+            let sun = level.teeth[0];
             let relative = |gear: usize| {
-                let over = (ring - sun) * fractions[gear][0];
+                let over = 2.0 * level.planet * fractions[gear][0];
                 ((above[gear][a.index()] - above[gear][h.index()]) * (2.0 * sun) / over).abs()
             };
             planets = planets.max(relative(0)).max(relative(1));
@@ -255,7 +263,7 @@ impl Patch {
         let size = on_relative_grid(cube);
         let distance = on_grid(levels[0].distance.times(levels[1].distance));
         let mut costs = [efficiency, on_grid(measured.speed), distance, on_grid(measured.ratio_error), size];
-        // Of `k³·(1 + 1/r)/min(1, r)`, `r = (k − 1)/2`: twice what `k − 1` loses of `k`, and the operations.
+        // Of `k³·(1 + 1/r)/(w²·min(1, r))`: of `r = (k − 1)/2` twice what `k − 1` loses of `k`, and the operations; `r = z_g/z_a` loses less.
         let of_k = |level: &Level| level.k / (level.k - 1.0);
         let doubt = measured.doubt + ROUNDING * (16.0 + 3.0 * of_k(levels[0]).max(of_k(levels[1])));
         let half = relative_step(cube) / 2.0;
@@ -306,7 +314,8 @@ impl Patch {
                     if self.exponents[gear][set] == -1 { sun * Double::from(self.eta0) } else { sun };
                 (of_sun * free[1 - set] / d).abs()
             };
-            exact::cube(levels[set].teeth, torque(0).max(torque(1))) * Double::from(shares[set])
+            exact::cube(levels[set].teeth, levels[set].planet, levels[set].working, torque(0).max(torque(1)))
+                * Double::from(shares[set])
         };
         cube(0).max(cube(1))
     }

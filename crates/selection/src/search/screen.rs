@@ -77,10 +77,10 @@ impl Columns {
     }
 }
 
-/// The planet's speed over that of the sun, both relative to the carrier: `2/(k − 1)`.
+/// The planet's speed over that of the sun, both relative to the carrier: `1/r`.
 fn planet(level: &Level) -> f64 {
-    let [sun, ring] = level.teeth;
-    2.0 * sun / (ring - sun)
+    let [sun, _] = level.teeth;
+    sun / level.planet
 }
 
 fn distance(level: &Level) -> f64 {

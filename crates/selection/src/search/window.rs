@@ -8,8 +8,9 @@
 //!
 //! 1. both ratios within tolerance;
 //! 2. both free braked links within the limit of link speeds (D has 1, and B the reciprocal of a ratio);
-//! 3. planets of set 1 within theirs: `(ω_a − ω_H)·2/(k₁ − 1)`, of the same kind;
-//! 4. planets of set 2: for `k₂` up to the window's end `e`, `|ω_a − ω_H| ≤ limit·(e − 1)/2` must hold.
+//! 3. planets of set 1 within theirs: `(ω_a − ω_H)/r₁`, of the same kind;
+//! 4. planets of set 2: for `k₂` up to the window's end `e` they have `r₂ ≤ (e − 1)/2 + δ`, with `δ` the most by which an offset of the ring
+//!    puts `r` above `(k − 1)/2`; so `|ω_a − ω_H| ≤ limit·((e − 1)/2 + δ)` must hold.
 //!
 //! Outside the window some required criterion fails; inside, every pair is tried in full. Limits are
 //! widened by 2·10⁻⁹ of themselves, twice what the trial allows for rounding, so rounding can only let
@@ -30,11 +31,20 @@ pub(crate) struct Wanted {
     pub(crate) tolerance: f64,
 }
 
+/// What is known of the planets' teeth over the sun's, `r`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Planets {
+    /// Of set 1.
+    pub(crate) first: f64,
+    /// The most by which that of any set 2 is above `(k₂ − 1)/2`, 0 or more.
+    pub(crate) above: f64,
+}
+
 /// The window of `k₂` within `range`, beside a set 1 of these coefficients.
 pub(crate) fn window(
     sets: [SetRoles; 2],
     first: &Coefficients,
-    k1: f64,
+    planets: Planets,
     wanted: Wanted,
     limits: &Limits,
     range: [f64; 2],
@@ -74,8 +84,8 @@ pub(crate) fn window(
         };
         for (set, [a, _, h]) in sets.into_iter().enumerate() {
             let (a, h) = (speed(a), speed(h));
-            let largest = if set == 0 { k1 } else { window[1] };
-            let limit = wide(limits.planet_speed) * (largest - 1.0) / 2.0;
+            let largest = if set == 0 { planets.first } else { (window[1] - 1.0) / 2.0 + planets.above };
+            let limit = wide(limits.planet_speed) * largest;
             if limit.is_finite() {
                 window = part_within([a[0] - h[0], a[1] - h[1]], on_b[gear], [-limit, limit], window)?;
             }

@@ -3,12 +3,14 @@
 
 #![allow(dead_code, reason = "shared by tests and benches, neither of which uses all of it")]
 
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::{BasicRatio, RingToSunRatio};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
 use epicyclic_schemes::direct_drive::DIRECT_CLUTCH_PAIRS;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::size::relative_ring_diameter;
+use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{Mechanism, Requirements};
 use epicyclic_train::{CompiledGear, Direction, Gearbox, LinkId, Solution, Values};
 
@@ -28,17 +30,28 @@ pub(crate) fn designs(
     structures: &[Structure],
     bounds: &Bounds,
 ) -> (Vec<Design>, u64) {
-    let tooth_sets = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
+    let all = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
+    designs_of(requirements, structures, &all, None)
+}
+
+/// Every design of these structures and tooth numbers that meets the criteria, and how many were tried.
+pub(crate) fn designs_of(
+    requirements: &Requirements,
+    structures: &[Structure],
+    tooth_sets: &[ToothNumbers],
+    shift: Option<&ProfileShift>,
+) -> (Vec<Design>, u64) {
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
-        let Some(model) = Model::new(structure, requirements) else { continue };
+        let Some(mut model) = Model::new(structure, requirements) else { continue };
+        model.shift = shift.cloned();
         let targets: Vec<[f64; 2]> = requirements.targets().into_iter().map(|t| [t[0], t[1]]).collect();
         for (place, wanted) in targets.iter().enumerate() {
             if structure.is_symmetric() && targets[..place].contains(&[wanted[1], wanted[0]]) {
                 continue;
             }
-            for first in &tooth_sets {
-                for second in &tooth_sets {
+            for first in tooth_sets {
+                for second in tooth_sets {
                     tried += 1;
                     let teeth = [*first, *second];
                     if let Some(costs) = model.costs(requirements, *wanted, teeth) {
@@ -49,6 +62,29 @@ pub(crate) fn designs(
         }
     }
     (found, tried)
+}
+
+/// All tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is closed.
+pub(crate) fn shifted_by_trial(bounds: &Bounds, shift: &ProfileShift) -> Vec<ToothNumbers> {
+    let count = |teeth| ToothCount::new(teeth).expect("the bounds have teeth");
+    let mut found = vec![];
+    for (sun, planet) in
+        bounds.sun.clone().flat_map(|sun| bounds.planet.clone().map(move |planet| (sun, planet)))
+    {
+        for ring in bounds.ring.clone() {
+            let offset = i64::from(ring) - i64::from(sun + 2 * planet);
+            let k = f64::from(ring) / f64::from(sun);
+            let is_within = shift.offsets.contains(&(offset as i32)) && bounds.ring_to_sun_ratio.contains(&k);
+            for planets in bounds.planets.clone() {
+                let teeth =
+                    ToothNumbers { sun: count(sun), planet: count(planet), ring: count(ring), planets };
+                if is_within && (sun + ring) % planets == 0 && shift.close(&teeth).is_ok() {
+                    found.push(teeth);
+                }
+            }
+        }
+    }
+    found
 }
 
 /// Designs that no other dominates, each compared with each.
@@ -67,6 +103,7 @@ struct Model {
     gears: [CompiledGear; 2],
     links: [LinkId; 4],
     direct_clutches: Vec<[Role; 2]>,
+    shift: Option<ProfileShift>,
 }
 
 impl Model {
@@ -80,7 +117,7 @@ impl Model {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        Some(Self { structure, gearbox, gears, links, direct_clutches })
+        Some(Self { structure, gearbox, gears, links, direct_clutches, shift: None })
     }
 
     fn costs(
@@ -112,10 +149,10 @@ impl Model {
                 *speed = gear.link_speed(&solution, link)?;
                 links = links.max(speed.abs());
             }
-            for (set, k) in self.gearbox.sets().iter().zip(k) {
+            for (set, teeth) in self.gearbox.sets().iter().zip(&teeth) {
                 let of = |member: usize| gear.link_speed(&solution, set.members()[member]);
                 let (a, h) = (of(0), of(2));
-                planets = planets.max(((a? - h?) * 2.0 / (k - 1.0)).abs());
+                planets = planets.max(((a? - h?) * teeth.sun.as_f64() / teeth.planet.as_f64()).abs());
             }
             for (&set, torque) in gear.active().iter().zip(solution.sun_torques()?) {
                 let largest = &mut torques[set];
@@ -147,7 +184,9 @@ impl Model {
         let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
         let distance: f64 = k.iter().map(|k| (libm::log(*k) - libm::log(k.clamp(low, high))).abs()).sum();
         let size = |set: usize| {
-            relative_ring_diameter(k[set], torques[set], teeth[set].planets, &requirements.rating)
+            let shift = self.shift.as_ref();
+            relative_ring_diameter_of_teeth(&teeth[set], shift, torques[set], &requirements.rating)
+                .expect("a set")
         };
         Some([-efficiency, links.max(planets), distance, error, size(0).max(size(1))])
     }

@@ -1,11 +1,12 @@
-//! The bearings that planets may turn on: a small table, and tables of one's own.
+//! The bearings that planets may turn on: two small tables, and tables of one's own.
 //!
 //! A table is a text of lines `designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN` below a header that names these columns, in any order;
 //! `C0_kN` may be missing or empty. Lines that begin with `#` are remarks. Cells are parted by commas and have no quotes.
 //!
 //! # Source
-//! The table is of a maker's catalogue, named in its header. Only ball bearings are in it: no catalogue of cylindrical or
-//! needle roller bearings was available to read.
+//! The tables are of a maker's catalogues, named in their headers: deep groove ball bearings, and single-row cylindrical roller bearings, whose
+//! rows another maker's catalogue confirms. Full complement and needle roller bearings are in neither: of those two catalogues that could be read
+//! differ by a quarter, or none could be read.
 
 use crate::Error;
 use crate::units::{force, length_mm};
@@ -82,6 +83,27 @@ static TABLE: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
 #[must_use]
 pub fn listed() -> &'static [Bearing] {
     &TABLE
+}
+
+static ROLLERS: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
+    parse(include_str!("../../data/planet_roller_bearings.csv"))
+        .expect("the embedded table is checked by the tests of this file")
+});
+
+/// The cylindrical roller bearings of the table, by bore, outside diameter and width.
+///
+/// ```
+/// use epicyclic_gears::life::Rolling;
+/// use epicyclic_strength::sizing::bearing;
+/// use uom::si::force::kilonewton;
+///
+/// let bearing = bearing::listed_rollers().iter().find(|bearing| bearing.designation == "NJ 2309").unwrap();
+/// assert!((bearing.load_rating.get::<kilonewton>() - 138.0).abs() < 1e-9);
+/// assert_eq!(bearing.rolling, Rolling::Rollers);
+/// ```
+#[must_use]
+pub fn listed_rollers() -> &'static [Bearing] {
+    &ROLLERS
 }
 
 /// Columns of a table; the last may be missing.
@@ -186,6 +208,41 @@ mod tests {
                 assert_eq!(mm(other.width), mm(bearing.width), "{}", bearing.designation);
             }
         }
+    }
+
+    /// Each row as another maker has it: the same dimensions, and ratings that differ as makers' do.
+    #[test]
+    fn each_roller_bearing_was_read_twice() {
+        let kilonewtons = |rating: Force| crate::units::newtons(rating) / 1e3;
+        let again = include_str!("../../data/planet_roller_bearings_again.csv");
+        let again: Vec<Vec<&str>> = again
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .map(|line| line.split(',').collect())
+            .collect();
+        assert_eq!((again.len(), listed_rollers().len()), (38, 38));
+        for (bearing, again) in listed_rollers().iter().zip(&again) {
+            let number = |place: usize| again[place].parse::<f64>().unwrap();
+            assert_eq!((bearing.designation.as_str(), bearing.rolling), (again[0], Rolling::Rollers));
+            let envelope = [bearing.bore, bearing.outside_diameter, bearing.width].map(mm);
+            assert!(
+                envelope.iter().zip(1..).all(|(one, place)| (one - number(place)).abs() < 1e-9),
+                "{again:?}"
+            );
+            let ratings = [bearing.load_rating, bearing.static_load_rating.unwrap()].map(kilonewtons);
+            assert!(
+                ratings.iter().zip(4..).all(|(one, place)| (number(place) / one - 1.0).abs() < 0.13),
+                "{again:?}"
+            );
+            // Series 2 and 3 have the envelope of the ball bearings of the same number.
+            if let Some(balls) =
+                listed().iter().find(|balls| bearing.designation == format!("NJ {}", &balls.designation[1..]))
+            {
+                assert_eq!([balls.bore, balls.outside_diameter, balls.width].map(mm), envelope);
+            }
+        }
+        let key = |bearing: &Bearing| [bearing.bore, bearing.outside_diameter, bearing.width].map(mm);
+        assert!(listed_rollers().windows(2).all(|two| key(&two[0]) < key(&two[1])));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver};
 use crate::table::Local;
 use crate::ternary::Word;
+use crate::watch::Watch;
 use crate::wish::forward;
 
 /// What a candidate comes to.
@@ -29,7 +30,7 @@ type Demand<'a> = &'a dyn Fn(&[usize]) -> bool;
 impl<W: Word> Search<W> {
     /// The solution of a candidate, if it has all gears at one point; where several choices of sets with equal `k` have such points, with
     /// the one that has the least deviation at its best.
-    pub(super) fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
+    pub(super) fn decide(&mut self, chosen: u64, parts: Parts, watch: &Watch<'_>) -> Option<Solution> {
         self.tally.candidates += 1;
         let mut locals: Vec<Local> = Vec::new();
         let mut choices: Vec<Vec<u64>> = Vec::new();
@@ -56,7 +57,7 @@ impl<W: Word> Search<W> {
                 };
                 choices.iter_mut().for_each(|choices| choices.retain(&mut drives));
             }
-            match self.decide_with(chosen, parts.and(on_it), equal, &locals, &choices) {
+            match self.decide_with(chosen, parts.and(on_it), equal, (&locals, &choices), watch) {
                 Verdict::Solution(solution) => found.push(solution),
                 Verdict::Misses(demand) => missed = missed.max(Some(demand)),
                 Verdict::Undecided => undecided = true,
@@ -121,14 +122,27 @@ impl<W: Word> Search<W> {
         chosen: u64,
         parts: Parts,
         equal: Equal,
-        locals: &[Local],
-        choices: &[Vec<u64>],
+        (locals, choices): (&[Local], &[Vec<u64>]),
+        watch: &Watch<'_>,
     ) -> Verdict {
         let sets = self.wish.k.len();
         let ratio = |function: &Local| self.library.ratio(self.table.number(*function));
         let functions: Vec<Function> =
             locals.iter().map(|function| Function::with_equal(ratio(function), sets, equal)).collect();
         let functions: Vec<&Function> = functions.iter().collect();
+        let begun = std::time::Instant::now();
+        struct D<'x>(std::time::Instant, Vec<&'x Function>, Parts);
+        impl Drop for D<'_> {
+            fn drop(&mut self) {
+                if self.0.elapsed().as_secs_f64() > 0.3 {
+                    eprintln!("{:.1} s parts {}", self.0.elapsed().as_secs_f64(), self.2.iter().count());
+                    for f in &self.1 {
+                        eprintln!("   {}", f.ratio);
+                    }
+                }
+            }
+        }
+        let _d = D(begun, functions.clone(), parts);
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
             assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every
@@ -173,7 +187,8 @@ impl<W: Word> Search<W> {
                 };
             let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept)
                 .with_equal(equal)
-                .with_falling(&self.falling);
+                .with_falling(&self.falling)
+                .with_watch(watch);
             let found = parts.iter().find_map(|part| {
                 let gears = locals.iter().zip(choices).map(|(function, choices)| {
                     if choices.is_empty() { 0 } else { self.table.reached_in(*function, part) }

@@ -7,7 +7,7 @@ use crate::found;
 
 use common::Random;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_synthesis::judge::judge;
+use epicyclic_synthesis::judge::{judge, judge_all};
 use epicyclic_synthesis::motion::{Motion, elements};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::ratio::Ratio;
@@ -347,4 +347,71 @@ fn a_search_that_is_ended_keeps_what_it_has() {
     };
     let answer = search(class, &wish, Share::WHOLE, &end).unwrap();
     assert!(!answer.complete && !answer.found.is_empty() && answer.tally.structures < 24_702);
+}
+
+/// Bounds of round numbers that gears reach together at one point, or along a line, where they are at their bounds: `k₂·k₃` up to
+/// 3.6·1.05 beside `k₂ ≥ 3·0.9` and `k₃ ≥ 1.4`. Without a point there all of the line would be halved to the smallest boxes, 10⁷ of them.
+#[test]
+fn gears_that_meet_at_their_bounds_alone_are_found() {
+    let ratios = [3.6, 2.2, 1.4, 1.0, 0.7, -3.0];
+    let gears: Vec<Bounds> =
+        ratios.iter().zip([0.05, 0.05, 0.05, 0.025, 0.05, 0.1]).map(|(ratio, t)| around(*ratio, t)).collect();
+    let wish = Wish::new(gears.clone(), 5, vec![1.4..=4.5; 3]);
+    let mut search = Search::<u8>::new(wish.clone(), 6);
+    for (structure, count) in [("0-1-a 1-b-0 c-2-d", 1), ("0-a-2 1-b-c a-c-d", 3), ("0-2-a b-1-c b-d-a", 1)] {
+        let structure: Structure = structure.parse().unwrap();
+        let found = search.structure(&structure);
+        assert_eq!(found.len(), count, "{structure}");
+        let at_bounds = found.iter().filter(|solution| {
+            let near = |gear: &Bounds, ratio: f64| {
+                [gear.least, gear.most].iter().any(|bound| (ratio / bound - 1.0).abs() < 2e-8)
+            };
+            let ratios = solution.gears.iter().map(|gear| gear.ratio.value(&solution.k));
+            let met = gears.iter().zip(ratios).filter(|(gear, ratio)| near(gear, *ratio));
+            met.count() >= 2
+        });
+        assert!(at_bounds.count() >= 1, "{structure}: {found:?}");
+        for solution in found {
+            let found = Found { structure: structure.clone(), solution };
+            let judged = judge(&found, &wish, MeshEfficiency::IDEAL).unwrap();
+            for (gear, ratio) in gears.iter().zip(&judged.ratios) {
+                let widened = around(
+                    0.5 * (gear.least + gear.most),
+                    0.5 * (gear.most - gear.least) / (0.5 * (gear.least + gear.most)).abs() + 1e-7,
+                );
+                assert!((widened.least..=widened.most).contains(ratio), "{ratio} {gear:?}");
+            }
+        }
+    }
+    assert_eq!(search.take_tally().undecided, 0);
+}
+
+#[test]
+fn a_structure_whose_search_is_ended_is_not_counted() {
+    let structure: Structure = "a-b-c a-d-1 d-f-g f-c-2".parse().unwrap();
+    let mut search = Search::<u16>::new(wish(&EIGHT_HP, 4, 5), 8);
+    assert_eq!(search.structure_unless(&structure, &|| true), None);
+    assert_eq!(search.take_tally(), epicyclic_synthesis::tally::Tally::default());
+    let found = search.structure_unless(&structure, &|| false);
+    assert_eq!(found.map(|found| found.len()), Some(1));
+    assert_eq!(search.take_tally().structures, 1);
+}
+
+#[test]
+fn judging_that_is_ended_leaves_the_rest_unjudged() {
+    let class = Class::new(Kind::AllSparse, 2, 5).unwrap();
+    let wish = wish(&FOUR_L60_E, 2, 5);
+    let found = all(class, &wish, 1).found;
+    let all_of_them =
+        judge_all(&found, &wish, MeshEfficiency::IDEAL, &|_| ControlFlow::Continue(())).unwrap();
+    assert!(all_of_them.iter().all(Option::is_some));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let ended = pool.install(|| {
+        judge_all(&found, &wish, MeshEfficiency::IDEAL, &|done| {
+            if done < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
+    });
+    let ended = ended.unwrap();
+    assert_eq!((ended.len(), ended.iter().flatten().count()), (found.len(), 3));
+    assert!(ended.iter().zip(&all_of_them).all(|(one, other)| one.is_none() || one == other));
 }

@@ -3,10 +3,12 @@
 use super::{best, common_columns, common_figures, length, size_column, size_note, title, with_speeds};
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
+use crate::teeth::shifted::aim;
 use crate::{AsReport, Error};
 use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
+use epicyclic_answers::teeth::shifted::{RequiredShifts, SetShifts};
 use epicyclic_formats::Dimension;
 use std::borrow::Cow;
 use std::io;
@@ -62,7 +64,12 @@ struct SetColumns {
     size: &'static str,
     ring_diameter: &'static str,
     module: &'static str,
+    /// Offset and centre distance, then shifts and tip alterations of sun, planets and ring; of sets with profile shift.
+    shifts: [&'static str; 8],
 }
+
+/// The headings of the columns of shifts.
+const SHIFTS: [&str; 8] = ["offset", "a", "x sun", "x planet", "x ring", "k sun", "k planet", "k ring"];
 
 const SETS: [SetColumns; 2] = [
     SetColumns {
@@ -72,6 +79,16 @@ const SETS: [SetColumns; 2] = [
         size: "size_1",
         ring_diameter: "ring_diameter_1",
         module: "module_1",
+        shifts: [
+            "ring_offset_1",
+            "centre_distance_in_modules_1",
+            "profile_shift_sun_1",
+            "profile_shift_planet_1",
+            "profile_shift_ring_1",
+            "tip_alteration_sun_1",
+            "tip_alteration_planet_1",
+            "tip_alteration_ring_1",
+        ],
     },
     SetColumns {
         shown: "teeth_2",
@@ -80,6 +97,16 @@ const SETS: [SetColumns; 2] = [
         size: "size_2",
         ring_diameter: "ring_diameter_2",
         module: "module_2",
+        shifts: [
+            "ring_offset_2",
+            "centre_distance_in_modules_2",
+            "profile_shift_sun_2",
+            "profile_shift_planet_2",
+            "profile_shift_ring_2",
+            "tip_alteration_sun_2",
+            "tip_alteration_planet_2",
+            "tip_alteration_ring_2",
+        ],
     },
 ];
 
@@ -87,7 +114,7 @@ fn designs(select: &SelectTeeth) -> Records {
     let candidates: Vec<Candidate> =
         select.designs.iter().take(1).map(|design| design.candidate.clone()).collect();
     let size = size_column(&candidates);
-    let columns = columns();
+    let columns = columns(select.profile_shift.is_some());
     let one = is_of_one_set(&select.required);
     let (sets, ratios): (&[&str], &[&str]) = if one {
         (&["no", "scheme", "teeth_1", "others"], &["no", "ratio_1", "k1", "efficiency_1"])
@@ -132,13 +159,40 @@ fn designs(select: &SelectTeeth) -> Records {
             &["no", "ring_diameter_1", "module_1", "ring_diameter_2", "module_2"],
         ));
     }
+    if let Some(shift) = &select.profile_shift {
+        views.extend(shifts(select, shift, one));
+    }
     Records {
         name: "designs",
         columns,
-        rows: select.designs.iter().map(row).collect(),
+        rows: select.designs.iter().map(|design| row(design, select.profile_shift.is_some())).collect(),
         views,
         is_answer: true,
     }
+}
+
+/// The profile shifts of each set.
+fn shifts(select: &SelectTeeth, shift: &RequiredShifts, one: bool) -> Vec<View> {
+    let sets = select.designs.iter().flat_map(|design| &design.tooth_numbers);
+    let limited = match sets.flat_map(|set| &set.shifts).all(|set| set.aim_met) {
+        true => "",
+        false => ", as far as the limits allow",
+    };
+    let count = if one { 1 } else { SETS.len() };
+    let mut views: Vec<View> = SETS[..count]
+        .iter()
+        .map(|set| {
+            View::new(format!("Profile shifts of {}", set.heading), &[&["no"], &set.shifts[..]].concat())
+        })
+        .collect();
+    if let Some(last) = views.last_mut() {
+        last.note = format!(
+            "Offset: teeth of the ring less those of the sun and twice those of a planet. a: centre distance; x: profile shift, of the ring \
+             above 0 inwards; k: tip alteration; in modules. Aim: {}{limited}.",
+            aim(shift.aim)
+        );
+    }
+    views
 }
 
 /// The best design of each structure: designs of one differ little from each other at the head of the list.
@@ -192,8 +246,8 @@ fn of_structures(select: &SelectTeeth) -> Records {
     }
 }
 
-/// What the list says of each design.
-fn columns() -> Vec<Column> {
+/// What the list says of each design, with profile shift or without.
+fn columns(shifted: bool) -> Vec<Column> {
     let mut columns = common_columns();
     columns.push(Column::number("others", "others"));
     for set in SETS {
@@ -205,22 +259,28 @@ fn columns() -> Vec<Column> {
             let heading = format!("{what} {number}, mm");
             columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
         }
+        if shifted {
+            columns.extend(
+                set.shifts.into_iter().zip(SHIFTS).map(|(name, heading)| Column::number(name, heading)),
+            );
+        }
     }
     columns
 }
 
-/// The list as CSV, each design when it comes.
+/// The list as CSV, each design when it comes; of sets with profile shift these, too.
 ///
 /// # Errors
 /// Those of the writer and of the designs; a number too large for its unit.
 pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     designs: impl Iterator<Item = Result<Design, E>>,
+    shifted: bool,
     out: impl io::Write,
 ) -> io::Result<()> {
-    let columns = columns();
+    let columns = columns(shifted);
     let mut fault = None;
     let checked = |design: Result<Design, E>| {
-        let row = row(&design.map_err(io::Error::other)?);
+        let row = row(&design.map_err(io::Error::other)?, shifted);
         match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
             None => Ok(row),
             Some((column, _)) => {
@@ -234,17 +294,31 @@ pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     fault.map_or(written, Err)
 }
 
-fn row(design: &Design) -> Vec<Figure> {
+fn row(design: &Design, shifted: bool) -> Vec<Figure> {
     let mut figures = common_figures(&design.candidate);
     figures.push(Figure::Count(u32::try_from(design.others).unwrap_or(u32::MAX)));
     for set in 0..SETS.len() {
         figures.extend(of_set(design.tooth_numbers.get(set)));
+        if shifted {
+            figures.extend(of_shifts(design.tooth_numbers.get(set).and_then(|set| set.shifts.as_ref())));
+        }
     }
     figures
 }
 
 fn teeth_of(set: &SetTeeth) -> String {
     format!("{} {} {} x{}", set.sun, set.planet, set.ring, set.planets)
+}
+
+fn of_shifts(shifts: Option<&SetShifts>) -> Vec<Figure> {
+    let Some(shifts) = shifts else { return vec![Figure::None; SHIFTS.len()] };
+    let mut figures = vec![
+        Figure::Number(f64::from(shifts.ring_offset)),
+        Figure::Printed(shifts.centre_distance_in_modules, 3),
+    ];
+    figures.extend(shifts.profile_shifts.map(|shift| Figure::Printed(shift, 4)));
+    figures.extend(shifts.tip_alterations.map(|alteration| Figure::Printed(alteration, 4)));
+    figures
 }
 
 fn of_set(set: Option<&SetTeeth>) -> Vec<Figure> {

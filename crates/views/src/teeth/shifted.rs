@@ -20,11 +20,16 @@ impl AsReport for ShiftedTeeth {
     }
 }
 
-fn sets(teeth: &ShiftedTeeth) -> Records {
-    let aim = match teeth.aim {
+/// An aim in words.
+pub(crate) const fn aim(aim: ShiftAim) -> &'static str {
+    match aim {
         ShiftAim::BalancedSliding => "balanced specific sliding at the roots of sun and planets",
         ShiftAim::LeastTipAlteration => "least tip alteration",
-    };
+    }
+}
+
+fn sets(teeth: &ShiftedTeeth) -> Records {
+    let aim = aim(teeth.aim);
     let limited = if teeth.tooth_numbers.iter().all(|set| set.aim_met) {
         ""
     } else {

@@ -45,8 +45,15 @@ const CARRIER_HELD: Changes =
 const WITH_WINCH: Changes =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
+const IN_FIRST: Changes = &[("  - { gear: auxiliary drive, share: 60 %", "  - { gear: \"1\", share: 60 %")];
+
 const fn key(path: &'static str, from: &'static str, to: &'static str, look: &'static [&'static str]) -> Key {
     Key { path, first: &[], from, to, look }
+}
+
+/// The bearing of a planet over a duty in the one gear in which its set is loaded.
+const fn of_long_planet(path: &'static str, from: &'static str, to: &'static str) -> Key {
+    Key { path, first: IN_FIRST, from, to, look: OVER_DUTY }
 }
 
 const fn of_winch(path: &'static str, from: &'static str, to: &'static str) -> Key {
@@ -97,6 +104,17 @@ const GEARBOX: &[Key] = &[
         "load_rating: 25 kN, bearing_rolling: rollers",
         "load_rating: 25 kN, bearing_rolling: balls",
         FIRST,
+    ),
+    of_long_planet(
+        "compound_sets.planet_sizes.static_load_rating",
+        "static_load_rating: 30 kN",
+        "static_load_rating: 31 kN",
+    ),
+    of_long_planet("compound_sets.planet_sizes.fatigue_limit", "fatigue_limit: 3 kN", "fatigue_limit: 2 kN"),
+    of_long_planet(
+        "compound_sets.planet_sizes.bearing_diameter",
+        "bearing_diameter: 26 mm",
+        "bearing_diameter: 20 mm",
     ),
     key("compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", FIRST),
     key(

@@ -36,6 +36,16 @@ teeth: --ratio 6 --limit 5
 teeth: --ratio 6.2 --ring-offset -3..3 --limit 5
   --aim tip-alteration
   --tip-thickness 0.7
+select: --ratios 6.17 --teeth --limit 3 --format json
+  --ring-offset -3..3
+select: --ratios 6.17 --teeth --limit 3 --ring-offset -3..3 --format json --planet-speed 4
+  --aim tip-alteration
+  --tip-thickness 0.7
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..60 --ring ..110 --planet-count 3 --teeth-limit 1 --limit 1 --format json
+  --ring-offset -1..1
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..60 --ring ..110 --planet-count 3 --teeth-limit 1 --limit 1 --ring-offset 1..2 --format json
+  --aim tip-alteration
+  --tip-thickness 0.7
 teeth: --ratio 6 --no-undercut
   --pressure-angle 25deg
 drive: minimal-drive.yaml
@@ -327,6 +337,7 @@ size: travel-drive-duty.yaml --modules '4 mm, 5 mm, 6 mm' --face-widths '30 mm, 
   --ring-rim 4
   --bearings mine.csv
   --bearing-rows 1
+  --bearing-type rollers
   --no-bearings
   --minimise ring
   --most 1
@@ -339,6 +350,8 @@ design: --ratios 3.5 --power 75kW --input 1475rpm --modules '2.5 mm, 3 mm' --fac
   --power '60 kW'
   --shares '20%, 80%'
   --overload 6
+  --ring-offset 1..2
+  --bearing-type any
   --tries 1
   --sun 46..52
   --planet 40..42

@@ -294,7 +294,8 @@ impl FormSearch {
             self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
         // The heights of the teeth are those of the forms.
-        Ok(Yardstick { heights: ToothHeights::default(), sizing, ripple, least_radius })
+        let heights = ToothHeights::default();
+        Ok(Yardstick { heights, sizing, ripple, least_radius, objectives: Vec::new(), flanks: None })
     }
 
     /// The objectives that depend on the motor alone; those that are not asked for, or depend on the form, are 0.

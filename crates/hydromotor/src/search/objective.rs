@@ -1,0 +1,90 @@
+//! What motors are held against each other by, and what some of it needs of the teeth.
+
+use crate::Error;
+use crate::flanks::SealingContact;
+use crate::motor::Motor;
+use crate::profile::{Profile, ToothForm};
+use crate::quantity::Quantity;
+
+/// What a design is good for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Objective {
+    /// The most displacement over the volume of the cylinder about the stator's centrode.
+    DisplacementByVolume,
+    /// The least ripple of flow and torque, satellites sealing at the pitch points.
+    Ripple,
+    /// The greatest least curvature radius of the centrodes over the module.
+    LeastRadius,
+    /// The least ripple, satellites sealing at the flanks of the [form](FlankTerms::form).
+    FlankRipple,
+    /// The greatest least torque over the mean, satellites sealing at these flanks.
+    LeastTorque,
+}
+
+impl Objective {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius, Self::FlankRipple, Self::LeastTorque];
+
+    /// Those by which motors are held against each other unless others are asked for: what does not depend on the teeth.
+    pub const USUAL: [Self; 3] = [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius];
+
+    /// Whether it needs teeth.
+    #[must_use]
+    pub const fn is_of_flanks(self) -> bool {
+        matches!(self, Self::FlankRipple | Self::LeastTorque)
+    }
+}
+
+/// The tooth form with which figures at the flanks are calculated, and what is asked of them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FlankTerms {
+    /// The form of the teeth. Its limits are not looked at.
+    pub form: ToothForm,
+    /// Greatest ripple with satellites that seal at the flanks.
+    pub ripple: Option<f64>,
+    /// Least torque over the mean, likewise.
+    pub least_torque: Option<f64>,
+}
+
+impl FlankTerms {
+    pub(super) fn checked(&self) -> Result<(), Error> {
+        let asked = [
+            (Quantity::FlankRipple, self.ripple, f64::INFINITY),
+            (Quantity::LeastTorque, self.least_torque, 1.0),
+        ];
+        for (quantity, value, high) in asked {
+            if let Some(value) = value
+                && !(value.is_finite() && value > 0.0 && value <= high)
+            {
+                return Err(Error::OutOfRange { quantity, value, low: 0.0, high, unit: "" });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether every motor is looked at for its teeth: with these objectives, or for a bound.
+    pub(super) fn are_needed(&self, objectives: &[Objective]) -> bool {
+        let is_bound = self.ripple.is_some() || self.least_torque.is_some();
+        is_bound || objectives.iter().any(|objective| objective.is_of_flanks())
+    }
+}
+
+/// Flow and torque of a motor whose satellites seal at the flanks, [`Profile::flank_ripple`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AtFlanks {
+    /// Ripple.
+    pub ripple: f64,
+    /// Least over mean.
+    pub least_over_mean: f64,
+}
+
+impl AtFlanks {
+    /// Of a motor in a form; none where the form gives no teeth, or no number.
+    #[must_use]
+    pub fn of(motor: &Motor, form: ToothForm) -> Option<Self> {
+        let ripple = Profile::new(motor, form).ok()?.flank_ripple(SealingContact::default());
+        let at = Self { ripple: ripple.at_flanks.delta, least_over_mean: ripple.least_over_mean };
+        (at.ripple > 0.0 && at.ripple.is_finite() && at.least_over_mean.is_finite()).then_some(at)
+    }
+}

@@ -1,0 +1,62 @@
+//! Tooth numbers of sets with profile shift: all that close, sun by sun on all threads.
+//!
+//! The ring departs from `z_s + 2·z_p` by an offset, and some shifts leave no fault ([`involute::search`](epicyclic_gears::involute::search)):
+//! undercut, tip thickness, contact ratio, interference and the clearance between planets are decided by the geometry of the shifted gears. What a
+//! closing may miss is a stretch of shifts shorter than 1/64 of those without undercut
+//! ([`Family::choose`](epicyclic_gears::involute::family::Family::choose)); nothing else is left out.
+//!
+//! Ratios, torques and losses depend on `k` alone as without shifts, since the efficiency of a set is given. Planets turn by `r = z_p/z_s`, and the
+//! size is that at the working circles, which follow from `k` and `r` by the natural centre distance; so levels of `k` and `r` lose nothing. The
+//! shifts themselves are no objective, and the aim picks them of each set that is told.
+
+use super::MOST_TOOTH_SETS;
+use crate::Error;
+use crate::threads::map;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::search::ProfileShift;
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+
+/// Suns that are closed before it is told how far the search is.
+const SUNS: usize = 16;
+
+/// All tooth numbers within the bounds, with profile shift or without.
+///
+/// # Errors
+/// Those of [`Bounds`] and [`shifted`]; [`Error::TooManyToothSets`], before anything is made.
+pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<ToothNumbers>, Error> {
+    if let Some(shift) = shift {
+        return shifted(bounds, shift, |_| {});
+    }
+    let counted = bounds.count()?;
+    if counted > MOST_TOOTH_SETS {
+        return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
+    }
+    Ok(bounds.tooth_numbers()?)
+}
+
+/// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone through.
+///
+/// # Errors
+/// Those of [`ShiftedSearch::check`](epicyclic_gears::involute::search::ShiftedSearch::check); [`Error::TooManyToothSets`] by what would be
+/// gone through, before anything is.
+pub(super) fn shifted(
+    bounds: &Bounds,
+    shift: &ProfileShift,
+    mut done: impl FnMut(f64),
+) -> Result<Vec<ToothNumbers>, Error> {
+    let search = shift.within(bounds);
+    let space = search.space()?;
+    if space > MOST_TOOTH_SETS {
+        return Err(Error::TooManyToothSets { tooth_sets: space, most: MOST_TOOTH_SETS });
+    }
+    let suns: Vec<ToothCount> =
+        bounds.sun.clone().map(ToothCount::new).collect::<Result<_, epicyclic_gears::Error>>()?;
+    let mut found = vec![];
+    for (place, some) in suns.chunks(SUNS).enumerate() {
+        for of_sun in map(some, |sun| search.of_sun(*sun, |_, _| true)) {
+            found.extend(of_sun?);
+        }
+        done(((place + 1) * SUNS).min(suns.len()) as f64 / suns.len() as f64);
+    }
+    Ok(found)
+}
