@@ -6,6 +6,7 @@
 pub mod records;
 mod saved;
 
+use crate::analyze::warnings::tilting;
 use crate::gearbox::{Subject, alone};
 use crate::strength::Asked;
 use crate::strength::duty::{WorkedStep, steps};
@@ -199,6 +200,8 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
+    let helical = to_size.iter().filter(|set| set.profile.helix_angle.si() != 0.0);
+    let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let mut sets = vec![];
     for set in &to_size {
         let overloads = peaks.iter().map(|peak| peak.felt(set.place)).collect::<Option<Vec<_>>>();
@@ -232,7 +235,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
         sought: Sought::of(wanted),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
-        warnings: sets.iter().filter_map(SizedSet::warning).collect(),
+        warnings: sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical)).collect(),
         sets,
         not_sized,
     })

@@ -21,6 +21,7 @@ pub(crate) mod place;
 pub(crate) mod prepared;
 pub mod records;
 
+use crate::analyze::warnings::tilting;
 use crate::analyze::{Input, OperatingPoint, Worked};
 #[cfg(doc)]
 use crate::gearbox::one;
@@ -241,7 +242,9 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let Found { safeties, not_rated } = found;
     let governing = safeties.governing(required);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
-    let warnings = safeties.below(required).into_iter().chain(short_lived).collect();
+    let helical = sets.iter().filter(|set| set.meshes[0].pair.gears()[0].profile().helix_angle.si() != 0.0);
+    let helical: Vec<&str> = helical.map(|set| set.id).collect();
+    let warnings = safeties.below(required).into_iter().chain(short_lived).chain(tilting(&helical)).collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {

@@ -10,7 +10,7 @@
 //! | `branches` | natural frequencies over the speed, and where orders meet them |
 //! | `response` | forces of the meshes by transmission errors, over the speed |
 //!
-//! Each set stands alone, planar, on its supports. A member whose link is held in a gear does not rotate, or rotates against its
+//! Each set stands alone, planar, on its supports; sets with helical teeth are left out. A member whose link is held in a gear does not rotate, or rotates against its
 //! tangential support; any other member is free to rotate.
 
 mod branches;
@@ -159,6 +159,10 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             without(None, What::Modes, Reason::NotSimple, vec![]);
             continue;
         };
+        if spec.is_helical() {
+            without(None, What::Modes, Reason::Helical, vec![]);
+            continue;
+        }
         let of = Of { subject, file: &file, path, entry, spec };
         let prepared = match of.prepared()? {
             Ok(prepared) => prepared,

@@ -48,6 +48,8 @@
 //! ```
 
 use crate::{Number, Quantity};
+use epicyclic_gears::involute::Profile;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
@@ -143,6 +145,14 @@ pub enum DescriptionError {
         /// The set.
         set: String,
     },
+    /// A helix angle of a set that is not simple, or whose teeth do not share a centre distance.
+    #[error(
+        "set `{set}`: `helix_angle` is of a simple set with `teeth`, and with `planet_teeth` and `profile_shifts` where equal centre distances ask for them"
+    )]
+    HelixAngle {
+        /// The set.
+        set: String,
+    },
     /// A set of a transmission without something its kind needs.
     #[error("set `{set}`: {missing} is missing")]
     Missing {
@@ -209,6 +219,7 @@ impl DescriptionError {
             Self::Rack(source) => source.name(),
             Self::PlanetTeeth { .. } => "planet-teeth",
             Self::Shifts { .. } => "shifts",
+            Self::HelixAngle { .. } => "helix-angle",
             Self::Missing { .. } => "missing",
             Self::MemberInNoLink { .. } => "member-in-no-link",
             Self::MemberInTwoLinks { .. } => "member-in-two-links",
@@ -333,6 +344,10 @@ pub struct SetEntry {
     /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default 0.
     #[serde(default)]
     pub tip_alterations: Option<[Number; 3]>,
+    /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is then the normal module, the
+    /// pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
+    #[serde(default)]
+    pub helix_angle: Option<Quantity<Angle>>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
@@ -536,15 +551,31 @@ impl SetEntry {
         if let Some(count) = self.planets {
             spec = spec.planet_count(count);
         }
-        if self.profile_shifts.is_none() && self.tip_alterations.is_none() {
-            return Ok(spec);
+        if self.profile_shifts.is_some() || self.tip_alterations.is_some() {
+            spec = self.with_shifts(spec)?;
         }
+        self.with_helix_angle(spec)
+    }
+
+    fn with_shifts(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
+        let set = || self.id.clone();
         let is_known = spec.planet.is_some() && spec.second_planet.is_none() && self.teeth.is_some();
-        let Some(profile) = self.profile_shifts.filter(|_| kind == SetKind::Simple && is_known) else {
+        let Some(profile) = self.profile_shifts.filter(|_| spec.kind == SetKind::Simple && is_known) else {
             return Err(DescriptionError::Shifts { set: set() });
         };
         let tips = self.tip_alterations.map_or([0.0; 3], |tips| tips.map(Number::get));
         Ok(spec.shifted(Shifts { profile: profile.map(Number::get), tips }))
+    }
+
+    fn with_helix_angle(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
+        let Some(Quantity(helix_angle)) = self.helix_angle else { return Ok(spec) };
+        let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
+        Profile { helix_angle, ..Profile::default() }.check().map_err(refuse)?;
+        let spec = spec.helical(helix_angle);
+        if spec.is_helical() && spec.toothed_set(&BasicRack::default()).is_none() {
+            return Err(DescriptionError::HelixAngle { set: self.id.clone() });
+        }
+        Ok(spec)
     }
 }
 
@@ -609,6 +640,28 @@ mod tests {
         assert_eq!(of("k: 3", "friction: 0.05\n"), Ok(MeshLoss::IDEAL));
         let eta = MeshEfficiency::new(0.97).unwrap();
         assert_eq!(of(&format!("{stage}, efficiency: 0.97"), "friction: 0.05\n"), Ok(MeshLoss::Set(eta)));
+    }
+
+    #[test]
+    fn a_helix_angle_is_of_a_simple_set_whose_teeth_share_a_centre_distance() {
+        let of = |set: &str| read(&format!("{SCHEME}{set} }}\n"));
+        let spec = |set: &str| of(set).map(|gearbox| gearbox.sets()[0].short().unwrap().clone());
+        assert!(spec("teeth: [20, 60], helix_angle: 8 deg").unwrap().is_helical());
+        assert_eq!(spec("teeth: [20, 60], helix_angle: 0 deg"), spec("teeth: [20, 60]"));
+        assert_eq!(spec("k: 3, helix_angle: 0 deg"), spec("k: 3"));
+        for without in [
+            "k: 3, helix_angle: 8 deg",
+            "teeth: [20, 61], helix_angle: 8 deg",
+            "teeth: [20, 60], planet_teeth: [21], helix_angle: 8 deg",
+            "kind: double_planet, teeth: [20, 60], planet_teeth: [10, 10], helix_angle: 8 deg",
+        ] {
+            let error = of(without).unwrap_err();
+            assert!(error.starts_with("set `P`: `helix_angle` is of a simple set with `teeth`"), "{error}");
+        }
+        for (angle, told) in [("-8 deg", "-8"), ("61 deg", "61")] {
+            let error = of(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap_err();
+            assert!(error.starts_with(&format!("set `P`: helix angle is {told}")), "{error}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Planet sets seen along their axis with every tooth in mesh: exact involutes and fillets.
 
 use crate::Error;
-use crate::units::mm;
+use crate::units::{deg, mm};
 use epicyclic_drawing::{Align, Color, Point, Scene, Shape, Style, Text};
 use epicyclic_gears::involute::PlanetSet;
 use epicyclic_gears::involute::curve::ToothCurve;
@@ -20,6 +20,9 @@ pub struct ToothedSet {
 
 /// How far the sides of an outline may leave the curve, modules.
 const DEVIATION: f64 = 1e-3;
+
+/// Parts of a degree to which a helix angle is told.
+const PART_OF_DEGREE: f64 = 1e4;
 
 /// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a shaper does.
 ///
@@ -64,10 +67,16 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
             scene.add(circles, circle(at, of_planet));
         }
         let shift = |place: usize| set.gears()[place].shift();
+        let a = m * set.centre_distance();
+        let helix = (deg(sun.gear().profile().helix_angle) * PART_OF_DEGREE).round() / PART_OF_DEGREE;
         let lines = [
             format!("set {name}: {}/{}/{}", sun.gear().teeth(), planet.gear().teeth(), ring.gear().teeth()),
             format!("x = {:.4}, {:.4}, {:.4}", shift(0), shift(1), shift(2)),
-            format!("m = {} mm, a = {:.3} mm", m, m * set.centre_distance()),
+            if helix == 0.0 {
+                format!("m = {m} mm, a = {a:.3} mm")
+            } else {
+                format!("m_n = {m} mm, β = {helix}°, a = {a:.3} mm")
+            },
         ];
         for (line, place) in lines.into_iter().zip([1.5, 3.0, 4.5]) {
             let at = [left + rim, -rim - place * letter];

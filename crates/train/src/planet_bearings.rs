@@ -72,10 +72,11 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, Mesh, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
-use crate::units::{in_metres, metres};
+use crate::units::{in_metres, metres, radians};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::mass::{self, GearBody};
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount};
 use flows::{Flows, Part};
 use uom::si::f64::{Angle, Mass};
@@ -353,8 +354,13 @@ impl PlanetSet {
             let Some(width) = width(0) else { return Ok(None) };
             let module = size.meshes.iter().find_map(|mesh| mesh.module).or(size.module);
             if let (Some(module), Some(teeth)) = (module, spec.coaxial_planet()) {
-                let body =
-                    GearBody::external(&ToothedGear::external(module, teeth)?, width, bore, size.density)?;
+                // The transverse module has less addendum than the normal one.
+                let usual = BasicRack::default();
+                let cos = libm::cos(radians(spec.helix_angle));
+                let rack =
+                    BasicRack { addendum: usual.addendum * cos, clearance: usual.clearance * cos, ..usual };
+                let gear = ToothedGear::new(GearKind::External, module, teeth, rack)?;
+                let body = GearBody::external(&gear, width, bore, size.density)?;
                 return Ok(Some(body.total().mass));
             }
             let Some(radius) = places.radii[planet] else { return Ok(None) };

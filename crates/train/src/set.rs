@@ -9,9 +9,11 @@ pub use crate::set_kind::SetKind;
 
 use crate::Error;
 use crate::tolerance::BASIC_RATIO;
+use crate::units::degrees;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
+use uom::si::f64::Angle;
 
 /// What is known of a set's ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +101,8 @@ pub struct SetSpec {
     pub planet_count: Option<u32>,
     /// Profile shifts of a simple set.
     pub shifts: Option<Shifts>,
+    /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
+    pub helix_angle: Angle,
 }
 
 impl SetSpec {
@@ -115,6 +119,7 @@ impl SetSpec {
             second_planet: None,
             planet_count: None,
             shifts: None,
+            helix_angle: degrees(0.0),
         }
     }
 

@@ -1,29 +1,54 @@
-//! Sets with profile shift: the short description of one with the shifts of its gears, and what their friction takes.
+//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their friction takes.
 
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
+use crate::units::radians;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount, mesh};
+use uom::si::f64::{Angle, Length};
 
 impl SetSpec {
-    /// The same set with shifts of sun, planets and ring; they are of simple sets known by their teeth, of spur gears.
+    /// The same set with shifts of sun, planets and ring; they are of simple sets known by their teeth.
     #[must_use]
     pub fn shifted(self, shifts: Shifts) -> Self {
         Self { shifts: Some(shifts), ..self }
     }
 
+    /// The same set with helical teeth, of this helix angle at the reference cylinders; simple sets alone have them. The module is then the
+    /// normal module, as in ISO 21771.
+    #[must_use]
+    pub fn helical(self, helix_angle: Angle) -> Self {
+        Self { helix_angle, ..self }
+    }
+
+    /// The transverse module of a normal one, `m_t = m_n/cos β`.
+    #[must_use]
+    pub fn transverse_module(&self, normal: Length) -> Length {
+        normal / libm::cos(radians(self.helix_angle))
+    }
+
+    /// Whether its teeth are helical.
+    #[must_use]
+    pub fn is_helical(&self) -> bool {
+        radians(self.helix_angle) != 0.0
+    }
+
     /// The gears with their shifts on the centre distance at which sun and planets have no backlash; planets of an unknown number are taken
     /// as one.
     ///
-    /// `None` of a set without shifts, and of one that is not simple or whose teeth are not all known.
+    /// `None` of a set with neither shifts nor helical teeth, and of one that is not simple or whose teeth are not all known.
     ///
     /// # Errors
     /// Those of [`InvoluteGear::new`] and [`Pair::without_backlash`] for shifts that leave no teeth or no mesh.
     #[must_use]
     pub fn involute_set(&self, rack: &BasicRack) -> Option<Result<PlanetSet, Error>> {
-        self.with_shifts(self.shifts?, self.planet?, rack)
+        match self.shifts {
+            Some(shifts) => self.with_shifts(shifts, self.planet?, rack),
+            None if self.is_helical() => self.toothed_set(rack),
+            None => None,
+        }
     }
 
     /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre distances need none.
@@ -70,7 +95,7 @@ impl SetSpec {
         rack: &BasicRack,
     ) -> Option<Result<PlanetSet, Error>> {
         let (Gearing::Teeth(sun, ring), SetKind::Simple) = (self.gearing, self.kind) else { return None };
-        let profile = Profile::of_rack(*rack);
+        let profile = Profile { helix_angle: self.helix_angle, ..Profile::of_rack(*rack) };
         let gear = |kind, teeth, place: usize| {
             InvoluteGear::new(kind, teeth, profile, shifts.profile[place])?
                 .with_tip_alteration(shifts.tips[place])

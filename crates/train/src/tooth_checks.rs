@@ -1,6 +1,6 @@
 //! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut, interference.
 //!
-//! A simple set with [shifts](crate::set::Shifts) is checked with them instead: limits, interference and clearance as
+//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with them instead: limits, interference and clearance as
 //! [`involute::set`](epicyclic_gears::involute::set) has them, with flanks that may press by what printed shifts are rounded by.
 //!
 //! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile shift, teeth
@@ -52,6 +52,7 @@ use crate::planet_places::{
     Given, NoPair, Places, central_mesh, centre_distance, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
+use crate::set::SetSpec;
 use crate::tolerance::{MOST_ALIKE, PRINTED_SHIFTS, TOUCH};
 use assembly::slots;
 use epicyclic_gears::ToothCount;
@@ -135,6 +136,7 @@ impl PlanetSet {
                 !set.faults(&Limits::default()).iter().any(|fault| matches!(fault, SetFault::Planets { .. })),
             ),
             Some(Err(_)) => None,
+            None if self.short().is_some_and(SetSpec::is_helical) => None,
             None => Checks::new(self, *rack).do_clear(planets),
         };
         PlanetFit { assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))), clears }
@@ -178,6 +180,13 @@ impl<'a> Checks<'a> {
                 Err(error) => found.push(ToothWarning::ShiftsRefused { set: self.name(), error }),
             }
             found.extend(self.assembly());
+            return found;
+        }
+        if self.set.short().is_some_and(SetSpec::is_helical) {
+            // Without all teeth on one centre distance; what follows is of spur teeth.
+            found.extend(self.half_tooth());
+            found.extend(self.small_rings());
+            found.extend(self.centre_distances());
             return found;
         }
         if !self.set.is_pair() {

@@ -99,6 +99,7 @@ pub fn answer(
     let (progressions, deviations) = progression::of(&analyses, &ordered, progression_factor)?;
     let mut all = warnings::of_gearbox(subject);
     all.extend(warnings::drags(subject));
+    all.extend(warnings::tilted(subject));
     all.extend(warnings::fast_planets_of(gearbox, &analyses));
     all.extend(warnings::not_driven(subject, &analyses));
     all.extend(warnings::contradictions(gearbox, &analyses));

@@ -6,8 +6,9 @@ use crate::Warning;
 use crate::gearbox::Subject;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_train::one_way::Duty;
+use epicyclic_train::set::SetSpec;
 use epicyclic_train::speeds::SetMotion;
-use epicyclic_train::{self as train, Analysis, Gearbox};
+use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
 
 /// Speed of a planet relative to its carrier, over the input's, that is usually not exceeded.
 const USUAL_PLANET_SPEED: f64 = 2.0;
@@ -188,6 +189,32 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     let teeth = gearbox.tooth_checks(&subject.rack).into_iter().filter(|warning| !warning.is_note());
     let teeth = teeth.map(|warning| Warning { name: "teeth", message: warning.to_string() });
     of_gearbox.chain(teeth).collect()
+}
+
+/// Sets with helical teeth among those whose planet bearings have forces or are rated: neither has the moment of the axial forces.
+pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
+    let is_borne = |place: usize| {
+        let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
+        own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
+    };
+    let is_helical = |set: &PlanetSet| set.short().is_some_and(SetSpec::is_helical);
+    let sets = subject.gearbox.sets().iter().enumerate();
+    let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
+    let names: Vec<&str> = sets.collect();
+    tilting(&names)
+}
+
+/// That the teeth of these sets are helical, and what their planet bearings are not held against.
+pub(crate) fn tilting(sets: &[&str]) -> Option<Warning> {
+    let which = match sets {
+        [] => return None,
+        [only] => format!("set {only} has helical teeth"),
+        _ => format!("sets {} have helical teeth", sets.join(", ")),
+    };
+    let message = format!(
+        "{which}: the axial forces of the meshes tilt each planet; forces and lives of planet bearings leave this moment out"
+    );
+    Some(Warning { name: "tilting-moment", message })
 }
 
 /// Drags that the file states are no part of this answer.

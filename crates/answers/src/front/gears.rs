@@ -20,7 +20,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::CentralKind;
 use epicyclic_train::planet_set::{GearOf, MeshKind};
-use epicyclic_train::set::SetKind;
+use epicyclic_train::set::{SetKind, SetSpec};
 use std::f64::consts::{PI, TAU};
 
 /// How far the sides of an outline may leave the curve, modules: below what a screen shows of a gear with 300 teeth.
@@ -43,6 +43,10 @@ pub(super) fn of(set: &PlanetSet, rack: &BasicRack) -> Result<Option<Shape>, Err
         set.short().filter(|spec| spec.kind == SetKind::Simple).and_then(|spec| spec.toothed_set(rack));
     if let Some(Ok(shifted)) = shifted {
         return of_simple(set, &shifted).map(Some);
+    }
+    // Without a centre distance of its own; what follows is of spur teeth.
+    if set.short().is_some_and(SetSpec::is_helical) {
+        return Ok(None);
     }
     let Some(along) = set.along_axis() else { return Ok(None) };
     let mut gears = vec![];

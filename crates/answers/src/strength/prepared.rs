@@ -286,7 +286,8 @@ impl<'a> Of<'a> {
             methods,
             factors.iter().all(|(_, is_given)| *is_given),
         ) {
-            let profile = Profile::of_rack(self.subject.rack);
+            let helix_angle = self.spec.helix_angle;
+            let profile = Profile { helix_angle, ..Profile::of_rack(self.subject.rack) };
             let tool = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             return Ok(Ok(SetToSize {
                 place,

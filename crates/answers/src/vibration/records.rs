@@ -423,6 +423,8 @@ pub enum Reason {
     KeysMissing,
     /// Its planets cannot stand at equal angles, (z_s + z_r)/N is no integer.
     UnequalPlanets,
+    /// Its teeth are helical: it moves along its axis and tilts, too, which the planar model has not.
+    Helical,
     /// Its members are joined: no mesh turns.
     DoesNotRoll,
     /// No speeds follow in the gear.
@@ -438,6 +440,9 @@ impl NotCalculated {
             Reason::KeysMissing => format!("{} missing", self.missing.join(", ")),
             Reason::UnequalPlanets => {
                 "its planets cannot stand at equal angles, (z_s + z_r)/N is no integer".to_owned()
+            }
+            Reason::Helical => {
+                "its teeth are helical; vibrate takes spur teeth alone, helix_angle: 0 deg, since its model is planar".to_owned()
             }
             Reason::DoesNotRoll => "its members are joined, no mesh turns".to_owned(),
             Reason::NoSpeeds => "no speeds follow in this gear".to_owned(),

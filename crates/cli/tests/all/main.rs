@@ -9,6 +9,7 @@ mod draw;
 mod every_input;
 mod files;
 mod gearboxes;
+mod helical;
 mod json;
 mod json_page;
 mod motor;

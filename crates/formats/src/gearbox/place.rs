@@ -64,6 +64,7 @@ impl File<'_> {
                     "addendum"
                 },
             ),
+            E::HelixAngle { set } => self.key(self.set(set), "helix_angle"),
             E::Shifts { set } => {
                 let keys = ["tip_alterations", "profile_shifts"];
                 keys.iter().fold(self.set(set), |path, key| self.key(path, key))
@@ -275,6 +276,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
         E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts"],
         E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
             Quantity::Module => &["module"],
+            Quantity::HelixAngle => &["helix_angle"],
             Quantity::CarrierRadius => &["carrier_radius"],
             Quantity::FaceWidth | Quantity::Width => &["face_width"],
             Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],

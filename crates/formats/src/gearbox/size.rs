@@ -6,7 +6,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{Mesh, MeshKind};
 use epicyclic_train::{Gearbox, PlanetSet};
-use uom::si::f64::{Angle, MassDensity};
+use uom::si::f64::{Angle, Length, MassDensity};
 
 impl GearboxFile {
     /// The planet bearings of each set that has any, as far as their size is known.
@@ -47,7 +47,7 @@ impl GearboxFile {
             ..usual
         };
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
-            // Shifts move the planets from where their teeth alone would have them.
+            // Shifts and helical teeth move the planets from where spur teeth alone would have them.
             let rack = self.rack().ok();
             let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
             let by_shifts =
@@ -58,8 +58,11 @@ impl GearboxFile {
                 Some(Angle::from_si(pair.working_angle_rad()))
             };
             let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
+            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse module.
+            let transverse =
+                |module: Length| set.short().map_or(module, |spec| spec.transverse_module(module));
             return SetSize {
-                module: entry.module.map(|module| module.0),
+                module: entry.module.map(|module| transverse(module.0)),
                 carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
                 face_width: entry.face_width.map(|width| width.0),
                 planet_bore: entry.planet_bore.map(|bore| bore.0),

@@ -3,16 +3,19 @@
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
 //! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
 
-use crate::quantity::format::in_unit;
+use crate::quantity::format::{in_unit, trimmed};
 use crate::quantity::{Dimension, Physical};
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
 use std::fmt::Write as _;
-use uom::si::f64::Length;
+use uom::si::f64::{Angle, Length};
 
 /// Significant digits of lengths.
 const DIGITS: usize = 5;
+
+/// Significant digits of angles in degrees.
+const DEGREE_DIGITS: usize = 12;
 
 /// A gearbox that has no short description.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -151,6 +154,9 @@ fn of_set(spec: &SetSpec) -> String {
             keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
         }
     }
+    if spec.is_helical() {
+        keys.push(format!("helix_angle: {}", angle(spec.helix_angle)));
+    }
     match spec.loss {
         loss if loss == MeshLoss::IDEAL => {}
         MeshLoss::Set(eta) => keys.push(format!("efficiency: {}", eta.get())),
@@ -163,6 +169,14 @@ fn of_set(spec: &SetSpec) -> String {
         }
     }
     keys.join(", ")
+}
+
+/// In degrees, where they are read as the same angle.
+fn angle(angle: Angle) -> String {
+    let unit = Dimension::Angle.usual_unit();
+    let written = trimmed(angle.si() / unit.factor, DEGREE_DIGITS);
+    let is_same = written.parse::<f64>().is_ok_and(|number| number * unit.factor == angle.si());
+    if is_same { format!("{written} {}", unit.symbol) } else { format!("{} rad", angle.si()) }
 }
 
 fn of_size(size: Option<&WrittenSize>) -> String {
@@ -237,12 +251,18 @@ mod tests {
         let shifts = Shifts { profile: [0.1 + 0.2, -0.0426, 0.0], tips: [-0.07, 0.0, 0.0] };
         let shifted = SetSpec::teeth("3", SetKind::Simple, ["y", "in", "free"], 21, 108).unwrap();
         let shifted = shifted.planet_teeth(z(43), None).shifted(shifts);
+        let helical = |id, degrees| {
+            let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 20, 60).unwrap();
+            set.helical(Angle::new::<uom::si::angle::degree>(degrees))
+        };
         let losses = MeshLoss::Meshes { first: eta(0.98), between: eta(0.97), second: eta(0.99) };
         let gearbox = Gearbox::builder("a \"box\": #1\n\\")
             .links(["in", "y", "out", "null", "free", "shaft"])
             .set(SetSpec::simple("1", ["in", "y", "out"], 0.1 + 2.2).with_loss(MeshLoss::Set(eta(0.97))))
             .set(teeth.planet_teeth(z(19), Some(z(20))).planet_count(3).with_loss(losses))
             .set(shifted)
+            .set(helical("4", 8.0))
+            .set(helical("5", 0.1 + 0.2))
             .set(SetSpec::pair("p", ["free", "out"], 20, 41).unwrap())
             .brake("1", "y")
             .clutch("in-y", "in", "shaft")

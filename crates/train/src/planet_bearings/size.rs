@@ -11,7 +11,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
 /// itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetSize {
-    /// Module `m` of the meshes.
+    /// Module `m` of the meshes, of helical teeth the transverse one.
     pub module: Option<Length>,
     /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth. Where
     /// planets differ, each has its own: [`PlanetSize::carrier_radius`].

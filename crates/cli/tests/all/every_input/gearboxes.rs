@@ -144,6 +144,9 @@ const GEARBOX: &[Key] = &[
     of_winch("sets.planet_bore", "planet_bore: 18 mm", "planet_bore: 17 mm"),
     of_winch("sets.meshes", "meshes: [0.98, 0.98, 0.99]", "meshes: [0.98, 0.97, 0.99]"),
     key("sets.profile_shifts", "profile_shifts: [0.389,", "profile_shifts: [0.6,", OVERVIEW),
+    key("sets.helix_angle", "helix_angle: 0 deg", "helix_angle: 8 deg", SHEET),
+    key("sets.helix_angle", "helix_angle: 0 deg", "helix_angle: 8 deg", OVERVIEW),
+    key("sets.helix_angle", "helix_angle: 0 deg", "helix_angle: 8 deg", STRENGTH),
     key(
         "sets.tip_alterations",
         "tip_alterations: [-0.0833, -0.0833",
