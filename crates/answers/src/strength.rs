@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`records`] | meshes, gears and what is not rated |
 //! | `prepared` | the meshes of a file's sets |
+//! | `axial` | axial forces of helical teeth |
 //! | `load` | the load of a set in a gear |
 //! | `duty` | the steps of a duty, and a set over them |
 //! | `overload` | a set against an overload |
@@ -12,6 +13,7 @@
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
+mod axial;
 mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
@@ -36,8 +38,8 @@ use load::{both_loads, set_load};
 use place::{Fault, located, refused};
 use prepared::RatedSet;
 use records::{
-    Against, BearingOverDuty, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Overloaded,
-    Rated, Required, Safeties,
+    Against, AxialForce, BearingOverDuty, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty,
+    Overloaded, Rated, Required, Safeties,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -82,6 +84,8 @@ pub struct Strength {
     pub overload: Vec<Overloaded>,
     /// The planet bearings with a load rating over the duty; empty at an operating point.
     pub bearings: Vec<BearingOverDuty>,
+    /// Axial forces of sets with helical teeth, at the operating point or in each loaded step of the duty.
+    pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
     /// What the reader should know.
@@ -156,6 +160,7 @@ pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Er
 #[derive(Default)]
 struct Found {
     safeties: Safeties,
+    axial: Vec<AxialForce>,
     not_rated: Vec<NotRated>,
 }
 
@@ -225,6 +230,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let peaks = overload::peaks(subject, &file.overload, wanted.gear.as_deref())?;
     if is_over_duty {
         bearings = bearings::rated(subject, &file, &steps, &peaks)?;
+        found.axial = axial::over_duty(&sets, &steps, life);
         for set in &sets {
             let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
             found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
@@ -239,10 +245,10 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
             }
         }
     }
-    let Found { safeties, not_rated } = found;
+    let Found { safeties, axial, not_rated } = found;
     let governing = safeties.governing(required);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
-    let helical = sets.iter().filter(|set| set.meshes[0].pair.gears()[0].profile().helix_angle.si() != 0.0);
+    let helical = sets.iter().filter(|set| set.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let warnings = safeties.below(required).into_iter().chain(short_lived).chain(tilting(&helical)).collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
@@ -260,6 +266,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         over_duty,
         overload,
         bearings,
+        axial_forces: axial,
         not_rated,
         warnings,
     })
@@ -283,6 +290,9 @@ fn at_point(
         for set in sets {
             let load =
                 set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
+            if let Ok((torque, speed)) = load {
+                found.axial.extend(axial::of(set, name, None, (torque, speed), life));
+            }
             let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
             let rated = meshes.map(|meshes| {
                 meshes.iter().flat_map(|mesh| mesh.both(name, set.id, wanted.with_factors)).collect()

@@ -45,6 +45,10 @@ pub(crate) fn n_m(value: Torque) -> f64 {
     value.get::<newton_meter>()
 }
 
+pub(crate) fn torque(value_n_m: f64) -> Torque {
+    Torque::new::<newton_meter>(value_n_m)
+}
+
 pub(crate) fn force(value_n: f64) -> Force {
     Force::new::<newton>(value_n)
 }

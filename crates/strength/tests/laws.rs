@@ -408,3 +408,42 @@ fn an_unknown_static_factor_is_an_input() {
     let long = rate(&mesh, &load(50.0, 1000.0, 1e4), &method()).unwrap();
     assert!(short(Method { given, ..method() }).unwrap().gears[0].root.safety > long.gears[0].root.safety);
 }
+
+/// The forces of both meshes on a planet as vectors: normal to helical flanks at the working cylinders, one diameter apart.
+#[test]
+fn axial_forces_are_those_of_normal_forces_on_helical_flanks() {
+    use epicyclic_strength::planets::axial_forces;
+    use uom::si::{force::newton, torque::newton_meter};
+    let [outer, inner] = [mesh(18, 36, false, 12.0), mesh(36, 90, true, 12.0)];
+    let load = Load {
+        torque: Torque::new::<newton_meter>(800.0),
+        speed: AngularVelocity::new::<revolution_per_minute>(100.0),
+        life: Time::new::<hour>(1.0),
+        contacts: [1.0, 1.0],
+    };
+    let told = axial_forces([&outer, &inner], &load);
+    let module_m = outer.module.get::<millimeter>() / 1e3;
+    let planet = outer.pair.gears()[1];
+    // Torque on the planet by either mesh.
+    let torque = 800.0 * 36.0 / 18.0;
+    // x from the axis through the planet's centre, y along its orbit.
+    let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
+    for (side, diameter) in
+        [(-1.0, outer.pair.working_diameters()[1]), (1.0, inner.pair.working_diameters()[0])]
+    {
+        let radius = module_m * diameter / 2.0;
+        let lead_tan = libm::tan(12_f64.to_radians()) * diameter / planet.reference_diameter();
+        // A tooth runs along (0, side·tan β_w, 1); the force has no part along it.
+        let y = torque / radius;
+        let z = -side * lead_tan * y;
+        force = [force[0], force[1] + y, force[2] + z];
+        let x = side * radius;
+        moment = [moment[0], moment[1] - x * z, moment[2] + x * y];
+    }
+    assert!(force[2].abs() < 1e-9 && moment[2].abs() < 1e-9, "{force:?} {moment:?}");
+    let by_vectors = moment[1].abs();
+    assert!((told.tilting_moment.get::<newton_meter>() / by_vectors - 1.0).abs() < 1e-12);
+    let axial = told.force.get::<newton>();
+    let one = torque * 2.0 / (module_m * planet.reference_diameter()) * libm::tan(12_f64.to_radians());
+    assert!((axial / one - 1.0).abs() < 1e-12, "{axial} {one}");
+}

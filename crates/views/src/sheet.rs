@@ -5,7 +5,7 @@ use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::sheet::records::{
-    AtOutput, GearInMesh, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Tool,
+    AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet, Tool,
 };
 use epicyclic_formats::Dimension;
 
@@ -123,12 +123,36 @@ fn set(set: &SetSheet) -> Vec<Records> {
     vec![common(set), gears(set), meshes(set), in_mesh(set)]
 }
 
+/// What only helical teeth have of their own.
+fn of_helix(set: &SetSheet, figure: impl FnOnce() -> Figure) -> Figure {
+    if set.helix_angle_rad == 0.0 { Figure::None } else { figure() }
+}
+
 fn common(set: &SetSheet) -> Records {
     let limits = set.centre_distance_deviations_m;
+    let helical = |figure: fn(&SetSheet) -> Figure| vec![of_helix(set, || figure(set))];
     let lines = vec![
         Line("module", "normal module, mm", "m_n", vec![length(set.module_m)]),
         Line("pressure_angle", "normal pressure angle, °", "α_n", vec![angle(set.pressure_angle_rad)]),
         Line("helix_angle", "helix angle, °", "β", vec![angle(set.helix_angle_rad)]),
+        Line(
+            "base_helix_angle",
+            "helix angle, base cylinder, °",
+            "β_b",
+            helical(|set| angle(set.base_helix_angle_rad)),
+        ),
+        Line(
+            "transverse_module",
+            "transverse module, mm",
+            "m_t",
+            helical(|set| length(set.transverse_module_m)),
+        ),
+        Line(
+            "transverse_pressure_angle",
+            "transverse pressure angle, °",
+            "α_t",
+            helical(|set| angle(set.transverse_pressure_angle_rad)),
+        ),
         Line("addendum", "addendum of the rack, modules", "h_aP*", vec![Figure::Number(set.addendum)]),
         Line("clearance", "clearance of the rack, modules", "c_P*", vec![Figure::Number(set.clearance)]),
         Line("planets", "planets", "N", vec![set.planets.map_or(Figure::None, Figure::Count)]),
@@ -162,6 +186,8 @@ fn gears(set: &SetSheet) -> Records {
         each(&|gear| gear.shaper_shift.map_or(Figure::None, |shift| Figure::Printed(shift, 4)));
     let lines = vec![
         Line("teeth", "teeth", "z", each(&|gear| Figure::Count(gear.teeth))),
+        Line("hand", "hand of the helix", "", each(&|gear| gear.hand.map_or(Figure::None, hand))),
+        Line("lead", "lead", "p_z", each(&|gear| lengths(gear.lead_m))),
         Line(
             "profile_shift",
             "profile shift coefficient",
@@ -186,6 +212,12 @@ fn gears(set: &SetSheet) -> Records {
         Line("root_diameter", "root diameter", "d_f", each(&|gear| length(gear.root_diameter_m))),
         Line("form_diameter", "root form diameter", "d_Ff", each(&|gear| length(gear.form_diameter_m))),
         Line("thickness", "tooth thickness, reference", "s_n", each(&|gear| length(gear.thickness_m))),
+        Line(
+            "transverse_thickness",
+            "the same, transverse",
+            "s_t",
+            each(&|gear| of_helix(set, || length(gear.transverse_thickness_m))),
+        ),
         Line("thickness_upper", "upper allowance", "E_sns", allowance(|of| of.upper)),
         Line("thickness_lower", "lower allowance", "E_sni", allowance(|of| of.lower)),
         Line("tip_thickness", "tooth thickness, tip", "s_an", each(&|gear| length(gear.tip_thickness_m))),
@@ -198,6 +230,7 @@ fn gears(set: &SetSheet) -> Records {
         Line("span", "span", "W_k", each(&|gear| length(gear.span_m))),
         Line("span_upper", "span, upper limit", "", limit(|gear| gear.span_limits_m, UPPER)),
         Line("span_lower", "span, lower limit", "", limit(|gear| gear.span_limits_m, LOWER)),
+        Line("span_face_width", "span, least face width", "", each(&|gear| lengths(gear.span_face_width_m))),
         Line("ball_diameter", "ball diameter", "D_M", each(&|gear| length(gear.ball_diameter_m))),
         Line("over_balls", "measure over balls", "M_dK", each(&|gear| lengths(gear.over_balls_m))),
         Line(
@@ -234,6 +267,16 @@ fn gears(set: &SetSheet) -> Records {
     )
 }
 
+fn hand(hand: Hand) -> Figure {
+    Figure::choice(
+        hand,
+        match hand {
+            Hand::OfSun => "either",
+            Hand::Opposite => "opposite",
+        },
+    )
+}
+
 fn tool(tool: Tool) -> Figure {
     Figure::choice(
         tool,
@@ -247,6 +290,7 @@ fn tool(tool: Tool) -> Figure {
 fn meshes(set: &SetSheet) -> Records {
     let each = |of: &dyn Fn(&MeshSheet) -> Figure| set.meshes.iter().map(of).collect::<Vec<_>>();
     let limit = |of: fn(&MeshSheet) -> Option<Limits>, end: End| each(&|mesh| lengths(of(mesh).map(end)));
+    let ratio = |value: f64| Figure::Printed(value, 3);
     let lines = vec![
         Line(
             "working_angle",
@@ -259,6 +303,18 @@ fn meshes(set: &SetSheet) -> Records {
             "transverse contact ratio",
             "ε_α",
             each(&|mesh| Figure::Printed(mesh.contact_ratio, 3)),
+        ),
+        Line(
+            "overlap_ratio",
+            "overlap ratio",
+            "ε_β",
+            each(&|mesh| of_helix(set, || mesh.overlap_ratio.map_or(Figure::None, ratio))),
+        ),
+        Line(
+            "total_contact_ratio",
+            "total contact ratio",
+            "ε_γ",
+            each(&|mesh| of_helix(set, || mesh.total_contact_ratio.map_or(Figure::None, ratio))),
         ),
         Line("backlash", "backlash without allowances", "j_wt", each(&|mesh| length(mesh.backlash_m))),
         Line(

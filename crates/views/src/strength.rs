@@ -10,8 +10,8 @@ use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::hours;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
-    BearingOverDuty, DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated,
-    ToothedGear, Wear,
+    AxialForce, BearingOverDuty, DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded,
+    Rated, ToothedGear, Wear,
 };
 use epicyclic_formats::Dimension;
 use words::{OF_STEPS, extent, from};
@@ -50,6 +50,9 @@ fn tables(strength: &Strength) -> Vec<Part> {
     }
     if !strength.overload.is_empty() {
         parts.push(Part::Records(overload(&strength.overload)));
+    }
+    if !strength.axial_forces.is_empty() {
+        parts.push(Part::Records(axial_forces(&strength.axial_forces)));
     }
     if !strength.bearings.is_empty() {
         parts.push(Part::Records(bearings(&strength.bearings)));
@@ -236,6 +239,42 @@ fn at_point(all: &[Rated]) -> Records {
                 )
             },
         ],
+        is_answer: false,
+    }
+}
+
+fn axial_forces(all: &[AxialForce]) -> Records {
+    let row = |one: &AxialForce| {
+        vec![
+            text(&one.set),
+            text(&one.gear),
+            one.step.map_or(Figure::None, Figure::Count),
+            column(one.axial_force_n, Dimension::Force),
+            column(one.tilting_moment_n_m, Dimension::Torque),
+        ]
+    };
+    let of_steps = all.iter().any(|one| one.step.is_some());
+    let shown: &[&'static str] = if of_steps {
+        &["set", "step", "gear", "axial_force", "tilting_moment"]
+    } else {
+        &["set", "gear", "axial_force", "tilting_moment"]
+    };
+    Records {
+        name: "axial_forces",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::number("step", "step"),
+            Column::headed("axial_force", "F_a, N", Dimension::Force),
+            Column::headed("tilting_moment", "M, N·m", Dimension::Torque),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
+                   no rating of planet bearings has it."
+                .to_owned(),
+            ..View::new("Axial forces of helical teeth", shown)
+        }],
         is_answer: false,
     }
 }

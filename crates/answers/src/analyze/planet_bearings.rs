@@ -6,10 +6,12 @@ use crate::Error;
 use crate::gearbox::Subject;
 use crate::tolerance::rounded;
 use epicyclic_formats::Physical;
+use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_train::planet_bearings as train;
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::Torque;
 
 /// The bearing of each of the planets of one kind, in a gear.
 ///
@@ -46,6 +48,10 @@ pub struct PlanetBearing {
     pub centrifugal_force_n: Option<f64>,
     /// All of them together.
     pub force_n: Option<f64>,
+    /// Axial forces of the meshes with sun and ring on the planet at the load, against each other; none of spur teeth.
+    pub axial_forces_n: Option<[f64; 2]>,
+    /// Moment by which they tilt the planet; it is no part of the force together.
+    pub tilting_moment_n_m: Option<f64>,
     /// Basic dynamic load rating of a planet's bearings.
     pub bearing_load_rating_n: Option<f64>,
     /// Speed of the planet relative to its carrier.
@@ -177,6 +183,7 @@ fn one(
         Some((force, turning)) => bearing.life(force, turning)?,
         None => None,
     };
+    let axial = at.and_then(|torques| axial(subject, set, bearing, torques));
     // A list of transmissions states sizes of compound sets alone.
     let is_in_list = !subject.published.is_empty() && set.short().is_some();
     let missing = if is_in_list {
@@ -201,11 +208,41 @@ fn one(
         radial_force_n: si(forces.radial),
         centrifugal_force_n: si(forces.centrifugal),
         force_n: si(forces.total),
+        axial_forces_n: axial.map(|(forces, _)| forces),
+        tilting_moment_n_m: axial.map(|(_, moment)| moment),
         bearing_load_rating_n: bearing.load_rating.map(|(rating, _)| rating.si()),
         bearing_speed_rad_s: si(turning),
         bearing_life_s: si(life),
         missing,
     })
+}
+
+/// Axial forces of the meshes of a helical set on one planet, and their moment.
+///
+/// ```text
+/// F_a,s = 2·|T_s|·tan β/(N·d_s)    F_a,r = 2·|T_r|·tan β/(N·d_r)    M = (F_a,s·d_w1 + F_a,r·d_w2)/2
+/// ```
+fn axial(
+    subject: &Subject<'_>,
+    set: &PlanetSet,
+    bearing: &train::PlanetBearing,
+    torques: &[Torque],
+) -> Option<([f64; 2], f64)> {
+    let spec = set.short().filter(|spec| spec.is_helical())?;
+    let toothed = spec.involute_set(&subject.rack)?.ok()?;
+    let [sun, ring] = [torques.first()?, torques.get(1)?].map(|torque| torque.si().abs());
+    let planets = f64::from(bearing.planets?);
+    // Where a carrier radius is given beside the module, the teeth stand on it.
+    let module = bearing.radius?.si() / toothed.centre_distance();
+    let tan = libm::tan(spec.helix_angle.si());
+    let [of_sun, _, of_ring] = toothed.gears();
+    let force = |torque: f64, gear: &InvoluteGear| {
+        2.0 * torque * tan / (planets * module * gear.reference_diameter())
+    };
+    let forces = [force(sun, of_sun), force(ring, of_ring)];
+    let arms = [toothed.sun_mesh().working_diameters()[1], toothed.ring_mesh().working_diameters()[0]];
+    let moment = module * (forces[0] * arms[0] + forces[1] * arms[1]) / 2.0;
+    Some((forces, moment))
 }
 
 fn si<T: Physical>(value: Option<T>) -> Option<f64> {

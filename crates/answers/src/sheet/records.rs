@@ -55,8 +55,14 @@ pub struct SetSheet {
     pub module_m: f64,
     /// Normal pressure angle `α_n`.
     pub pressure_angle_rad: f64,
-    /// Helix angle `β`.
+    /// Helix angle `β` at the reference cylinders.
     pub helix_angle_rad: f64,
+    /// Helix angle at the base cylinders `β_b`.
+    pub base_helix_angle_rad: f64,
+    /// Transverse module `m_t`.
+    pub transverse_module_m: f64,
+    /// Transverse pressure angle `α_t`.
+    pub transverse_pressure_angle_rad: f64,
     /// Addendum of the basic rack `h_aP*`, in modules.
     pub addendum: f64,
     /// Its clearance `c_P*`, in modules.
@@ -77,6 +83,26 @@ pub struct SetSheet {
     pub meshes: Vec<MeshSheet>,
 }
 
+/// The hand of a helix, beside that of the sun, which the file leaves open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Hand {
+    /// That of the sun.
+    OfSun,
+    /// The other one.
+    Opposite,
+}
+
+impl Hand {
+    /// Gears that mesh outside each other have opposite hands, a ring has that of its planets.
+    const fn of(gear: ToothedGear) -> Self {
+        match gear {
+            ToothedGear::Sun => Self::OfSun,
+            ToothedGear::Planet | ToothedGear::Ring => Self::Opposite,
+        }
+    }
+}
+
 /// A tool that cuts teeth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -95,6 +121,10 @@ pub struct GearSheet {
     pub toothed_gear: ToothedGear,
     /// Teeth `z`.
     pub teeth: u32,
+    /// Hand of its helix; `null` of spur teeth.
+    pub hand: Option<Hand>,
+    /// Lead of its helix `p_z`; `null` of spur teeth.
+    pub lead_m: Option<f64>,
     /// Profile shift coefficient `x`; above 0 it moves the tip circle outwards, of a ring inwards.
     pub profile_shift: f64,
     /// Tip alteration `k·m_n`; below 0 the teeth are shorter.
@@ -111,6 +141,8 @@ pub struct GearSheet {
     pub form_diameter_m: f64,
     /// Normal tooth thickness at the reference circle `s_n`, without allowances.
     pub thickness_m: f64,
+    /// The same in the transverse section, `s_t`.
+    pub transverse_thickness_m: f64,
     /// Normal tooth thickness at the tip circle `s_an`, without allowances.
     pub tip_thickness_m: f64,
     /// Fillet radius of the rack that cuts it, or that stands for its shaper, `ρ_fP*`, in modules.
@@ -123,6 +155,8 @@ pub struct GearSheet {
     pub span_m: f64,
     /// The same with the allowances; `null` without.
     pub span_limits_m: Option<Limits>,
+    /// Face width that must be exceeded for the span to be measured, `W_k·sin β_b`; `null` of spur teeth and of a ring.
+    pub span_face_width_m: Option<f64>,
     /// Diameter of the measuring balls or pins `D_M`.
     pub ball_diameter_m: f64,
     /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall through the spaces.
@@ -167,6 +201,10 @@ pub struct MeshSheet {
     pub working_angle_rad: f64,
     /// Transverse contact ratio `ε_α`.
     pub contact_ratio: f64,
+    /// Overlap ratio `ε_β` of the face width, 0 of spur teeth; `null` where the file states no face width.
+    pub overlap_ratio: Option<f64>,
+    /// Total contact ratio `ε_γ`, their sum; `null` without.
+    pub total_contact_ratio: Option<f64>,
     /// Circumferential backlash at the working circles `j_wt`, without allowances: what rounded shifts leave.
     pub backlash_m: f64,
     /// The same with the allowances; `null` without.
@@ -186,6 +224,7 @@ impl SetSheet {
         allowed: Option<&Allowed>,
     ) -> Result<Self, Error> {
         let profile = set.gears()[0].profile();
+        let face_width_m = entry.face_width.map(|width| width.0.si());
         let named = [ToothedGear::Sun, ToothedGear::Planet, ToothedGear::Ring];
         let thickness = allowed.map(|allowed| allowed.thickness);
         let gears = named.into_iter().enumerate().map(|(place, name)| {
@@ -198,6 +237,7 @@ impl SetSheet {
                 MeshName::BOTH[place],
                 pair,
                 module_m,
+                face_width_m,
                 allowed.map(|allowed| {
                     let [one, other] = [allowed.thickness[place], allowed.thickness[place + 1]];
                     ([one, other], allowed.centre_distance)
@@ -209,10 +249,13 @@ impl SetSheet {
             module_m,
             pressure_angle_rad: profile.rack.pressure_angle.si(),
             helix_angle_rad: profile.helix_angle.si(),
+            base_helix_angle_rad: profile.base_helix_rad(),
+            transverse_module_m: module_m / libm::cos(profile.helix_angle.si()),
+            transverse_pressure_angle_rad: profile.transverse_angle_rad(),
             addendum: profile.rack.addendum,
             clearance: profile.rack.clearance,
             planets: entry.planets,
-            face_width_m: entry.face_width.map(|width| width.0.si()),
+            face_width_m,
             centre_distance_m: module_m * set.centre_distance(),
             centre_distance_deviations_m: None,
             thickness_allowances_m: None,
@@ -231,6 +274,11 @@ impl GearSheet {
         allowance: Option<Deviation>,
     ) -> Result<Self, Error> {
         let spanned = gear.spanned_teeth();
+        let helix_angle = gear.profile().helix_angle.si();
+        let is_helical = helix_angle != 0.0;
+        let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
+        let base_helix = gear.profile().base_helix_rad();
+        let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;
         let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
         let both = match allowance {
             Some(Deviation { lower, upper }) => Some([thinner(lower)?, thinner(upper)?]),
@@ -241,6 +289,8 @@ impl GearSheet {
         Ok(Self {
             toothed_gear,
             teeth: gear.teeth().get(),
+            hand: is_helical.then(|| Hand::of(toothed_gear)),
+            lead_m: is_helical.then_some(module_m * lead),
             profile_shift: gear.shift(),
             tip_alteration_m: module_m * gear.tip_alteration(),
             reference_diameter_m: module_m * gear.reference_diameter(),
@@ -249,11 +299,13 @@ impl GearSheet {
             root_diameter_m: module_m * gear.root_diameter(),
             form_diameter_m: module_m * gear.form_diameter(),
             thickness_m: module_m * gear.normal_thickness(),
+            transverse_thickness_m: module_m * gear.normal_thickness() / libm::cos(helix_angle),
             tip_thickness_m: module_m * gear.tip_thickness(),
             fillet: gear.profile().fillet,
             least_shift: gear.least_shift_without_undercut(),
             spanned_teeth: spanned,
             span_m: module_m * gear.span(spanned),
+            span_face_width_m: has_span_width.then(|| module_m * gear.span(spanned) * libm::sin(base_helix)),
             span_limits_m: both.map(|both| sorted(both.map(|gear| module_m * gear.span(spanned)))),
             ball_diameter_m: ball_m,
             over_balls_m: over(gear),
@@ -290,12 +342,14 @@ impl MeshSheet {
         mesh: MeshName,
         pair: &Pair,
         module_m: f64,
+        face_width_m: Option<f64>,
         allowed: Option<([Deviation; 2], Deviation)>,
     ) -> Result<Self, Error> {
         let plays = allowed.map(|(thickness, centre)| pair.plays(thickness, centre)).transpose()?;
         let limits = |of: fn(&epicyclic_gears::involute::play::Play) -> f64| {
             plays.map(|plays| sorted(plays.map(|play| module_m * of(&play))))
         };
+        let overlap_ratio = face_width_m.map(|width| pair.overlap_ratio(width / module_m));
         let (working, roots) = (pair.working_diameters(), pair.active_root_diameters());
         let (clearances, sliding) = (pair.tip_clearances(), pair.specific_sliding());
         let gears = mesh.gears().into_iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
@@ -310,6 +364,8 @@ impl MeshSheet {
             mesh,
             working_angle_rad: pair.working_angle_rad(),
             contact_ratio: pair.transverse_contact_ratio(),
+            overlap_ratio,
+            total_contact_ratio: overlap_ratio.map(|overlap| overlap + pair.transverse_contact_ratio()),
             backlash_m: module_m * pair.backlash(),
             backlash_limits_m: limits(|play| play.circumferential),
             normal_backlash_limits_m: limits(|play| play.normal),

@@ -8,7 +8,7 @@ use crate::toothed;
 use epicyclic_formats::gearbox::{
     AccuracyEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
 };
-use epicyclic_formats::{Document, Number, Path};
+use epicyclic_formats::{Document, Number, Path, Physical};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
 use epicyclic_gears::mesh::coaxial_planet;
@@ -38,6 +38,13 @@ pub(crate) struct RatedSet<'g> {
     /// Of sun and planets, of planets and ring.
     pub(crate) meshes: [Mesh; 2],
     pub(crate) methods: [Method; 2],
+}
+
+impl RatedSet<'_> {
+    /// Whether its teeth are helical.
+    pub(crate) fn is_helical(&self) -> bool {
+        self.meshes[0].pair.gears()[0].profile().helix_angle.si() != 0.0
+    }
 }
 
 /// A simple set with all that its strength asks for but its size.

@@ -368,6 +368,22 @@ pub struct Overloaded {
     pub required: Required,
 }
 
+/// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load factors.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AxialForce {
+    /// The set.
+    pub set: String,
+    /// The selected gear.
+    pub gear: String,
+    /// The step of the duty, from 1; `null` at an operating point.
+    pub step: Option<u32>,
+    /// Axial force of one mesh `F_a`, on the planet in both meshes against each other.
+    pub axial_force_n: f64,
+    /// Moment by which both tilt a planet, which no rating of its bearing has.
+    pub tilting_moment_n_m: f64,
+}
+
 /// What a safety is against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

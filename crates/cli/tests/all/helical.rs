@@ -114,3 +114,161 @@ fn a_helix_angle_that_is_refused_has_its_place() {
         assert!(text(&done.stderr).contains(told), "{}", text(&done.stderr));
     }
 }
+
+/// Transverse and normal values by other formulas than those of the library.
+#[test]
+fn the_data_sheet_tells_transverse_values_hands_and_overlap() {
+    let set = &json(&["sheet", DTU])["sets"][0];
+    let of = |value: &Value| value.as_f64().unwrap();
+    let beta = 8_f64.to_radians();
+    near(&set["transverse_module_m"], 0.03 / beta.cos(), 1e-15);
+    let alpha_n = 20_f64.to_radians();
+    // sin β_b = sin β·cos α_n
+    let beta_b = (beta.sin() * alpha_n.cos()).asin();
+    near(&set["base_helix_angle_rad"], beta_b, 1e-14);
+    let overlap = 0.8 * beta.sin() / (std::f64::consts::PI * 0.03);
+    for mesh in set["meshes"].as_array().unwrap() {
+        near(&mesh["overlap_ratio"], overlap, 1e-12);
+        near(&mesh["total_contact_ratio"], overlap + of(&mesh["contact_ratio"]), 1e-12);
+    }
+    for (gear, hand) in set["gears"].as_array().unwrap().iter().zip(["of_sun", "opposite", "opposite"]) {
+        assert_eq!(gear["hand"], hand);
+        let [z, k, d, d_b, s_t] =
+            ["teeth", "spanned_teeth", "reference_diameter_m", "base_diameter_m", "transverse_thickness_m"]
+                .map(|key| of(&gear[key]));
+        near(&gear["lead_m"], std::f64::consts::PI * z * 0.03 / beta.sin(), 1e-12);
+        let alpha_t = (d_b / d).acos();
+        near(&set["transverse_pressure_angle_rad"], alpha_t, 1e-12);
+        // The plates lie on the tangents of the base cylinder: base pitches and one base thickness, of a ring one space.
+        let is_ring = gear["toothed_gear"] == "ring";
+        let arc = if is_ring { std::f64::consts::PI * d / z - s_t } else { s_t };
+        let base = d_b * (arc / d + alpha_t.tan() - alpha_t);
+        let span = ((k - 1.0) * std::f64::consts::PI * d_b / z + base) * beta_b.cos();
+        near(&gear["span_m"], span, 1e-12);
+        if is_ring {
+            assert!(gear["span_face_width_m"].is_null());
+        } else {
+            near(&gear["span_face_width_m"], span * beta_b.sin(), 1e-12);
+        }
+    }
+}
+
+const RATED: [&str; 6] = ["strength", DTU, "--torque", "9947 kN·m", "--speed", "9.6 rpm"];
+
+/// Factors of helical teeth by hand, with the overlap ratio above 1.
+#[test]
+fn helical_teeth_are_rated_with_their_factors() {
+    let told = json(&[&RATED[..], &["--factors"]].concat());
+    let beta = 8_f64.to_radians();
+    let sheet = &json(&["sheet", DTU])["sets"][0]["meshes"];
+    for (place, rated) in told["at_point"].as_array().unwrap().iter().enumerate() {
+        let factor = |symbol: &str| {
+            let all = rated["factors"].as_array().unwrap();
+            &all.iter().find(|factor| factor["symbol"] == symbol).unwrap()["value"]
+        };
+        near(factor("Z_β"), beta.cos().sqrt().recip(), 1e-12);
+        near(factor("Y_β"), 1.0 - 8.0 / 120.0, 1e-12);
+        let contact_ratio = sheet[place / 2]["contact_ratio"].as_f64().unwrap();
+        near(factor("Z_ε"), contact_ratio.sqrt().recip(), 1e-12);
+        near(factor("Z_B/Z_D"), 1.0, 0.0);
+    }
+}
+
+/// `F_a = F_t·tan β` at the reference circle, at the lever of the working circles; and what `analyze` tells without losses is the same.
+#[test]
+fn axial_forces_tilt_the_planets() {
+    let told = json(&RATED);
+    let axial = &told["axial_forces"][0];
+    let force = told["at_point"][0]["tangential_force_n"].as_f64().unwrap() * 8_f64.to_radians().tan();
+    near(&axial["axial_force_n"], force, 1e-6);
+    let meshes = &json(&["sheet", DTU])["sets"][0]["meshes"];
+    let diameter =
+        |mesh: usize, gear: usize| meshes[mesh]["gears"][gear]["working_diameter_m"].as_f64().unwrap();
+    near(&axial["tilting_moment_n_m"], force * (diameter(0, 1) + diameter(1, 0)) / 2.0, 1e-6);
+    let steps = json(&["strength", DTU]);
+    let steps = steps["axial_forces"].as_array().unwrap();
+    assert_eq!(steps.iter().map(|one| one["step"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2]);
+}
+
+/// Nothing jumps where teeth begin to be helical.
+#[test]
+fn a_small_helix_angle_changes_safeties_little() {
+    let folder = here();
+    let stage = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    let safeties = |text: &str| {
+        fs::write(folder.path().join("box.yaml"), text).unwrap();
+        let load = ["--torque", "999 kN·m", "--speed", "47.8 rpm", "--format", "json"];
+        let done = output(folder.path(), &[&["strength", "box.yaml"], &load[..]].concat());
+        let told: Value = serde_json::from_slice(&done.stdout).unwrap();
+        let all = told["at_point"].as_array().unwrap().clone();
+        all.into_iter()
+            .flat_map(|one| ["flank_safety", "root_safety"].map(|key| one[key].as_f64().unwrap()))
+            .collect::<Vec<f64>>()
+    };
+    let spur = safeties(&stage);
+    let helical = stage.replacen("    module: 21 mm\n", "    module: 21 mm\n    helix_angle: 0.001 deg\n", 1);
+    let helical = safeties(&helical);
+    assert_eq!(spur.len(), 8);
+    for (spur, helical) in spur.iter().zip(&helical) {
+        // ε_β = 1.5e-4
+        assert!((helical / spur - 1.0).abs() < 2e-4 && helical != spur, "{spur} {helical}");
+    }
+}
+
+#[test]
+fn analyze_tells_axial_forces_with_losses() {
+    let file = fs::read_to_string(examples().join(DTU)).unwrap();
+    let folder = here();
+    let run = |text: &str| -> Value {
+        fs::write(folder.path().join("box.yaml"), text).unwrap();
+        let load = ["--gear", "only", "--torque", "9947 kN·m", "--speed", "9.6 rpm", "--format", "json"];
+        let done = output(folder.path(), &[&["analyze", "box.yaml"], &load[..]].concat());
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    let lossless = run(&file.replacen("    friction: [0.04, 0.04]\n", "", 1));
+    let told = json(&RATED);
+    let axial = &told["axial_forces"][0];
+    let bearing = &lossless["planet_bearings"][0];
+    for place in [0, 1] {
+        near(&bearing["axial_forces_n"][place], axial["axial_force_n"].as_f64().unwrap(), 1e-3);
+    }
+    near(&bearing["tilting_moment_n_m"], axial["tilting_moment_n_m"].as_f64().unwrap(), 1e-3);
+    // With losses the sun, which drives out, has less of it than the ring.
+    let lossy = run(&file);
+    let forces = &lossy["planet_bearings"][0]["axial_forces_n"];
+    assert!(forces[0].as_f64().unwrap() < forces[1].as_f64().unwrap(), "{forces}");
+}
+
+/// `H_V` of helical teeth by its definition: the friction of the normal force is that of the tangential force over the cosine of the base helix angle.
+#[test]
+fn friction_losses_have_the_base_helix_angle() {
+    let set = &json(&["sheet", DTU])["sets"][0];
+    let told = json(&["analyze", DTU, "--gear", "only", "--torque", "1 MN·m", "--speed", "10 rpm"]);
+    let losses: Vec<f64> = told["meshes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|mesh| 1.0 - mesh["efficiency"].as_f64().unwrap())
+        .collect();
+    let of = |value: &Value| value.as_f64().unwrap();
+    let beta_b = of(&set["base_helix_angle_rad"]);
+    let base_pitch = of(&set["gears"][0]["base_diameter_m"]) * std::f64::consts::PI / 26.0;
+    // Sun and planets: the sliding speed over the rolling speed, |ξ|·p_et·(1/r_b1 + 1/r_b2), over the path of contact, shared by as many pairs as are in contact.
+    let radii = [0, 1].map(|gear| of(&set["gears"][gear]["base_diameter_m"]) / 2.0);
+    let mesh = &set["meshes"][0];
+    let alpha = of(&mesh["working_angle_rad"]);
+    let line = [0, 1].map(|gear| {
+        let tip = of(&set["gears"][gear]["tip_diameter_m"]) / 2.0;
+        ((tip * tip - radii[gear] * radii[gear]).sqrt() - radii[gear] * alpha.tan()) / base_pitch
+    });
+    let steps = 200_000;
+    let length = line[0] + line[1];
+    let mut sum = 0.0;
+    for step in 0..steps {
+        let at = -line[1] + length * (f64::from(step) + 0.5) / f64::from(steps);
+        let pairs = 1.0 + (at + line[1]).floor() + (line[0] - at).floor();
+        sum += at.abs() / pairs * length / f64::from(steps);
+    }
+    let loss = 0.04 * base_pitch * (1.0 / radii[0] + 1.0 / radii[1]) * sum / beta_b.cos();
+    assert!(losses.iter().any(|told| (told / loss - 1.0).abs() < 1e-4), "{losses:?} {loss}");
+}

@@ -48,6 +48,16 @@ pub(super) fn records(bearings: &[PlanetBearing], at: &OperatingPoint, of_one_ge
         note: note(bearings, is_sized, at.speed_rad_s.is_some()),
         ..View::new(title, &[first, shown].concat())
     }];
+    if bearings.iter().any(|bearing| bearing.axial_forces_n.is_some()) {
+        views.push(View {
+            note: "Of the meshes with sun and ring, against each other; tilting: the moment of both on the planet, which is no part of the force and life of its bearing."
+                .to_owned(),
+            ..View::new(
+                "Axial forces of helical teeth on each planet, N",
+                &[first, &["axial_force_sun", "axial_force_ring", "tilting_moment"]].concat(),
+            )
+        });
+    }
     let has_load_rating = bearings.iter().any(|bearing| bearing.bearing_load_rating_n.is_some());
     if has_load_rating && is_loaded && at.speed_rad_s.is_some() {
         let shown: &[&'static str] = &["force", "bearing_load_rating", "bearing_speed", "bearing_life_h"];
@@ -83,6 +93,9 @@ fn columns() -> Vec<Column> {
         Column::headed("radial_force", "radial", Dimension::Force),
         Column::headed("centrifugal_force", "centrifugal", Dimension::Force),
         Column::headed("force", "together", Dimension::Force),
+        Column::headed("axial_force_sun", "at the sun", Dimension::Force),
+        Column::headed("axial_force_ring", "at the ring", Dimension::Force),
+        Column::headed("tilting_moment", "tilting, N·m", Dimension::Torque),
         Column::headed("bearing_load_rating", "C, N", Dimension::Force),
         Column::headed("bearing_speed", "speed, rpm", Dimension::AngularSpeed),
         Column::number("bearing_life_h", "life, h"),
@@ -105,6 +118,9 @@ fn row(one: &PlanetBearing) -> Vec<Figure> {
         column(one.radial_force_n, Dimension::Force),
         column(one.centrifugal_force_n, Dimension::Force),
         column(one.force_n, Dimension::Force),
+        column(one.axial_forces_n.map(|[sun, _]| sun), Dimension::Force),
+        column(one.axial_forces_n.map(|[_, ring]| ring), Dimension::Force),
+        column(one.tilting_moment_n_m, Dimension::Torque),
         column(one.bearing_load_rating_n, Dimension::Force),
         column(one.bearing_speed_rad_s, Dimension::AngularSpeed),
         one.bearing_life_s.map_or(Figure::None, |life| Figure::Number(life / HOUR_S)),
