@@ -1,0 +1,39 @@
+//! Axial forces of sets with helical teeth.
+
+use super::duty::WorkedStep;
+use super::load::{both_loads, set_load};
+use super::prepared::RatedSet;
+use super::records::AxialForce;
+use epicyclic_formats::Physical;
+use epicyclic_strength::planets::axial_forces;
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// Of a set at a torque and speed of its sun; `None` of spur teeth.
+pub(super) fn of(
+    set: &RatedSet<'_>,
+    gear: &str,
+    step: Option<u32>,
+    (torque, speed): (Torque, AngularVelocity),
+    life: Time,
+) -> Option<AxialForce> {
+    let [load, _] = both_loads(set, torque, speed, life).ok().filter(|_| set.is_helical())?;
+    let forces = axial_forces(set.meshes.each_ref(), &load);
+    Some(AxialForce {
+        set: set.id.to_owned(),
+        gear: gear.to_owned(),
+        step,
+        axial_force_n: forces.force.si(),
+        tilting_moment_n_m: forces.tilting_moment.si(),
+    })
+}
+
+/// Of all sets in the loaded steps of a duty.
+pub(super) fn over_duty(sets: &[RatedSet<'_>], steps: &[WorkedStep<'_>], life: Time) -> Vec<AxialForce> {
+    let of_step = |set: &RatedSet<'_>, number: u32, WorkedStep(entry, worked): &WorkedStep<'_>| {
+        let load = set_load(set, worked.as_ref()?, entry.speed.0).ok()?;
+        of(set, &entry.gear, Some(number), load, life)
+    };
+    sets.iter()
+        .flat_map(|set| (1..).zip(steps).filter_map(move |(number, step)| of_step(set, number, step)))
+        .collect()
+}
