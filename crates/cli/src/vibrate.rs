@@ -160,7 +160,13 @@ impl Exciting {
             Error::ExcitationWithout { .. } => "--transmission-error",
             _ => return refuse(error),
         };
-        Failure::Option { option, message: error.to_string() }
+        let message = match &error {
+            Error::ExcitationWithout { lacks, .. } => {
+                format!("it needs {lacks}, as an option or as a key of `vibration` of the file")
+            }
+            error => error.to_string(),
+        };
+        Failure::Option { option, message }
     }
 }
 
@@ -168,6 +174,10 @@ impl Exciting {
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
+    if args.set.is_some() && args.exciting.coupled {
+        let message = "it is of all sets; leave --set out".to_owned();
+        return Err(Failure::Option { option: "--coupled", message });
+    }
     let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
     let answer = answers::answer(&subject, &wanted).map_err(|error| match error {
         Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
@@ -201,18 +211,18 @@ fn none(option: &'static str, needs: &str) -> Failure {
 }
 
 /// Refuses a picture of several.
-fn only(option: &'static str, all: &[String]) -> Result<(), Failure> {
+fn only(option: &'static str, by: &str, all: &[String]) -> Result<(), Failure> {
     if all.len() < 2 {
         return Ok(());
     }
-    let message = format!("it is of one, by --set and --gear; there are {}", all.join(", "));
+    let message = format!("it is of one, by {by}; there are {}", all.join(", "));
     Err(Failure::Option { option, message })
 }
 
 /// The Campbell diagram.
 fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
     let all = answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
-    only("--campbell", &all.collect::<Vec<_>>())?;
+    only("--campbell", "--set and --gear", &all.collect::<Vec<_>>())?;
     let picture = views::campbell(answer, 0)
         .ok_or_else(|| none("--campbell", "a set with modes over speeds of the input"))?;
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
@@ -222,7 +232,7 @@ fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
 fn torsional_campbell(answer: &Vibration) -> Result<Scene, Failure> {
     let option = "--torsional-campbell";
     let all: Vec<String> = answer.torsional.iter().map(|one| format!("gear {}", one.gear)).collect();
-    only(option, &all)?;
+    only(option, "--gear", &all)?;
     let picture = views::torsional_campbell(answer, 0)
         .ok_or_else(|| none(option, "a gearbox with torsional modes over speeds of the input"))?;
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
@@ -231,7 +241,7 @@ fn torsional_campbell(answer: &Vibration) -> Result<Scene, Failure> {
 /// The forces over the speed.
 fn response(answer: &Vibration) -> Result<Scene, Failure> {
     let all = answer.responses.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
-    only("--response", &all.collect::<Vec<_>>())?;
+    only("--response", "--set and --gear", &all.collect::<Vec<_>>())?;
     let picture = views::response(answer, 0).ok_or_else(|| {
         none("--response", "a set with modes, a transmission error and speeds of the input")
     })?;
@@ -241,7 +251,7 @@ fn response(answer: &Vibration) -> Result<Scene, Failure> {
 /// The modes along the axis.
 fn shapes(answer: &Vibration) -> Result<Scene, Failure> {
     let all = answer.sets.iter().map(|one| format!("set {} in gear {}", one.set, one.gears.join(" and ")));
-    only("--shapes", &all.collect::<Vec<_>>())?;
+    only("--shapes", "--set and --gear", &all.collect::<Vec<_>>())?;
     let (title, modes) = views::shapes(answer, 0).ok_or_else(|| none("--shapes", "a set with modes"))?;
     Ok(epicyclic_pictures::modes::scene(&title, &modes).map_err(epicyclic_pictures::Error::from)?)
 }

@@ -62,6 +62,10 @@ impl<'a> Train<'a> {
                 let message = format!("shaft `{}`: its stiffness must be above 0", shaft.id);
                 return Err(at(&["shafts"], Some(index), message));
             }
+            if shaft.lateral_stiffness.is_some_and(|stiffness| stiffness.0.si() < 0.0) {
+                let message = format!("shaft `{}`: its lateral stiffness must not be below 0", shaft.id);
+                return Err(at(&["shafts"], Some(index), message));
+            }
             shafts.push((shaft, ends));
         }
         for (name, inertia) in entry.into_iter().flat_map(|entry| &entry.link_inertias) {

@@ -79,7 +79,7 @@ impl Settled {
         let speeds = speeds.map_or_else(Vec::new, |all| all.values().into_iter().map(Physical::si).collect());
         let harmonics = wanted.harmonics.or(keys.harmonics).unwrap_or(Wanted::HARMONICS);
         if wanted.harmonics.is_some() && !has_speeds {
-            return Err(Error::ExcitationWithout { given: "harmonics", lacks: "speeds" });
+            return Err(Error::ExcitationWithout { given: "harmonics", lacks: "speeds of the input" });
         }
         if !(1..=Wanted::MOST_HARMONICS).contains(&harmonics) {
             let error = Error::Harmonics { harmonics, most: Wanted::MOST_HARMONICS };
@@ -94,7 +94,7 @@ impl Settled {
         if wanted.without_gyroscopic && excitation.is_none() {
             return Err(Error::ExcitationWithout {
                 given: "without-gyroscopic",
-                lacks: "transmission-error and speeds",
+                lacks: "a transmission error and speeds of the input",
             });
         }
         Ok(Self { speeds, harmonics, excitation, gyroscopic: !wanted.without_gyroscopic })
@@ -141,14 +141,14 @@ impl Excitation {
                 ("damping", keys.damping.is_some(), Some("damping")),
             ];
             return match given.into_iter().find(|(_, is_given, _)| *is_given) {
-                Some((given, _, key)) => Err((without(given, "transmission-error"), key)),
+                Some((given, _, key)) => Err((without(given, "a transmission error"), key)),
                 None => Ok(None),
             };
         }
         let damping = wanted.damping.or(keys.damping.map(|damping| damping.0.si()));
         let Some(damping_ratio) = damping else {
             let key = is_of_file.then_some("transmission_error");
-            return Err((without("transmission-error", "damping"), key));
+            return Err((without("transmission-error", "a damping ratio"), key));
         };
         // What the file states waits for speeds; what is asked needs them.
         let asked = [
@@ -157,7 +157,7 @@ impl Excitation {
             ("damping", wanted.damping.is_some()),
         ];
         if let Some((given, _)) = asked.into_iter().find(|(_, is_asked)| *is_asked && !has_speeds) {
-            return Err((without(given, "speeds"), None));
+            return Err((without(given, "speeds of the input"), None));
         }
         let most = Wanted::MOST_HARMONICS;
         for (all, is_of_file, key) in

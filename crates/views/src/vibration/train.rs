@@ -187,7 +187,8 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
     };
     let in_sets = |mode: &CoupledMode| {
         let of = |kind_of: Option<_>| kind_of.map_or("at rest", kind);
-        Figure::Texts(mode.sets.iter().map(|one| format!("{} {}", one.set, of(one.kind))).collect())
+        let all: Vec<String> = mode.sets.iter().map(|one| format!("{} {}", one.set, of(one.kind))).collect();
+        text(all.join(", "))
     };
     let rows = all.iter().flat_map(|gear| {
         gear.modes.iter().map(move |mode| {
