@@ -207,6 +207,8 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             if wanted.coupled {
                 match coupled::modes(&train, gear, &in_train)? {
                     Ok(modes) => all.coupled.push(modes),
+                    // What keeps all gears from being calculated is told once.
+                    Err(missing) if all.not_calculated.contains(&missing) => {}
                     Err(missing) => all.not_calculated.push(missing),
                 }
             }
@@ -227,19 +229,26 @@ fn over_speeds(
     let set = of.entry.id.clone();
     let analysis = analysis(&of.subject.gearbox, gear)?;
     let members = &analysis.sets()[place].members;
+    let without = |reason, missing| NotCalculated {
+        set: set.clone(),
+        gear: Some(gear.to_owned()),
+        what: What::Resonances,
+        reason,
+        missing,
+    };
     let [Some(sun), Some(ring), Some(carrier)] = members[..] else {
-        all.not_calculated.push(NotCalculated {
-            set,
-            gear: Some(gear.to_owned()),
-            what: What::Resonances,
-            reason: Reason::NoSpeeds,
-            missing: vec![],
-        });
+        all.not_calculated.push(without(Reason::NoSpeeds, vec![]));
         return Ok(());
     };
     let speeds = &settled.speeds;
-    let branches =
-        Branches::new(found, carrier, speeds).map_err(|error| of.refused(&["vibration"], &error))?;
+    let branches = match Branches::new(found, carrier, speeds) {
+        Ok(branches) => branches,
+        Err(epicyclic_vibration::Error::Unbalanced { .. }) => {
+            all.not_calculated.push(without(Reason::Unbalanced, vec![]));
+            return Ok(());
+        }
+        Err(error) => return Err(of.refused(&["vibration"], &error)),
+    };
     if let Some(teeth) = prepared.teeth {
         let (planets, is_equal) = (prepared.planets, prepared.is_equally_spaced());
         let of_teeth =
@@ -261,13 +270,7 @@ fn over_speeds(
         }
         all.orders.extend(orders);
     } else {
-        all.not_calculated.push(NotCalculated {
-            set: set.clone(),
-            gear: Some(gear.to_owned()),
-            what: What::Resonances,
-            reason: Reason::KeysMissing,
-            missing: vec!["teeth".to_owned()],
-        });
+        all.not_calculated.push(without(Reason::KeysMissing, vec!["teeth".to_owned()]));
     }
     let of_gear = |one: &Resonance| one.gear == gear && one.set == set;
     let first = all.resonances.iter().position(of_gear).unwrap_or(all.resonances.len());

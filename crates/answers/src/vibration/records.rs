@@ -373,6 +373,8 @@ pub enum Reason {
     NoSpeeds,
     /// It is the second set with fewer than three planets, or with planets at unequal angles: what two such sets do depends on the angle between them.
     NoSymmetry,
+    /// The centrifugal forces of its planets, at unequal angles, have a resultant: its carrier does not turn about its centre.
+    Unbalanced,
 }
 
 impl NotCalculated {
@@ -389,6 +391,9 @@ impl NotCalculated {
             Reason::NoSpeeds => "no speeds follow in this gear".to_owned(),
             Reason::NoSymmetry => {
                 "the second set without three or more planets at equal angles: what two such do depends on the angle between them".to_owned()
+            }
+            Reason::Unbalanced => {
+                "the centrifugal forces of its planets have a resultant, the carrier does not turn about its centre".to_owned()
             }
         }
     }

@@ -571,6 +571,38 @@ fn planets_at_unequal_angles_part_the_double_modes() {
     assert!(list(&file, "orders").iter().all(|order| order["excites"].is_null()));
 }
 
+/// Planets whose centrifugal forces have a resultant: modes at rest are told, what needs a carrier that turns about its centre is not, and the rest of the gearbox is.
+#[test]
+fn of_planets_out_of_balance_the_modes_at_rest_are_told() {
+    let angles = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";
+    let answer = answer("two-stages.yaml", &[("planet_bearing: 350", angles)], &["--coupled"]);
+    let not = list(&answer, "not_calculated");
+    assert_eq!(not.len(), 1, "{not:?}");
+    assert_eq!(
+        [&not[0]["set"], &not[0]["gear"], &not[0]["what"], &not[0]["reason"]],
+        ["fast", "only", "resonances", "unbalanced"]
+    );
+    assert_eq!(list(&answer, "sets").len(), 2);
+    assert!(list(&answer, "resonances").iter().all(|one| one["set"] == "slow"));
+    assert!(list(&answer, "responses").iter().all(|one| one["set"] == "slow"));
+    assert_eq!((list(&answer, "torsional").len(), list(&answer, "coupled").len()), (1, 1));
+}
+
+/// Two sets that are not round, in two gears: what keeps them from being coupled is told once.
+#[test]
+fn two_sets_that_are_not_round_are_not_coupled() {
+    let slow = "planet_angles: [0 deg, 124 deg, 240 deg]\n      planet_bearing: 600";
+    let fast = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";
+    let gears = "gears: [{ name: only }, { name: other }]";
+    let parts =
+        [("planet_bearing: 350", fast), ("planet_bearing: 600", slow), ("gears: [{ name: only }]", gears)];
+    let answer = answer("two-stages.yaml", &parts, &["--coupled"]);
+    let own = list(&answer, "not_calculated").iter().filter(|one| one["what"] == "coupled");
+    let own: Vec<[&Value; 3]> = own.map(|one| [&one["set"], &one["gear"], &one["reason"]]).collect();
+    assert_eq!(own, [[&Value::from("slow"), &Value::Null, &Value::from("no_symmetry")]]);
+    assert!(list(&answer, "coupled").is_empty() && list(&answer, "torsional").len() == 2);
+}
+
 #[test]
 fn the_vibration_of_a_fan_drive() {
     let folder = here();
@@ -582,7 +614,7 @@ fn the_vibration_of_a_fan_drive() {
         &[
             &["vibrate", "vibration.yaml", "--speeds", "500rpm..3000rpm/6"],
             &[&["vibrate", "vibration.yaml"], &ERRORS[..], &["--format", "csv"]].concat(),
-            &["vibrate", "every-gearbox-key.yaml", "--set", "auxiliary", "--format", "csv"],
+            &["vibrate", "lin-parker.yaml", "--set", "P", "--format", "csv"],
         ]
     ));
 }
