@@ -132,14 +132,19 @@ vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --format json
   --shapes modes.svg
   --format csv
   --output modes.json
+vibrate: vibration.yaml --gear slow --speeds 0rpm..6000rpm/3
+  --torsional-campbell torsional.svg
 vibrate: every-gearbox-key.yaml
   --set auxiliary
+vibrate: two-stages.yaml
+  --coupled
 vibrate: vibration.yaml --speeds 0rpm..6000rpm/3
   --transmission-error 3um --damping 2%
 vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --transmission-error 3um --damping 2%
   --transmission-error 3um,1um
   --ring-transmission-error 1um
   --damping 3%
+  --without-gyroscopic
   --response forces.svg
 losses: drags.yaml --speed '1475 rpm' --torque '60 N·m'
   --conductance '20 W/K'
@@ -660,6 +665,14 @@ report: scheme-ii-3.yaml --speed '1475 rpm'
   --power '75 kW'
 report: sized-gearbox.yaml
   --to-scale
+report: two-stages.yaml --format json
+  --speeds 300rpm..2000rpm/12
+  --harmonics 1
+  --transmission-error 2um
+  --ring-transmission-error 1um
+  --damping 3%
+  --without-gyroscopic
+  --coupled
 report: minimal-drive.yaml
   --output page.html
   --format json
@@ -771,6 +784,9 @@ report: minimal-drive.yaml --customer me --format json | .html
 report: sized-gearbox.yaml --to-scale --format json | pictures
 report: minimal-drive.yaml --to-scale | drive
 report: self-crossing.yaml --to-scale | crossing
+report: minimal-drive.yaml --coupled | drive
+report: scheme-ii-3.yaml --harmonics 2 | `vibration` of a set
+vibrate: vibration.yaml --without-gyroscopic | a transmission error and speeds of the input
 ";
 
 /// Bearings of one's own.
