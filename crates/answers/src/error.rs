@@ -46,9 +46,9 @@ pub enum Error {
     /// A search with free tooth forms in which no motor passes with any.
     #[error("no motor within the limits: {0}")]
     NoMotorForm(Box<crate::motor_forms::Funnel>),
-    /// A search whose every design has default teeth that break their limits, or none.
+    /// A search whose every design has teeth that break their limits, or none.
     #[error(
-        "no motor within the limits: on none of the {designs} designs that pass do the default teeth keep their limits"
+        "no motor within the limits: on none of the {designs} designs that pass do the teeth keep their limits"
     )]
     NoTeethHold {
         /// Designs that pass otherwise.

@@ -482,6 +482,7 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --format json
   --shift 0.1
   --backlash 0.05
   --fillet 0.12
+  --crest tooth
   --svg motor.svg
   --dxf motor.dxf
   --csv motor.csv
@@ -528,6 +529,16 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --zs 10
   --divisor common
   --with-teeth
+  --pressure-angle '24 deg'
+  --addendum 0.8
+  --clearance 0.2
+  --shift 0.1
+  --backlash 0.05
+  --fillet 0.12
+  --crest tooth
+  --flank-ripple '9 %'
+  --least-torque '95 %'
+  --objectives 'volume, flank-ripple'
   --by ripple
   --places 6
   --resolution '20 %'
@@ -757,6 +768,10 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'discharge: 
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm }' | pitch_radius
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: 0 deg, diameter: 1 mm, pitch_radius: 100 mm }' | axis
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm, pitch_radius: 46 mm }, low: { angle: -14 deg, diameter: 8 mm, pitch_radius: 46 mm }' | overlap
+motor search: --displacement '250 cm3/rev' --z3 55 --objectives contact-ratio | none of
+motor search: --displacement '250 cm3/rev' --z3 55 --objectives 'volume, volume' | twice
+motor search: --displacement '250 cm3/rev' --z3 55 --least-torque 1.2 | --least-torque
+motor search: --displacement '250 cm3/rev' --z3 55 --flank-ripple 0 | --flank-ripple
 motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --csv a.csv --angle '5 deg' | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --design 2 | --csv
