@@ -21,11 +21,18 @@ pub(super) const LEFT_OUT: &str = "Vibration: gaps, friction, the change of the 
 
 /// Frequencies and kinds, modes, resonances, forces: so far as the answer has them.
 pub(super) fn sections(all: &Vibration) -> Result<Vec<Section>, Error> {
-    let about = "Each simple set as bodies on springs, planar: sun, ring, carrier and planets (Lin and Parker, 1999). A centre without a stated \
-                 support is held. The torsional frequencies are of the whole gearbox.";
+    let whole = if all.coupled.is_empty() {
+        "The torsional frequencies are of the whole gearbox."
+    } else {
+        "The torsional and the coupled frequencies are of the whole gearbox."
+    };
+    let about = format!(
+        "Each simple set as bodies on springs, planar: sun, ring, carrier and planets (Lin and Parker, 1999). A centre without a stated support is \
+         held. {whole}"
+    );
     let mut sections = vec![rows(
         "Vibration: natural frequencies",
-        about,
+        &about,
         vec![Block::Answer(chapter(all, Chapter::Frequencies))],
     )];
     let mut modes = vec![];
