@@ -148,8 +148,11 @@ class VibrateOptions(TypedDict, total=False):
     transmission_error: Values | None
     ring_transmission_error: Values | None
     damping: Values | None
+    without_gyroscopic: bool
+    coupled: bool
     response: Values | None
     campbell: Values | None
+    torsional_campbell: Values | None
     shapes: Values | None
     output: Path | None
     progress: Progress | None
@@ -193,6 +196,13 @@ class ReportOptions(TypedDict, total=False):
     power: Values | None
     speed: Values | None
     to_scale: bool
+    speeds: Values | None
+    harmonics: Values | None
+    transmission_error: Values | None
+    ring_transmission_error: Values | None
+    damping: Values | None
+    without_gyroscopic: bool
+    coupled: bool
     project: Values | None
     customer: Values | None
     author: Values | None
@@ -998,8 +1008,11 @@ def vibrate(
     transmission_error: Values | None = None,
     ring_transmission_error: Values | None = None,
     damping: Values | None = None,
+    without_gyroscopic: bool = False,
+    coupled: bool = False,
     response: Values | None = None,
     campbell: Values | None = None,
+    torsional_campbell: Values | None = None,
     shapes: Values | None = None,
     output: Path | None = None,
     progress: Progress | None = None,
@@ -1008,7 +1021,8 @@ def vibrate(
 
     Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With ``speeds`` also what
     excites it in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which
-    it meets them; with ``transmission_error`` the forces in the meshes.
+    it meets them; with ``transmission_error`` the forces in the meshes. Torsional modes are of the whole gearbox, and
+    with ``coupled`` also its modes in the plane.
 
     Parameters
     ----------
@@ -1021,17 +1035,24 @@ def vibrate(
     speeds
         Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many places
     harmonics
-        How many harmonics of the meshes
+        How many harmonics of the meshes. Default: 3
     transmission_error
         Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes
     ring_transmission_error
         The same of the ring's meshes, where it is another
     damping
         Damping ratio of every mode, such as 0.03 or 3%
+    without_gyroscopic
+        These forces without the gyroscopic effect of the carrier's speed
+    coupled
+        Modes of the whole gearbox in the plane, with all sets on common links
     response
-        File for a picture of these forces of one set in one gear over the speed, as for ``campbell``
+        File for a picture of the forces by the transmission error of one set in one gear over the speed, as for
+        ``campbell``
     campbell
         File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png, otherwise SVG
+    torsional_campbell
+        File for a Campbell diagram of the torsional modes of one gear, as for ``campbell``
     shapes
         File for pictures of all modes of one set, seen along its axis, as for ``campbell``
     output
@@ -1054,7 +1075,7 @@ def vibrate(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["vibrate"], [file], {"--gear": gear, "--set": set, "--speeds": speeds, "--harmonics": harmonics, "--transmission-error": transmission_error, "--ring-transmission-error": ring_transmission_error, "--damping": damping, "--response": response, "--campbell": campbell, "--shapes": shapes}, progress, many={"--transmission-error": "repeated", "--ring-transmission-error": "repeated"}, output=output)
+    return _call.answer(["vibrate"], [file], {"--gear": gear, "--set": set, "--speeds": speeds, "--harmonics": harmonics, "--transmission-error": transmission_error, "--ring-transmission-error": ring_transmission_error, "--damping": damping, "--without-gyroscopic": without_gyroscopic, "--coupled": coupled, "--response": response, "--campbell": campbell, "--torsional-campbell": torsional_campbell, "--shapes": shapes}, progress, many={"--transmission-error": "repeated", "--ring-transmission-error": "repeated"}, output=output)
 
 
 def compare(
@@ -2421,6 +2442,13 @@ def report(
     power: Values | None = None,
     speed: Values | None = None,
     to_scale: bool = False,
+    speeds: Values | None = None,
+    harmonics: Values | None = None,
+    transmission_error: Values | None = None,
+    ring_transmission_error: Values | None = None,
+    damping: Values | None = None,
+    without_gyroscopic: bool = False,
+    coupled: bool = False,
     project: Values | None = None,
     customer: Values | None = None,
     author: Values | None = None,
@@ -2461,6 +2489,20 @@ def report(
         Speed of the input: 1475 rpm
     to_scale
         Schemes with gears at the heights of their pitch radii, as `draw ``to_scale``` draws them
+    speeds
+        Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many places
+    harmonics
+        How many harmonics of the meshes. Default: 3
+    transmission_error
+        Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes
+    ring_transmission_error
+        The same of the ring's meshes, where it is another
+    damping
+        Damping ratio of every mode, such as 0.03 or 3%
+    without_gyroscopic
+        These forces without the gyroscopic effect of the carrier's speed
+    coupled
+        Modes of the whole gearbox in the plane, with all sets on common links
     project
         What it is for, below the title and at the foot of each sheet
     customer
@@ -2488,7 +2530,7 @@ def report(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.page(["report"], [gearbox], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--torque": torque, "--power": power, "--speed": speed, "--to-scale": to_scale, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress)
+    return _call.page(["report"], [gearbox], {"--k1": k1, "--k2": k2, "--ratio1": ratio1, "--ratio2": ratio2, "--transmission": transmission, "--efficiency": efficiency, "--torque": torque, "--power": power, "--speed": speed, "--to-scale": to_scale, "--speeds": speeds, "--harmonics": harmonics, "--transmission-error": transmission_error, "--ring-transmission-error": ring_transmission_error, "--damping": damping, "--without-gyroscopic": without_gyroscopic, "--coupled": coupled, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--transmission-error": "repeated", "--ring-transmission-error": "repeated"})
 
 
 def schema(

@@ -46,9 +46,9 @@ pub enum Error {
     /// A search with free tooth forms in which no motor passes with any.
     #[error("no motor within the limits: {0}")]
     NoMotorForm(Box<crate::motor_forms::Funnel>),
-    /// A search whose every design has default teeth that break their limits, or none.
+    /// A search whose every design has teeth that break their limits, or none.
     #[error(
-        "no motor within the limits: on none of the {designs} designs that pass do the default teeth keep their limits"
+        "no motor within the limits: on none of the {designs} designs that pass do the teeth keep their limits"
     )]
     NoTeethHold {
         /// Designs that pass otherwise.
@@ -300,6 +300,14 @@ pub enum Error {
         /// What was given.
         given_m: f64,
     },
+    /// What excites a vibration, given without what it needs.
+    #[error("{given} needs {lacks}: as an option, or as a key of `vibration` of the file")]
+    ExcitationWithout {
+        /// What was given: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`, `without-gyroscopic`.
+        given: &'static str,
+        /// What it needs.
+        lacks: &'static str,
+    },
     /// A set that does not exist.
     #[error("no set `{name}`: there are {}", sets.join(", "))]
     NoSet {
@@ -408,6 +416,7 @@ impl Error {
             Self::Cooling { .. } => "cooling",
             Self::DampingRatio { .. } => "damping-ratio",
             Self::TransmissionError { .. } => "transmission-error",
+            Self::ExcitationWithout { .. } => "excitation-without",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
             Self::Sweep { .. } => "sweep",

@@ -74,6 +74,7 @@ pub mod motor;
 mod motor_designs;
 pub mod motor_forms;
 pub mod motor_search;
+mod named;
 pub mod number;
 pub mod refusal;
 pub mod refused;

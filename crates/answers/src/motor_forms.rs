@@ -291,7 +291,7 @@ fn shown_size(design: &FormDesign) -> Option<&FormSize> {
 }
 
 impl Form {
-    fn of(form: &ToothForm) -> Self {
+    pub(crate) fn of(form: &ToothForm) -> Self {
         Self {
             pressure_angle_rad: si(form.pressure_angle),
             addendum: plain(form.addendum),

@@ -1,57 +1,52 @@
 //! The search for hydromotors: non-dominated designs for a displacement or torque.
 
 pub(crate) mod funnel;
+mod objective;
+mod teeth;
 
 pub use funnel::{Funnel, Reason, Refused};
+pub use objective::Objective;
+pub use teeth::{AtFlanks, TeethLimits};
 
 use crate::motor::{Designed, Groups, Subject};
 use crate::motor_designs::{Drawn, Listed, nearest_half, nth};
+use crate::motor_forms::Form;
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
-use epicyclic_hydromotor::profile::limits::Limit;
-use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
 use serde::Serialize;
+use teeth::Teeth;
 use uom::si::f64::Angle;
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// What is searched.
+    /// What is searched; the teeth of its flanks are also those of limits and drawings.
     pub search: Search,
-    /// Whether designs on which the default teeth do not keep their limits are left out of the front.
+    /// Whether designs on which the teeth do not keep their limits are left out of the front.
     pub with_teeth: bool,
     /// What the designs are ordered by.
-    pub order: Order,
+    pub order: Objective,
     /// Whether only the first design of each set of lobes and teeth is told.
     pub first_of_each_set: bool,
     /// How many designs are told, at most.
     pub most: usize,
 }
 
-/// What designs are ordered by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Order {
-    /// The most displacement over volume first.
-    Volume,
-    /// The least ripple first.
-    Ripple,
-    /// The greatest least curvature radius first.
-    Radius,
-}
-
-/// Hydromotors for a displacement: designs that no other surpasses in displacement over volume, ripple and least curvature
-/// radius together.
+/// Hydromotors for a displacement: designs that no other surpasses in all objectives together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorSearch {
     /// The displacement wanted, a revolution.
     pub displacement_m3: f64,
-    /// What the designs are ordered by.
-    pub order: Order,
-    /// Whether designs on which the default teeth do not keep their limits were left out.
+    /// What the designs are held against each other by.
+    pub objectives: Vec<Objective>,
+    /// What they are ordered by.
+    pub order: Objective,
+    /// The tooth form.
+    pub form: Form,
+    /// Whether designs on which its teeth do not keep their limits were left out.
     pub with_teeth: bool,
     /// How many non-dominated designs there are.
     pub found: usize,
@@ -91,11 +86,17 @@ pub struct Design {
     pub l_over_module: f64,
     /// Displacement over the volume of the cylinder about the stator's centrode.
     pub displacement_by_volume: f64,
-    /// Ripple of flow and torque.
+    /// Ripple of flow and torque, satellites sealing at the pitch points.
     pub ripple: f64,
+    /// Least over mean flow, which is that of the torque, satellites sealing at the pitch points.
+    pub least_over_mean: f64,
+    /// Both, satellites sealing at the flanks; null where there are none.
+    pub at_flanks: Option<AtFlanks>,
+    /// Why there are none.
+    pub without_flanks: Option<String>,
     /// Least curvature radius of both centrodes over the module.
     pub least_radius_in_modules: f64,
-    /// Whether teeth of the default form keep their limits.
+    /// Whether the teeth keep their limits.
     pub teeth_limits: TeethLimits,
     /// The check of the centrodes with least to spare.
     pub nearest_check: Subject,
@@ -109,19 +110,7 @@ pub struct Design {
     pub size: Size,
 }
 
-/// Whether teeth of the default form keep their limits on a design.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum TeethLimits {
-    /// They do.
-    Hold,
-    /// They do not.
-    Fail,
-    /// There are no teeth of that form.
-    None,
-}
-
-/// A size of a design; torque and power without losses.
+/// A size of a design; torque and power without losses, satellites sealing at the pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
@@ -151,16 +140,20 @@ pub struct Size {
     pub power_w: Option<f64>,
 }
 
-/// By how much motors may be better, relative, in each objective.
+/// By how much motors may be better, relative, in each objective; null in what is none.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SpacingError {
     /// In displacement over volume.
-    pub displacement_by_volume: f64,
-    /// In ripple.
-    pub ripple: f64,
+    pub displacement_by_volume: Option<f64>,
+    /// In ripple, satellites sealing at the pitch points.
+    pub ripple: Option<f64>,
     /// In the least curvature radius.
-    pub least_radius: f64,
+    pub least_radius: Option<f64>,
+    /// In ripple, satellites sealing at the flanks.
+    pub flank_ripple: Option<f64>,
+    /// In the least torque over the mean, satellites sealing at the flanks.
+    pub least_torque: Option<f64>,
 }
 
 impl Answer for MotorSearch {
@@ -181,24 +174,27 @@ pub struct Searched {
 ///
 /// # Errors
 /// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes, [`Error::NoTeethHold`] where on
-/// none of them the default teeth keep their limits.
+/// none of them the teeth keep their limits.
 pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
+    let form = wanted.search.flanks.form;
     let apart = found.designs.len();
     if apart == 0 {
         return Err(Error::NoMotor(Box::new(Funnel::of(&found, apart))));
     }
     if wanted.with_teeth {
-        found.designs.retain(|design| TeethLimits::of(design) == TeethLimits::Hold);
+        found.designs.retain(|design| TeethLimits::of(design, form) == TeethLimits::Hold);
         if found.designs.is_empty() {
             return Err(Error::NoTeethHold { designs: apart });
         }
     }
-    match wanted.order {
-        Order::Volume => {}
-        Order::Ripple => found.designs.sort_by(|one, other| one.ripple.total_cmp(&other.ripple)),
-        Order::Radius => found.designs.sort_by(|one, other| other.least_radius.total_cmp(&one.least_radius)),
+    let order = wanted.order;
+    if order.of_search().is_of_flanks() {
+        for design in &mut found.designs {
+            design.at_flanks = design.at_flanks.or_else(|| teeth::at_flanks(design, form));
+        }
     }
+    found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
     Ok(Searched { wanted: wanted.clone(), found, apart })
 }
 
@@ -217,19 +213,20 @@ impl Searched {
         let Self { wanted, found, apart } = self;
         let listed =
             Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
-        let designs =
-            listed.shown.iter().filter_map(|&(place, design)| Design::of(place, design, found)).collect();
+        let designs = listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
         MotorSearch {
             displacement_m3: si(wanted.search.requirements.displacement),
+            objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
             order: wanted.order,
+            form: Form::of(&wanted.search.flanks.form),
             with_teeth: wanted.with_teeth,
             found: found.designs.len(),
             first_of_each_set: wanted.first_of_each_set,
             hidden: listed.hidden,
             designs,
             funnel: Funnel::of(found, *apart),
-            spacing_error: SpacingError::of(found.spacing_error),
-            refinement_gain: SpacingError::of(found.refinement_gain),
+            spacing_error: self.error(found.spacing_error),
+            refinement_gain: self.error(found.refinement_gain),
         }
     }
 
@@ -240,22 +237,22 @@ impl Searched {
     pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
         let (design, size) = nth(&self.found.designs, design, shown_size)?;
         let motor = design.motor(size.module)?;
-        let (form, made) = (ToothForm::default(), &Groups::default());
+        let (form, made) = (self.wanted.search.flanks.form, &Groups::default());
         Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
     }
-}
 
-/// The size that is shown of a design.
-fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
-    nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
-}
-
-impl Design {
     /// `None` of a design without a size, of which a search finds none.
-    fn of(place: usize, design: &search::Design, found: &Found) -> Option<Self> {
+    fn design(&self, place: usize, design: &search::Design) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
-        Some(Self {
+        let teeth = Teeth::of(design, self.wanted.search.flanks.form);
+        let (at_flanks, without_flanks) = match teeth.at_flanks {
+            Ok(at_flanks) => (Some(at_flanks), None),
+            Err(why) => (None, Some(why)),
+        };
+        let ripple = design.motor(size.module).ok()?.ripple();
+        let found = &self.found;
+        Some(Design {
             design: place + 1,
             designs_of_the_set: found.designs.iter().filter(|other| other.numbers == numbers).count(),
             stator_lobes: numbers.stator_lobes(),
@@ -266,26 +263,35 @@ impl Design {
             l_over_module: si(size.trough_distance) / si(size.module),
             displacement_by_volume: plain(design.displacement_by_volume),
             ripple: plain(design.ripple),
+            least_over_mean: si(ripple.least) / si(ripple.mean),
+            at_flanks,
+            without_flanks,
             least_radius_in_modules: plain(design.least_radius),
-            teeth_limits: TeethLimits::of(design),
+            teeth_limits: teeth.limits,
             nearest_check: Subject::of(design.nearest_check),
             nearest_margin: plain(design.nearest_margin),
-            spacing_error: SpacingError::of(design.spacing_error),
+            spacing_error: self.error(design.spacing_error),
             modules_m: design.dimensions.iter().map(|size| si(size.module)).collect(),
             size: Size::of(size),
         })
     }
-}
 
-impl TeethLimits {
-    fn of(design: &search::Design) -> Self {
-        let Some(size) = shown_size(design) else { return Self::None };
-        match design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default())) {
-            Ok(profile) if profile.limits().iter().all(Limit::holds) => Self::Hold,
-            Ok(_) => Self::Fail,
-            Err(_) => Self::None,
+    /// In the objectives alone.
+    fn error(&self, error: search::SpacingError) -> SpacingError {
+        let of = |objective, value| self.wanted.search.objectives.contains(&objective).then(|| plain(value));
+        SpacingError {
+            displacement_by_volume: of(search::Objective::DisplacementByVolume, error.displacement_by_volume),
+            ripple: of(search::Objective::Ripple, error.ripple),
+            least_radius: of(search::Objective::LeastRadius, error.least_radius),
+            flank_ripple: of(search::Objective::FlankRipple, error.flank_ripple),
+            least_torque: of(search::Objective::LeastTorque, error.least_torque),
         }
     }
+}
+
+/// The size that is shown of a design.
+fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
+    nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
 }
 
 impl Size {
@@ -303,16 +309,6 @@ impl Size {
             least_torque_n_m: maybe_si(size.least_torque),
             flow_m3_s: maybe_si(size.flow),
             power_w: maybe_si(size.power),
-        }
-    }
-}
-
-impl SpacingError {
-    fn of(error: search::SpacingError) -> Self {
-        Self {
-            displacement_by_volume: plain(error.displacement_by_volume),
-            ripple: plain(error.ripple),
-            least_radius: plain(error.least_radius),
         }
     }
 }

@@ -21,23 +21,24 @@ pub mod teeth;
 
 mod drawn;
 mod gear;
+mod keep;
 mod kept;
 mod left_out;
+mod means;
 mod tried;
 mod wanted;
 
 pub use gear::WantedGear;
 pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
+pub use means::Means;
 pub use tried::{Searching, Tried, tried};
 pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
-use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
-use epicyclic_synthesis::judge::judge_all;
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
@@ -47,6 +48,7 @@ use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
 use explain::Explanation;
 use families::{Family, families};
+use keep::keep;
 use left_out::LeftOuts;
 use near_miss::NearMiss;
 use rating::{Objective, Rating};
@@ -300,32 +302,6 @@ pub fn solve(
     })
 }
 
-/// How each class is searched, and who is told of what follows.
-pub trait Means<E>: Sync {
-    /// Searches a class; checks the [limits](Wanted::limits) with its gears first.
-    ///
-    /// # Errors
-    /// Those of the search.
-    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E>;
-
-    /// So many of a class's solutions are judged; a break leaves out the others and ends the search.
-    fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
-        let _ = (done, of);
-        ControlFlow::Continue(())
-    }
-
-    /// All that was found so far was left out, so that larger classes follow, if there are any.
-    fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
-        let _ = (searching, left_out);
-    }
-}
-
-impl<E, F: FnMut(&Searching, &Wish) -> Result<run::Answer, E> + Sync> Means<E> for F {
-    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E> {
-        self(searching, wish)
-    }
-}
-
 /// The same where each class is searched by other means.
 ///
 /// # Errors
@@ -451,59 +427,6 @@ fn told(families: &[Family], found: usize, wanted: &Wanted) -> Vec<usize> {
     told.sort_unstable();
     told.dedup();
     told
-}
-
-/// Judges solutions and keeps those within all limits; counts what leaves out the others.
-fn keep(
-    mut found: Vec<Found>,
-    wish: &Wish,
-    wanted: &Wanted,
-    selection: &[usize],
-    left_out: &mut LeftOuts,
-    judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
-) -> Result<Vec<Kept>, Error> {
-    if wanted.drawable {
-        let mut drawable = Vec::new();
-        for mut one in found {
-            if drawn::choose(&mut one, &wish.rules)? {
-                drawable.push(one);
-            } else {
-                left_out.add(Reason::Drawable, 1);
-            }
-        }
-        found = drawable;
-    }
-    let mut kept = Vec::new();
-    let judgements = judge_all(&found, wish, wanted.efficiency, judged)?;
-    for (found, judged) in found.into_iter().zip(judgements) {
-        let Some(judged) = judged else {
-            left_out.add(Reason::Unjudged, 1);
-            continue;
-        };
-        if !wish.are_falling(&judged.ratios) {
-            left_out.add(Reason::Order, 1);
-            continue;
-        }
-        match wanted.limits.missed(&wish.gears, &judged) {
-            Some(limit) => left_out.add(Reason::of(limit), 1),
-            None => {
-                let rating = rank::Rating::of(&judged)?;
-                let family = family::Family::of(&found, wish, selection);
-                let selection = selection.to_vec();
-                kept.push(Kept {
-                    found,
-                    judged,
-                    selection,
-                    rating,
-                    number: 0,
-                    family,
-                    teeth: Vec::new(),
-                    shift: None,
-                });
-            }
-        }
-    }
-    Ok(kept)
 }
 
 /// What makes two solutions the same gearbox: structure and elements.

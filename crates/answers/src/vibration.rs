@@ -3,9 +3,14 @@
 //! | module | is |
 //! |---|---|
 //! | [`records`] | modes, orders, resonances |
+//! | [`wanted`] | what is asked, by options or by the file |
 //! | `prepared` | a set of a file as bodies and springs |
 //! | `orders` | what excites a set in a gear |
-//! | `torsional` | all sets on the links of a gear, torsional |
+//! | `spacing` | where planets stand |
+//! | `links` | a gearbox in a gear as links, sets and shafts |
+//! | `torsional` | all sets on the links of a gear, torsional, and what excites them |
+//! | `coupled` | all sets on the links of a gear in the plane |
+//! | [`train_records`] | what these say |
 //! | `shapes` | what the bodies do in a mode |
 //! | `branches` | natural frequencies over the speed, and where orders meet them |
 //! | `response` | forces of the meshes by transmission errors, over the speed |
@@ -14,16 +19,20 @@
 //! tangential support; any other member is free to rotate.
 
 mod branches;
+mod coupled;
+mod links;
 mod orders;
 mod prepared;
 pub mod records;
 mod response;
 mod shapes;
+mod spacing;
 mod torsional;
+pub mod train_records;
+pub mod wanted;
 
 use crate::analyze::{analysis, warnings};
 use crate::gearbox::{Subject, alone};
-use crate::losses::Places;
 use crate::tolerance::rounded;
 use crate::toothed::simple_sets;
 use crate::{Answer, Error, Warning};
@@ -32,37 +41,18 @@ use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Physical};
 use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
 use epicyclic_vibration::{BodyId, Group, Model, SetParts, SpringId};
+use links::{Train, TrainSet};
 use prepared::{Of, Prepared};
 use records::{
     Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, Response,
-    SetModes, StrainShares, TorsionalModes, What,
+    SetModes, StrainShares, What,
 };
-pub use response::Excitation;
 use response::Excited;
 use schemars::JsonSchema;
 use serde::Serialize;
-use torsional::{Train, TrainSet};
-use uom::si::f64::AngularVelocity;
-
-/// What is asked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// One gear; all without.
-    pub gear: Option<String>,
-    /// One set; all without.
-    pub set: Option<String>,
-    /// Speeds of the input, for resonances and frequencies over the speed.
-    pub speeds: Option<Places<AngularVelocity>>,
-    /// How many harmonics of the meshes are told.
-    pub harmonics: u32,
-    /// Transmission errors, for forces over the speeds.
-    pub excitation: Option<Excitation>,
-}
-
-impl Wanted {
-    /// More harmonics than the teeth of real gears have.
-    pub const MOST_HARMONICS: u32 = 20;
-}
+use train_records::{CoupledModes, TorsionalModes};
+use wanted::Settled;
+pub use wanted::Wanted;
 
 /// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given speeds what excites them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -82,6 +72,8 @@ pub struct Vibration {
     pub responses: Vec<Response>,
     /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks something.
     pub torsional: Vec<TorsionalModes>,
+    /// Modes of the whole gearbox in the plane in each gear; empty unless asked for.
+    pub coupled: Vec<CoupledModes>,
     /// What is not calculated.
     pub not_calculated: Vec<NotCalculated>,
     /// What the reader should know.
@@ -103,16 +95,9 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// The vibration of the sets of a gearbox.
 ///
 /// # Errors
-/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::Harmonics`], [`Error::NothingVibrates`] where no set says enough.
-/// - [`Error::DampingRatio`], [`Error::TransmissionError`].
+/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::NothingVibrates`] where no set says enough, and those of [`Wanted`].
 /// - [`Error::Document`] for what the file says wrong, with its place.
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
-    if !(1..=Wanted::MOST_HARMONICS).contains(&wanted.harmonics) {
-        return Err(Error::Harmonics { harmonics: wanted.harmonics, most: Wanted::MOST_HARMONICS });
-    }
-    if let Some(excitation) = &wanted.excitation {
-        excitation.check(Wanted::MOST_HARMONICS)?;
-    }
     let found = vibrating(subject, wanted)?;
     if found.sets.is_empty() && found.torsional.is_empty() {
         let why = |one: &NotCalculated| {
@@ -125,9 +110,25 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error
     Ok(found)
 }
 
+/// What a report says of the vibration of a gearbox; nothing where the file has no `vibration` of any set.
+///
+/// # Errors
+/// Those of [`answer`] but [`Error::NothingVibrates`]: what keeps sets from being calculated is told.
+pub fn chapter(subject: &Subject<'_>, wanted: &Wanted) -> Result<Option<Vibration>, Error> {
+    if subject.document.value().get("transmissions").is_some() {
+        return Ok(None);
+    }
+    let file: GearboxFile = subject.document.read()?;
+    if file.sets.iter().all(|set| set.vibration.is_none()) {
+        return Ok(None);
+    }
+    vibrating(subject, wanted).map(Some)
+}
+
 fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
     let file: GearboxFile = subject.document.read()?;
     let gearbox = &subject.gearbox;
+    let settled = Settled::of(subject, &file, wanted)?;
     subject.check_set(wanted.set.as_deref())?;
     if let Some(name) = &wanted.gear {
         analysis(gearbox, name)?;
@@ -142,6 +143,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
         campbell: vec![],
         responses: vec![],
         torsional: vec![],
+        coupled: vec![],
         not_calculated: vec![],
         warnings: warnings::of_gearbox(subject),
     };
@@ -171,8 +173,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
                 continue;
             }
         };
-        if prepared.teeth.is_some_and(|[sun, _, ring]| !(sun + ring).is_multiple_of(prepared.planets.max(1)))
-        {
+        if prepared.teeth.is_some() && prepared.spacing.places.is_empty() {
             without(None, What::Modes, Reason::UnequalPlanets, vec![]);
             continue;
         }
@@ -192,9 +193,9 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
                     continue;
                 }
             };
-            if let Some(speeds) = &wanted.speeds {
+            if !settled.speeds.is_empty() {
                 for gear in &names {
-                    over_speeds(&of, &prepared, &found, (place, gear), speeds, wanted, &mut all)?;
+                    over_speeds(&of, &prepared, &found, (place, gear), &settled, &mut all)?;
                 }
             }
             all.sets.push(found.told(&of, &prepared, held, names)?);
@@ -203,9 +204,17 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
     }
     if in_train.len() == gearbox.sets().len() {
         for gear in gears {
-            match train.modes(gear, &in_train)? {
+            match torsional::modes(&train, gear, &in_train, &settled)? {
                 Ok(modes) => all.torsional.push(modes),
                 Err(missing) => all.not_calculated.push(missing),
+            }
+            if wanted.coupled {
+                match coupled::modes(&train, gear, &in_train)? {
+                    Ok(modes) => all.coupled.push(modes),
+                    // What keeps all gears from being calculated is told once.
+                    Err(missing) if all.not_calculated.contains(&missing) => {}
+                    Err(missing) => all.not_calculated.push(missing),
+                }
             }
         }
     }
@@ -218,36 +227,46 @@ fn over_speeds(
     prepared: &Prepared,
     found: &Found,
     (place, gear): (usize, &str),
-    speeds: &Places<AngularVelocity>,
-    wanted: &Wanted,
+    settled: &Settled,
     all: &mut Vibration,
 ) -> Result<(), Error> {
     let set = of.entry.id.clone();
     let analysis = analysis(&of.subject.gearbox, gear)?;
     let members = &analysis.sets()[place].members;
+    let without = |reason, missing| NotCalculated {
+        set: set.clone(),
+        gear: Some(gear.to_owned()),
+        what: What::Resonances,
+        reason,
+        missing,
+    };
     let [Some(sun), Some(ring), Some(carrier)] = members[..] else {
-        all.not_calculated.push(NotCalculated {
-            set,
-            gear: Some(gear.to_owned()),
-            what: What::Resonances,
-            reason: Reason::NoSpeeds,
-            missing: vec![],
-        });
+        all.not_calculated.push(without(Reason::NoSpeeds, vec![]));
         return Ok(());
     };
-    let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
-    let branches =
-        Branches::new(found, carrier, &speeds).map_err(|error| of.refused(&["vibration"], &error))?;
-    if let Some(teeth) = prepared.teeth {
-        let of_teeth =
-            |harmonics| orders::all(&set, gear, teeth, prepared.planets, [sun, ring, carrier], harmonics);
-        if let Some(excitation) = &wanted.excitation {
-            let torque = analysis.ideal().and_then(|case| case.members[place].as_ref()?.first().copied());
-            let sun_drives = torque.unwrap_or_default() * (sun - carrier) >= 0.0;
-            let excited = Excited { of, prepared, found, teeth, sun_drives, excitation };
-            all.responses.extend(excited.response(&of_teeth(excitation.harmonics()), &speeds)?);
+    let speeds = &settled.speeds;
+    let branches = match Branches::new(found, carrier, speeds) {
+        Ok(branches) => branches,
+        Err(epicyclic_vibration::Error::Unbalanced { .. }) => {
+            all.not_calculated.push(without(Reason::Unbalanced, vec![]));
+            return Ok(());
         }
-        let orders = of_teeth(wanted.harmonics);
+        Err(error) => return Err(of.refused(&["vibration"], &error)),
+    };
+    if let Some(teeth) = prepared.teeth {
+        let (planets, is_equal) = (prepared.planets, prepared.is_equally_spaced());
+        let of_teeth =
+            |harmonics| orders::all(&set, gear, teeth, planets, is_equal, [sun, ring, carrier], harmonics);
+        if let Some(excitation) = &settled.excitation {
+            let torque = analysis.ideal().and_then(|case| case.members[place].as_ref()?.first().copied());
+            let torque = torque.filter(|torque| *torque != 0.0).unwrap_or(sun - carrier);
+            let sun_drives = torque * (sun - carrier) >= 0.0;
+            let frame = if settled.gyroscopic { carrier * torque.signum() } else { 0.0 };
+            let excited =
+                Excited { of, prepared, found, teeth, sun_drives, frame, branches: &branches, excitation };
+            all.responses.extend(excited.response(&of_teeth(excitation.harmonics()), speeds)?);
+        }
+        let orders = of_teeth(settled.harmonics);
         for order in &orders {
             let met =
                 branches.resonances(found, order).map_err(|error| of.refused(&["vibration"], &error))?;
@@ -255,13 +274,7 @@ fn over_speeds(
         }
         all.orders.extend(orders);
     } else {
-        all.not_calculated.push(NotCalculated {
-            set: set.clone(),
-            gear: Some(gear.to_owned()),
-            what: What::Resonances,
-            reason: Reason::KeysMissing,
-            missing: vec!["teeth".to_owned()],
-        });
+        all.not_calculated.push(without(Reason::KeysMissing, vec!["teeth".to_owned()]));
     }
     let of_gear = |one: &Resonance| one.gear == gear && one.set == set;
     let first = all.resonances.iter().position(of_gear).unwrap_or(all.resonances.len());
@@ -308,7 +321,7 @@ fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Ve
     let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
     let engaged = gear.map_or(&[][..], Gear::engaged).iter();
     let engaged = engaged.map(|&place| gearbox.shift_elements()[place].links());
-    let is_rigid = |tie: &&[LinkId; 2]| !springs.iter().any(|spring| torsional::is_same(**tie, *spring));
+    let is_rigid = |tie: &&[LinkId; 2]| !springs.iter().any(|spring| links::is_same(**tie, *spring));
     let rigid = gearbox.permanent().iter().filter(is_rigid).copied();
     for [first, second] in rigid.chain(engaged) {
         let [one, other] = [first, second].map(|link| roots[link.index()]);
@@ -392,6 +405,8 @@ impl Found {
             gears,
             held: names.into_iter().zip(held).filter(|(_, held)| *held).map(|(name, _)| name).collect(),
             planets: prepared.planets,
+            planet_angles_rad: prepared.spacing.angles_rad.clone(),
+            equally_spaced: prepared.spacing.is_equal,
             bodies: self.built.bodies,
             stiffness: self.built.stiffness,
             sun_pressure_angle_rad: self.built.set.sun_pressure_angle.si(),

@@ -194,7 +194,8 @@ fn own_page(design: &Design) -> Result<Option<Sheet>, Failure> {
     let Some(file) = &design.file else { return Ok(None) };
     let document = Document::parse_one("the gearbox of the design", file.as_bytes())?;
     let subject = one(&document, &epicyclic_answers::gearbox::Choice::default())?;
-    let (report, shown) = gearbox::answer(&subject, Default::default()).map_err(refuse)?;
+    let (report, shown) =
+        gearbox::answer(&subject, Default::default(), &Default::default()).map_err(refuse)?;
     Ok(Some(page::gearbox::sheet(&report, &shown, None, file.clone())?))
 }
 

@@ -15,6 +15,7 @@ use crate::input;
 use crate::output::OutputArgs;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::Designed;
+use epicyclic_answers::motor_forms::Crest;
 use epicyclic_answers::report;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::{Number, Path, Quantity};
@@ -184,6 +185,10 @@ struct Teeth {
     /// Radius ρ* of the rounded tips of the cutters.
     #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_negative_numbers = true)]
     fillet: Number,
+
+    /// What lies in the middle of the stator's crests: space, tooth.
+    #[arg(long, value_name = "CREST", default_value = "space")]
+    crest: Crest,
 }
 
 /// Drawings and curves.

@@ -1,6 +1,6 @@
 //! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
 
-use crate::analyze::{Choice, Load, refuse, subject};
+use crate::analyze::{Choice, Load, subject};
 use crate::desk::Call;
 use crate::draw::to_scale;
 use crate::failure::Failure;
@@ -8,6 +8,7 @@ use crate::imprint::PageArgs;
 use crate::named::Read;
 use crate::output::Target;
 use crate::simulate;
+use crate::vibrate::Exciting;
 use epicyclic_answers as answers;
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::report::drive::DriveReport;
@@ -43,6 +44,9 @@ pub(crate) struct Args {
     to_scale: bool,
 
     #[command(flatten)]
+    exciting: Exciting,
+
+    #[command(flatten)]
     target: Target,
 
     #[command(flatten)]
@@ -73,6 +77,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         .given()
         .or(args.load.given())
         .or(args.to_scale.then_some("--to-scale"))
+        .or(args.exciting.given())
     {
         Some(option) => {
             Err(Failure::Option { option, message: format!("it is for gearboxes; this is a {what}") })
@@ -105,7 +110,13 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 
 fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
-    let (report, mut shown) = gearbox::answer(&subject, args.load.input()).map_err(refuse)?;
+    let wanted = args.exciting.wanted()?;
+    let (report, mut shown) =
+        gearbox::answer(&subject, args.load.input(), &wanted).map_err(Exciting::refuse)?;
+    if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
+        let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
+        return Err(Failure::Option { option, message });
+    }
     match args.format {
         Format::Json => json(file, About::Gearbox(Box::new(report))),
         Format::Html => {

@@ -286,7 +286,7 @@ pub struct GearboxFile {
     /// The oil, for the strength of teeth.
     #[serde(default)]
     pub oil: Option<OilEntry>,
-    /// Inertias of links and stiffness of shafts, for the torsional vibration of the whole gearbox.
+    /// Inertias of links and stiffness of shafts, for the vibration of the whole gearbox, and what excites it.
     #[serde(default)]
     pub vibration: Option<VibrationOfGearbox>,
     /// Required life, for the strength of teeth and bearings.

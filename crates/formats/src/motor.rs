@@ -20,7 +20,7 @@ mod made;
 pub use made::{GapsGroup, Keys, MaterialGroup, OilGroup, PortGroup, PortsGroup, TurbulenceGroup};
 
 use epicyclic_hydromotor::closure::Family;
-use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::profile::{self, ToothForm};
 use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
 use schemars::JsonSchema;
@@ -93,6 +93,18 @@ pub struct TeethForm {
     pub backlash: Option<Number>,
     /// Radius `ρ*` of the rounded tips of the cutters. Default 0.1.
     pub fillet: Option<Number>,
+    /// What lies in the middle of the stator's crests. Default `space`.
+    pub crest: Option<Crest>,
+}
+
+/// What lies in the middle of the stator's crests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Crest {
+    /// The middle of a space.
+    Space,
+    /// The middle of a tooth.
+    Tooth,
 }
 
 impl TeethForm {
@@ -108,6 +120,11 @@ impl TeethForm {
             shift: number(self.shift, usual.shift),
             backlash: number(self.backlash, usual.backlash),
             fillet: number(self.fillet, usual.fillet),
+            crest: match self.crest {
+                Some(Crest::Space) => profile::Crest::Space,
+                Some(Crest::Tooth) => profile::Crest::Tooth,
+                None => usual.crest,
+            },
             ..usual
         }
     }

@@ -1,4 +1,4 @@
-//! Friction: sliding of the flanks, drag of the end gaps, and the torque that is left at the start.
+//! Friction: sliding of the flanks in the mean over the teeth, drag of the end gaps.
 //!
 //! # Flanks
 //! A pair of flanks slides at the distance `|e|` from the pitch point along the line of action as fast as their wheels turn against each other
@@ -10,7 +10,8 @@
 //! M_loss = μ_f·(p_b/4)·Σ N·(ρ₁ + ρ₃)/c        over the satellites that part the pressures
 //! ```
 //!
-//! with the flank forces `N` of [`crate::flanks::forces`]. As `N` grows with `Δp·b·m` like the torque, the part lost depends on shape and `μ_f` alone.
+//! with the flank forces `N` of [`crate::flanks::forces`]. What is lost at an angle, with the contacts where they are, stands in
+//! [`crate::flanks::starting`]. As `N` grows with `Δp·b·m` like the torque, the part lost depends on shape and `μ_f` alone.
 //!
 //! # End gaps
 //! The oil in a gap `h` between a face and its plate is sheared by `v/h` (Couette); pressure flow adds the same on both walls and takes no
@@ -38,11 +39,10 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::leakage::EndGaps;
 use crate::motor::Motor;
 use crate::quantity::Quantity;
-use crate::roots::{golden, quadrature};
-use crate::tolerance::BESIDE_JUMP;
+use crate::roots::quadrature;
 use crate::units::{
-    angle, finite_angle, metres, micrometres, newton_metres, newtons, positive_pascals, positive_viscosity,
-    radians, ranging, speed_from_zero, torque_of_newton_metres,
+    angle, finite_angle, metres, micrometres, newtons, positive_pascals, positive_viscosity, radians,
+    ranging, speed_from_zero, torque_of_newton_metres,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -51,9 +51,6 @@ const MOST_FRICTION: f64 = 1.0;
 
 /// Panels of the eight-point rule on a smooth piece.
 const PANELS: u32 = 4;
-
-/// Rotations of a period at which the torque is looked at.
-const PLACES: u32 = 240;
 
 /// A coefficient of friction that is known within a range; an input. Results are ranges, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,17 +84,6 @@ pub struct GapDrag {
     pub satellites: Torque,
     /// Of the rotor.
     pub rotor: Torque,
-}
-
-/// The least torque over a revolution at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StartingTorque {
-    /// Without friction.
-    pub frictionless: Torque,
-    /// With the greatest and with the least friction: what the motor starts at any angle, at least and at best.
-    pub range: [Torque; 2],
-    /// The rotation at which the greatest friction leaves least.
-    pub rotation: Angle,
 }
 
 impl Motor {
@@ -206,70 +192,6 @@ impl Motor {
         }
         let per_turn = f64::from(numbers.stator_lobes() * numbers.rotor_lobes()) / TAU;
         Ok(friction.ends().map(|friction| torque_of_newton_metres(friction * arm * per_turn * sum)))
-    }
-
-    /// The least torque over a revolution at the start, against the friction of the flanks alone.
-    ///
-    /// Looked at for 240 rotations of a period and refined by golden section. The sliding arm is its mean over the teeth in mesh, as of a
-    /// running motor.
-    ///
-    /// # Errors
-    /// As [`Motor::friction_torque`].
-    pub fn starting_torque(
-        &self,
-        pressure_angle: Angle,
-        width: Length,
-        pressure_drop: Pressure,
-        friction: FrictionRange,
-    ) -> Result<StartingTorque, Error> {
-        positive_pascals(Quantity::PressureDrop, pressure_drop)?;
-        let numbers = self.numbers();
-        let period = TAU * f64::from(numbers.common_divisor())
-            / f64::from(numbers.stator_lobes() * numbers.rotor_lobes());
-        let left = |rotation: f64, friction: f64| -> Result<f64, Error> {
-            let torque = newton_metres(self.torque(angle(rotation), width, pressure_drop)?);
-            if friction == 0.0 {
-                return Ok(torque);
-            }
-            Ok(torque - friction * self.loss_over_friction(pressure_angle, rotation, width, pressure_drop)?)
-        };
-        // Chambers change over at both ends and in the middle of the period: looked at from either side.
-        let hair = BESIDE_JUMP * period;
-        let least = |friction: f64| -> Result<(f64, f64), Error> {
-            let mut best = (0.0, f64::INFINITY);
-            let mut meet = |rotation: f64, value: f64| {
-                if value < best.1 {
-                    best = (rotation, value);
-                }
-            };
-            for half in [0.0, 0.5 * period] {
-                let (from, to) = (half + hair, half + 0.5 * period - hair);
-                let step = (to - from) / f64::from(PLACES / 2);
-                let values: Vec<f64> = (0..=PLACES / 2)
-                    .map(|i| left(from + step * f64::from(i), friction))
-                    .collect::<Result<_, Error>>()?;
-                for (i, &value) in values.iter().enumerate() {
-                    meet(from + step * i as f64, value);
-                }
-                for i in 1..values.len() - 1 {
-                    if values[i] <= values[i - 1].min(values[i + 1]) {
-                        let place = |k: usize| from + step * k as f64;
-                        let (rotation, value) = golden(place(i - 1), place(i + 1), 40, |rotation| {
-                            left(rotation, friction).unwrap_or(f64::INFINITY)
-                        });
-                        meet(rotation, value);
-                    }
-                }
-            }
-            Ok(best)
-        };
-        let [low, high] = friction.ends();
-        let (rotation, worst) = least(high)?;
-        Ok(StartingTorque {
-            frictionless: torque_of_newton_metres(least(0.0)?.1),
-            range: [worst, least(low)?.1].map(torque_of_newton_metres),
-            rotation: angle(rotation),
-        })
     }
 
     /// The drag of the end gaps at a speed, the mean over a revolution; of a gap of 0, the ideal face that neither leaks nor drags, none.

@@ -102,7 +102,7 @@ fn front_runs<const N: usize>(costs: &[[f64; N]]) -> Vec<Range<u32>> {
     for place in left.into_iter().flatten() {
         match runs.last_mut() {
             Some(run) if run.end == place && costs[run.start as usize] == costs[place as usize] => {
-                run.end += 1
+                run.end += 1;
             }
             _ => runs.push(place..place + 1),
         }

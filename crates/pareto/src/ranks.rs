@@ -73,8 +73,8 @@ impl<const N: usize> Columns<N> {
 
     #[inline]
     pub(crate) fn set(&mut self, lane: usize, ranks: &[u16; N]) {
-        for cost in 0..N {
-            self.0[cost][lane] = ranks[cost];
+        for (column, rank) in self.0.iter_mut().zip(ranks) {
+            column[lane] = *rank;
         }
     }
 
@@ -105,10 +105,6 @@ impl<const N: usize> Columns<N> {
                 *above |= excess(cost, *rank);
             }
         }
-        let mut found = 0_u16;
-        for lane in 0..WIDE {
-            found |= if above[lane] == 0 { 1 << lane } else { 0 };
-        }
-        u32::from(found)
+        above.iter().enumerate().fold(0, |found, (lane, above)| found | u32::from(*above == 0) << lane)
     }
 }

@@ -3,8 +3,8 @@
 use crate::plot::{Axis, LETTERS_MM};
 use epicyclic_drawing::{Align, Bounds, Color, Dash, Error, Scene, Shape, Style, Text};
 
-/// Width and height of the field.
-const SIZE_MM: [f64; 2] = [150.0, 110.0];
+/// Width and height of the field where no other is given.
+pub const SIZE_MM: [f64; 2] = [150.0, 110.0];
 /// Room between labels.
 const ROOM_MM: f64 = 0.5;
 /// Radius of the dot of a resonance.
@@ -62,6 +62,8 @@ pub struct Ray {
 ///     branches: vec![Branch { kind: Kind::Rotational, frequencies: vec![700.0, 701.0] }],
 ///     rays: vec![Ray { name: "1".into(), slope: 0.4 }],
 ///     meetings: vec![[1751.0, 700.6]],
+///     size_mm: epicyclic_pictures::campbell::SIZE_MM,
+///     is_untitled: false,
 /// };
 /// let image = epicyclic_drawing::svg::write(&picture.scene()?)?;
 /// assert!(image.contains("rotational"));
@@ -83,6 +85,10 @@ pub struct Campbell {
     pub rays: Vec<Ray>,
     /// Speed and frequency of each resonance.
     pub meetings: Vec<[f64; 2]>,
+    /// Width and height of the field in millimetres.
+    pub size_mm: [f64; 2],
+    /// Whether what stands around it says the title.
+    pub is_untitled: bool,
 }
 
 impl Campbell {
@@ -98,7 +104,7 @@ impl Campbell {
         let dots = scene.layer("resonances", Style::filled(Color::new(190, 0, 30)))?;
         let frame = scene.layer("frame", Style::line(0.25))?;
         let labels = scene.layer("labels", Style::line(0.1))?;
-        let [width, height] = SIZE_MM;
+        let [width, height] = self.size_mm;
         let across = Axis::new(self.speeds.iter().copied(), width, false);
         let fastest = self.speeds.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         let reached = self.rays.iter().fold(0.0_f64, |most, ray| most.max(ray.slope * fastest));
@@ -118,7 +124,10 @@ impl Campbell {
             scene.add(grid, Shape::line([0.0, y], [width, y]));
             scene.add(labels, text);
         }
-        scene.add(labels, Text::new([0.5 * width, height + 5.0], 1.2 * LETTERS_MM, self.title.clone()));
+        if !self.is_untitled {
+            let title = Text::new([0.5 * width, height + 5.0], 1.2 * LETTERS_MM, self.title.clone());
+            scene.add(labels, title);
+        }
         scene.add(labels, Text::new([0.5 * width, -8.5], LETTERS_MM, self.across.clone()));
         let caption = Text::new([-widest - 5.0, 0.5 * height], LETTERS_MM, self.up.clone());
         scene.add(labels, caption.turned(std::f64::consts::FRAC_PI_2));
@@ -156,7 +165,7 @@ impl Campbell {
             let centre = [across.place(*speed), up.place(*frequency)].into();
             scene.add(dots, Shape::Circle { centre, radius: DOT_MM });
         }
-        scene.add(frame, Shape::rectangle([0.0, 0.0], SIZE_MM));
+        scene.add(frame, Shape::rectangle([0.0, 0.0], self.size_mm));
         let mut x = 0.0;
         for (place, (name, color, dash)) in KINDS.into_iter().enumerate() {
             if !self.branches.iter().any(|branch| branch.kind as usize == place) {
@@ -204,6 +213,8 @@ mod tests {
             ],
             rays: vec![ray("meshes 1", 0.4), ray("meshes 2", 0.8), ray("turn", 0.001), ray("pass", 0.0015)],
             meetings: vec![[1025.6, 410.3]],
+            size_mm: SIZE_MM,
+            is_untitled: false,
         }
     }
 

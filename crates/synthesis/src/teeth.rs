@@ -25,6 +25,7 @@ use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::synthesis::{self, ToothNumbers};
 use epicyclic_train::set::{Gearing, SetSpec};
+#[cfg(feature = "parallel")]
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -217,7 +218,11 @@ impl Choice {
         let search = shift.within(bounds);
         search.check().map_err(Error::Teeth)?;
         let suns: Vec<u32> = bounds.sun.clone().collect();
-        let of_suns = suns.par_iter().map(|sun| search.of_sun(ToothCount::new(*sun)?, |_, _| true));
+        #[cfg(feature = "parallel")]
+        let suns = suns.par_iter();
+        #[cfg(not(feature = "parallel"))]
+        let suns = suns.iter();
+        let of_suns = suns.map(|sun| search.of_sun(ToothCount::new(*sun)?, |_, _| true));
         let of_suns: Vec<_> = of_suns.collect::<Result<_, _>>().map_err(Error::Teeth)?;
         let mut by_teeth: BTreeMap<_, ToothNumbers> = BTreeMap::new();
         for set in of_suns.into_iter().flatten() {

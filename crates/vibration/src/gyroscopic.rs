@@ -37,7 +37,7 @@
 //! Vibration and Acoustics 121 (1999) 316–321, equations of motion.
 
 use crate::classify::kind_of;
-use crate::model::{Axis, BodyId, Model, Orbiting, Shape};
+use crate::model::{Axis, BodyId, Inertia, Model, Orbiting, Shape};
 use crate::modes::Kind;
 use crate::units::{angular_velocity, frequency, rad_per_s, within};
 use crate::{Error, kernel, tolerance};
@@ -124,7 +124,11 @@ impl Model {
     }
 
     /// `K − Ω²·K_Ω` with the load of the bearings, N/m.
-    fn turning_stiffness(&self, speed_rad_s: f64, centripetal: Centripetal) -> Result<DMatrix<f64>, Error> {
+    pub(crate) fn turning_stiffness(
+        &self,
+        speed_rad_s: f64,
+        centripetal: Centripetal,
+    ) -> Result<DMatrix<f64>, Error> {
         let mut stiffness = self.stiffness_n_per_m();
         let square = speed_rad_s * speed_rad_s;
         for body in &self.bodies {
@@ -139,22 +143,37 @@ impl Model {
                 loads.iter().zip(&body.orbiting).map(|(load, planet)| load * part(planet.angle_rad)).sum()
             };
             let sum: f64 = loads.iter().sum();
+            let at_rotation: f64 = loads
+                .iter()
+                .zip(&body.orbiting)
+                .map(|(load, planet)| load * planet.lever * planet.lever)
+                .sum();
             let resultant = libm::hypot(along(libm::cos), along(libm::sin));
             if resultant > tolerance::BALANCE * sum {
                 return Err(Error::Unbalanced { carrier: body.name.clone(), resultant: resultant / sum });
             }
-            stiffness[(place, place)] += sum;
+            stiffness[(place, place)] += at_rotation;
         }
         Ok(stiffness)
     }
 
     /// `M^-½·G·M^-½`.
     fn scaled_gyroscopic(&self) -> DMatrix<f64> {
+        self.gyroscopic(|_| 2.0)
+    }
+
+    /// `G`, kg.
+    pub(crate) fn gyroscopic_kg(&self) -> DMatrix<f64> {
+        self.gyroscopic(|body| 2.0 * body.masses_kg[0])
+    }
+
+    /// What a speed along `y` does along `x`, and the other way round.
+    fn gyroscopic(&self, part: impl Fn(&Inertia) -> f64) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.size, self.size);
         for body in &self.bodies {
             if let [Some(x), Some(y), _] = body.coordinates {
-                matrix[(x, y)] = -2.0;
-                matrix[(y, x)] = 2.0;
+                matrix[(x, y)] = -part(body);
+                matrix[(y, x)] = part(body);
             }
         }
         matrix

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`planetary`] | a simple set as bodies and springs, planar or torsional |
 //! | [`train`] | several sets on common links, torsional |
+//! | [`coupled`] | the same in the plane |
 //! | [`model`] | any bodies and springs, supports, shafts |
 //! | [`modes`] | natural frequencies and modes, in groups by frequency and kind |
 //! | [`gyroscopic`] | modes while the carrier turns |
@@ -24,6 +25,7 @@
 //! ```
 
 mod classify;
+pub mod coupled;
 pub mod energy;
 mod error;
 pub mod gyroscopic;

@@ -114,6 +114,8 @@ pub(crate) struct Orbiting {
     pub(crate) mass_kg: f64,
     pub(crate) bearing_n_per_m: f64,
     pub(crate) angle_rad: f64,
+    /// Displacement of the pin over the carrier's coordinate `u`: the radius of the pin over that of the coordinate.
+    pub(crate) lever: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]

@@ -18,6 +18,9 @@
 //! | 1, `N − 1` | translational |
 //! | other | planet |
 //!
+//! In a torsional model centres are at rest, and a set has two kinds of modes: those in which its members rotate, `j = 0`, and those of its planets alone, any
+//! other `j`. This holds for two planets, too, and for each set of several on common links: the meshes of a set take work from its own planets and members alone.
+//!
 //! Where sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite `k`, so one rule holds for both.
 //!
 //! # Source
@@ -52,4 +55,16 @@ pub fn excited(periods: u64, planets: u32) -> Result<Kind, Error> {
         k if k == 1 || k == planets - 1 => Kind::Translational,
         _ => Kind::Planet,
     })
+}
+
+/// The torsional modes that an excitation of `periods` a turn can drive by the meshes of a set of equally spaced planets: [`Kind::Rotational`] those
+/// in which its members rotate, [`Kind::Planet`] those of its planets alone.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets.
+pub fn torsional(periods: u64, planets: u32) -> Result<Kind, Error> {
+    if planets == 0 {
+        return Err(Error::TooFew { of: "planets", count: 0, least: 1 });
+    }
+    Ok(if periods.is_multiple_of(u64::from(planets)) { Kind::Rotational } else { Kind::Planet })
 }

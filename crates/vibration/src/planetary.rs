@@ -209,6 +209,7 @@ impl PlanetarySet {
                 mass_kg: kilograms(planet.body.mass),
                 bearing_n_per_m: n_per_m(planet.bearing),
                 angle_rad: psi,
+                lever: 1.0,
             });
         }
         Ok(parts)

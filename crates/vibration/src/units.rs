@@ -51,7 +51,7 @@ conversions! {
     Angle, radian: radians, angle;
     AngularVelocity, radian_per_second: rad_per_s, angular_velocity;
     Length, meter: meters, length;
-    Mass, kilogram: kilograms;
+    Mass, kilogram: kilograms, mass;
     MomentOfInertia, kilogram_square_meter: kg_m2, moment_of_inertia;
     Torque, newton_meter: n_m;
 }

@@ -259,7 +259,7 @@ fn work(motor: &Motor) -> Vec<Row> {
             Area,
             work.displacement_per_width_m2,
         ),
-        Row::new("ripple", "ripple of flow and torque", "δ", [Figure::Share(work.ripple)]),
+        Row::new("ripple", "ripple at the pitch points", "δ", [Figure::Share(work.ripple)]),
     ];
     let given = [
         maybe("width", "width", "b", Length, work.width_m),

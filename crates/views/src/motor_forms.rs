@@ -73,12 +73,12 @@ fn records(search: &MotorForms) -> Records {
         Column::number("backlash", "j*"),
         Column::words("crest", "crest"),
         Column::number("displacement_by_volume", "q/V"),
-        Column::number("ripple", "ripple"),
+        Column::number("ripple", "δ, pitch"),
         Column::number("least_radius_in_modules", "ϱ/m"),
         Column::number("contact_ratio", "contact"),
         Column::number("designs_of_the_set", "of set"),
-        Column::number("flank_ripple", "ripple"),
-        Column::number("flank_least_over_mean", "least"),
+        Column::number("flank_ripple", "δ, flanks"),
+        Column::number("flank_least_over_mean", "least, flanks"),
         Column::headed("contact_on_path", "p_H, MPa", Pressure),
         Column::headed("root_on_path", "σ_F, MPa", Pressure),
         Column::headed("allowed_on_path", "Δp, MPa", Pressure),
@@ -104,7 +104,7 @@ fn views(search: &MotorForms) -> Vec<View> {
     let shapes = View {
         note: format!(
             "Place: l over the module, or ε₂ of the second harmonic. q/V: displacement over the cylinder about the stator's centrode. \
-             Ripple with satellites that seal at the pitch points. ϱ: least curvature radius of both centrodes.{}{}",
+             δ, pitch: ripple of flow and torque, satellites sealing at the pitch points. ϱ: least curvature radius of both centrodes.{}{}",
             of_set(search.first_of_each_set),
             hidden(search.hidden)
         ),
@@ -155,7 +155,7 @@ fn views(search: &MotorForms) -> Vec<View> {
     };
     let flanks = View {
         note: format!(
-            "Ripple, and least torque over the mean, with satellites that seal at the flanks.{stresses}{allowed}"
+            "Ripple δ, and least torque over the mean, with satellites that seal at the flanks.{stresses}{allowed}"
         ),
         ..View::new("Flanks under load", &of_flanks)
     };
@@ -166,7 +166,7 @@ fn views(search: &MotorForms) -> Vec<View> {
     );
     let sizes = View {
         note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's centrode; teeth \
-               and housing come on top. Torque and power without losses."
+               and housing come on top. Torque and power without losses, satellites sealing at the pitch points."
             .to_owned(),
         ..View::new("Sizes", &sizes)
     };

@@ -13,8 +13,13 @@ use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLi
 use epicyclic_formats::Dimension::{Length, Volume};
 
 /// The objectives, of which the error is stated.
-const OBJECTIVES: &[(&str, &str)] =
-    &[("displacement_by_volume", "q/V"), ("ripple", "ripple"), ("least_radius", "radius")];
+const OBJECTIVES: &[(&str, &str)] = &[
+    ("displacement_by_volume", "q/V"),
+    ("ripple", "δ, pitch"),
+    ("least_radius", "radius"),
+    ("flank_ripple", "δ, flanks"),
+    ("least_torque", "least"),
+];
 
 impl AsReport for MotorSearch {
     fn report(&self) -> Report {
@@ -57,17 +62,23 @@ pub fn count(search: &MotorSearch) -> String {
 }
 
 fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row {
-    let values = [error.displacement_by_volume, error.ripple, error.least_radius];
-    Row::new(name, label, "", values.map(Figure::Share))
+    let values = [
+        error.displacement_by_volume,
+        error.ripple,
+        error.least_radius,
+        error.flank_ripple,
+        error.least_torque,
+    ];
+    Row::new(name, label, "", values.map(share))
 }
 
 fn records(search: &MotorSearch) -> Records {
     let (hidden, of_set) = (hidden(search.hidden), of_set(search.first_of_each_set));
     let shapes = View {
         note: format!(
-            "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature radius of both \
-             centrodes. Teeth: whether the default form keeps its limits (hold, fail) or gives no teeth (none); the \
-             search does not ask, --with-teeth leaves out what fails.{of_set}{hidden}"
+            "q/V: displacement over the cylinder about the stator's centrode. δ, pitch: ripple of flow and torque, satellites \
+             sealing at the pitch points. ϱ: least curvature radius of both centrodes. Teeth: whether the form keeps its limits \
+             (hold, fail) or gives no teeth (none); the search does not ask, --with-teeth leaves out what fails.{of_set}{hidden}"
         ),
         ..View::new(
             "Designs",
@@ -84,6 +95,21 @@ fn records(search: &MotorSearch) -> Records {
             ],
         )
     };
+    let none = if search.designs.iter().any(|design| design.at_flanks.is_none()) {
+        " Without teeth there is nothing at the flanks (-)."
+    } else {
+        ""
+    };
+    let flanks = View {
+        note: format!(
+            "Ripple δ of flow and torque, and their least over the mean, with satellites that seal at the pitch points, and with \
+             satellites that seal at the flanks of the form.{none}"
+        ),
+        ..View::new(
+            "Satellites sealing at the pitch points, and at the flanks",
+            &["design", "ripple", "least_over_mean", "flank_ripple", "flank_least_over_mean"],
+        )
+    };
     let sizes = size_columns(
         &["design", "module", "width", "outer_diameter", "l", "a"],
         search.designs.first().map(duty).as_ref(),
@@ -91,7 +117,7 @@ fn records(search: &MotorSearch) -> Records {
     );
     let sizes = View {
         note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's \
-               centrode; teeth and housing come on top. Torque and power without losses."
+               centrode; teeth and housing come on top. Torque and power without losses, satellites sealing at the pitch points."
             .to_owned(),
         ..View::new("Sizes", &sizes)
     };
@@ -99,7 +125,11 @@ fn records(search: &MotorSearch) -> Records {
     columns.extend([
         Column::number("l_over_module", "l/m"),
         Column::number("displacement_by_volume", "q/V"),
-        Column::number("ripple", "ripple"),
+        Column::number("ripple", "δ, pitch"),
+        Column::number("least_over_mean", "least, pitch"),
+        Column::number("flank_ripple", "δ, flanks"),
+        Column::number("flank_least_over_mean", "least, flanks"),
+        Column::words("without_flanks", ""),
         Column::number("least_radius_in_modules", "ϱ/m"),
         Column::words("teeth_limits", "teeth"),
         Column::words("nearest_check", "nearest limit"),
@@ -109,6 +139,8 @@ fn records(search: &MotorSearch) -> Records {
         Column::number("spacing_error_displacement_by_volume", ""),
         Column::number("spacing_error_ripple", ""),
         Column::number("spacing_error_least_radius", ""),
+        Column::number("spacing_error_flank_ripple", ""),
+        Column::number("spacing_error_least_torque", ""),
         Column::headed("module", "m, mm", Length),
         Column::headed("width", "b, mm", Length),
         Column::headed("outer_diameter", "Ø, mm", Length),
@@ -122,7 +154,7 @@ fn records(search: &MotorSearch) -> Records {
         name: "designs",
         columns,
         rows: search.designs.iter().map(row).collect(),
-        views: vec![shapes, sizes],
+        views: vec![shapes, flanks, sizes],
         is_answer: true,
     }
 }
@@ -150,6 +182,10 @@ fn row(design: &Design) -> Vec<Figure> {
         Figure::Multiple(design.l_over_module),
         Figure::Multiple(design.displacement_by_volume),
         Figure::Share(design.ripple),
+        Figure::Share(design.least_over_mean),
+        share(design.at_flanks.as_ref().map(|at| at.ripple)),
+        share(design.at_flanks.as_ref().map(|at| at.least_over_mean)),
+        design.without_flanks.as_ref().map_or(Figure::None, |why| Figure::Text(why.clone())),
         Figure::Multiple(design.least_radius_in_modules),
         match design.teeth_limits {
             TeethLimits::Hold => Figure::answer("hold", "hold"),
@@ -160,9 +196,11 @@ fn row(design: &Design) -> Vec<Figure> {
         Figure::Text(short(design.nearest_check).to_owned()),
         Figure::Share(design.nearest_margin),
         many(design.designs_of_the_set),
-        Figure::Share(design.spacing_error.displacement_by_volume),
-        Figure::Share(design.spacing_error.ripple),
-        Figure::Share(design.spacing_error.least_radius),
+        share(design.spacing_error.displacement_by_volume),
+        share(design.spacing_error.ripple),
+        share(design.spacing_error.least_radius),
+        share(design.spacing_error.flank_ripple),
+        share(design.spacing_error.least_torque),
         column(Length, Some(size.module_m)),
         column(Length, Some(size.width_m)),
         column(Length, Some(size.outer_diameter_m)),
@@ -173,6 +211,10 @@ fn row(design: &Design) -> Vec<Figure> {
     ]);
     row.extend(duty(design).figures());
     row
+}
+
+fn share(value: Option<f64>) -> Figure {
+    value.map_or(Figure::None, Figure::Share)
 }
 
 const fn short(check: Subject) -> &'static str {
@@ -204,7 +246,7 @@ fn funnel(search: &MotorSearch) -> Vec<Row> {
     rows.push(row("front", "… that no other surpasses", funnel.front));
     rows.push(row("apart", "designs, alike ones once", funnel.apart));
     if funnel.with_teeth < funnel.apart {
-        rows.push(row("with_teeth", "… on which the default teeth hold", funnel.with_teeth));
+        rows.push(row("with_teeth", "… on which the teeth hold", funnel.with_teeth));
     }
     rows
 }

@@ -1,4 +1,6 @@
-//! Modes, orders and resonances as tables.
+//! Modes, orders and resonances as tables; those of the whole gearbox are in `train`.
+
+mod train;
 
 use crate::AsReport;
 use crate::figure::{Figure, count, text};
@@ -8,7 +10,7 @@ use crate::units::{hertz_of_rpm, rpm};
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{
     self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
-    StiffnessOrigin, StrainPart, TorsionalModes, What,
+    StiffnessOrigin, What,
 };
 use epicyclic_formats::Dimension::{
     AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque,
@@ -17,7 +19,7 @@ use epicyclic_formats::quantity::format::in_unit;
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
 use epicyclic_pictures::plot::{Curve, Plot};
-use std::f64::consts::TAU;
+pub use train::torsional_campbell;
 
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
 #[must_use]
@@ -25,19 +27,11 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     let one = all.campbell.get(place)?;
     let is_own = |set: &str, gear: &str| set == one.set && gear == one.gear;
     let branch = |branch: &records::Branch| Branch {
-        kind: match branch.kind {
-            ModeKind::Rotational => campbell::Kind::Rotational,
-            ModeKind::Translational => campbell::Kind::Translational,
-            ModeKind::Planet => campbell::Kind::Planet,
-            ModeKind::Mixed => campbell::Kind::Mixed,
-        },
+        kind: branch_kind(branch.kind),
         frequencies: branch.frequencies_hz.clone(),
     };
     let ray = |order: &Order| Ray {
-        name: match order.source {
-            Source::Mesh => format!("meshes {}", order.harmonic),
-            of => source(of).to_owned(),
-        },
+        name: ray_name(order.source, order.harmonic),
         slope: hertz_of_rpm(order.of_input),
     };
     let moves = |branch: &&records::Branch| branch.frequencies_hz.iter().any(|frequency| *frequency > 0.0);
@@ -50,7 +44,26 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
         branches: one.branches.iter().filter(moves).map(branch).collect(),
         rays: all.orders.iter().filter(|order| is_own(&order.set, &order.gear)).map(ray).collect(),
         meetings: met.map(|met| [rpm(met.input_speed_rad_s), met.frequency_hz]).collect(),
+        size_mm: campbell::SIZE_MM,
+        is_untitled: false,
     })
+}
+
+const fn branch_kind(kind: ModeKind) -> campbell::Kind {
+    match kind {
+        ModeKind::Rotational => campbell::Kind::Rotational,
+        ModeKind::Translational => campbell::Kind::Translational,
+        ModeKind::Planet => campbell::Kind::Planet,
+        ModeKind::Mixed => campbell::Kind::Mixed,
+    }
+}
+
+/// A short name of an order.
+fn ray_name(of: Source, harmonic: u32) -> String {
+    match of {
+        Source::Mesh => format!("meshes {harmonic}"),
+        of => source(of).to_owned(),
+    }
 }
 
 /// The forces that transmission errors make in a set in a gear over the speed as a plot; its place is that in the answer.
@@ -94,7 +107,7 @@ pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>
             Member::Planet => modes::Part::Planet,
         };
         let centre = motion.planet.map_or([0.0; 2], |number| {
-            let angle = TAU * f64::from(number - 1) / f64::from(set.planets);
+            let angle = set.planet_angles_rad.get(number as usize - 1).copied().unwrap_or_default();
             [circle * libm::cos(angle), circle * libm::sin(angle)]
         });
         Some(modes::Body { part, centre, radius, motion: [motion.x, motion.y, motion.u] })
@@ -113,32 +126,51 @@ pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>
     Some((format!("{}, set {}{of_gears}", all.gearbox, set.set), set.modes.iter().map(mode).collect()))
 }
 
+/// A chapter of a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Chapter {
+    /// Frequencies, kinds and energies, with the bodies and springs.
+    Frequencies,
+    /// Orders and where they meet a mode.
+    Resonances,
+    /// What transmission errors do.
+    Forces,
+}
+
+/// The tables of a chapter of a page, which has the warnings elsewhere.
+pub(crate) fn chapter(all: &Vibration, of: Chapter) -> Report {
+    let parts = tables(all).into_iter().filter(|(chapter, _)| *chapter == of).map(|(_, records)| records);
+    Report { parts: parts.map(Part::Records).collect(), ..Report::default() }
+}
+
+/// All tables, each with its chapter.
+fn tables(all: &Vibration) -> Vec<(Chapter, Records)> {
+    use Chapter::{Forces, Frequencies, Resonances};
+    let has_sets = !all.sets.is_empty();
+    let over_speed = !all.campbell.is_empty();
+    let has_resonances = all.torsional.iter().any(|one| !one.orders.is_empty());
+    let tables = [
+        (has_sets, Frequencies, of_modes(&all.sets, !over_speed)),
+        (over_speed, Resonances, resonances(&all.resonances)),
+        (over_speed && !all.responses.is_empty(), Forces, responses(&all.responses)),
+        (over_speed, Resonances, orders(&all.orders)),
+        (!all.torsional.is_empty(), Frequencies, train::torsional(&all.torsional)),
+        (has_resonances, Resonances, train::resonances(&all.torsional)),
+        (has_resonances, Resonances, train::orders(&all.torsional)),
+        (!all.coupled.is_empty(), Frequencies, train::coupled(&all.coupled)),
+        (!all.coupled.is_empty(), Frequencies, train::centres(&all.coupled)),
+        (has_sets, Frequencies, bodies(&all.sets)),
+        (has_sets, Frequencies, springs(&all.sets)),
+        (!all.not_calculated.is_empty(), Frequencies, not_calculated(&all.not_calculated)),
+    ];
+    tables.into_iter().filter(|(is_told, ..)| *is_told).map(|(_, of, records)| (of, records)).collect()
+}
+
 impl AsReport for Vibration {
     fn report(&self) -> Report {
-        let mut parts = vec![];
-        if !self.sets.is_empty() {
-            parts.push(Part::Records(of_modes(&self.sets, self.campbell.is_empty())));
-        }
-        if !self.campbell.is_empty() {
-            parts.push(Part::Records(resonances(&self.resonances)));
-            if !self.responses.is_empty() {
-                parts.push(Part::Records(responses(&self.responses)));
-            }
-            parts.push(Part::Records(orders(&self.orders)));
-        }
-        if !self.torsional.is_empty() {
-            parts.push(Part::Records(torsional(&self.torsional)));
-        }
-        if !self.sets.is_empty() {
-            parts.push(Part::Records(bodies(&self.sets)));
-            parts.push(Part::Records(springs(&self.sets)));
-        }
-        if !self.not_calculated.is_empty() {
-            parts.push(Part::Records(not_calculated(&self.not_calculated)));
-        }
         Report {
             title: Some(format!("{}: vibration", self.gearbox)),
-            parts,
+            parts: tables(self).into_iter().map(|(_, records)| Part::Records(records)).collect(),
             warnings: warned(&self.warnings),
         }
     }
@@ -180,6 +212,7 @@ const fn source(source: Source) -> &'static str {
         Source::SunPlanetPass => "planets pass the sun",
         Source::RingPlanetPass => "planets pass the ring",
         Source::PlanetTurn => "turn of a planet",
+        Source::LinkTurn => "turn of the shaft",
     }
 }
 
@@ -267,56 +300,6 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
     row
 }
 
-fn torsional(all: &[TorsionalModes]) -> Records {
-    let rows = all.iter().flat_map(|gear| {
-        gear.modes.iter().map(move |mode| {
-            let kinetic = mode.kinetic.iter().map(|one| {
-                let name = one.planets_of.as_ref().map(|set| format!("planets of {set}"));
-                (one.share, name.unwrap_or_else(|| one.links.join("+")))
-            });
-            let strain = mode.strain.iter().map(|one| {
-                let name = match one.part {
-                    StrainPart::SunMeshes => format!("sun meshes of {}", one.of),
-                    StrainPart::RingMeshes => format!("ring meshes of {}", one.of),
-                    StrainPart::Shaft => format!("shaft {}", one.of),
-                    StrainPart::Support => format!("support of {}", one.of),
-                };
-                (one.share, name)
-            });
-            vec![
-                text(&gear.gear),
-                count(mode.mode),
-                count(mode.multiplicity),
-                hertz(mode.frequency_hz),
-                most(kinetic),
-                most(strain),
-            ]
-        })
-    });
-    Records {
-        name: "torsional",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("mode", "mode"),
-            Column::number("multiplicity", "×"),
-            Column::headed("frequency", "f, Hz", Frequency),
-            Column::words("moves", "moves most, %"),
-            Column::words("strained", "strained most, %"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "The whole gearbox with centres at rest: links as inertias, meshes and shafts as springs. At 0 Hz as many motions as the gear has \
-                   freedoms."
-                .to_owned(),
-            ..View::new(
-                "Torsional frequencies",
-                &["gear", "mode", "multiplicity", "frequency", "moves", "strained"],
-            )
-        }],
-        is_answer: false,
-    }
-}
-
 fn resonances(all: &[Resonance]) -> Records {
     let row = |one: &Resonance| {
         vec![
@@ -371,6 +354,7 @@ fn responses(all: &[Response]) -> Records {
                     hertz(greatest.frequency_hz),
                     column(Force, Some(greatest.force_n)),
                     column(Torque, Some(greatest.parts_below_sun_torque_n_m)),
+                    Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" }),
                 ]
             })
         })
@@ -387,15 +371,16 @@ fn responses(all: &[Response]) -> Records {
             Column::headed("frequency", "f, Hz", Frequency),
             Column::headed("force", "F, N", Force),
             Column::headed("parts_below_sun_torque", "T sun, N·m", Torque),
+            Column::words("gyroscopic", "gyro"),
         ],
         rows: rows.collect(),
         views: vec![View {
-            note: "The greatest force F beside the mean one that the transmission error e makes within the speeds, with modes at rest. T: torque on the sun \
+            note: "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
                    below which the flanks part there, and this is no longer so."
                 .to_owned(),
             ..View::new(
                 "Forces by the transmission error",
-                &["set", "gear", "mesh", "harmonic", "error", "input_speed", "frequency", "force", "parts_below_sun_torque"],
+                &["set", "gear", "mesh", "harmonic", "error", "input_speed", "frequency", "force", "parts_below_sun_torque", "gyroscopic"],
             )
         }],
         is_answer: false,
@@ -510,6 +495,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
             What::Modes => "modes",
             What::Resonances => "resonances",
             What::Torsional => "torsional modes",
+            What::Coupled => "coupled modes",
         };
         vec![
             text(&one.set),

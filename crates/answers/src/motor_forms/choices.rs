@@ -1,12 +1,11 @@
 //! What a search with free tooth forms chooses from and judges by, with the names that options and records have of it.
 
+use crate::named::named;
 use crate::number::{maybe_si, si};
 use epicyclic_hydromotor::profile;
 use epicyclic_hydromotor::search::forms::{self, FamilyKind, FlankFigures, FormDesign};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::fmt;
-use std::str::FromStr;
 
 /// What designs are good for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -52,46 +51,6 @@ pub enum Crest {
     Space,
     /// The middle of a tooth.
     Tooth,
-}
-
-/// One of several with a name.
-trait Named: Copy + 'static {
-    const ALL: &'static [Self];
-    fn named(self) -> &'static str;
-}
-
-fn read<T: Named>(text: &str) -> Result<T, String> {
-    let all = T::ALL.iter().copied();
-    all.clone().find(|one| one.named() == text.trim()).ok_or_else(|| {
-        let names: Vec<&str> = all.map(Named::named).collect();
-        format!("{text:?} is none of {}", names.join(", "))
-    })
-}
-
-macro_rules! named {
-    ($($type:ident { $($variant:ident $name:literal)* })*) => {$(
-        impl Named for $type {
-            const ALL: &'static [Self] = &[$(Self::$variant),*];
-
-            fn named(self) -> &'static str {
-                match self { $(Self::$variant => $name),* }
-            }
-        }
-
-        impl FromStr for $type {
-            type Err = String;
-
-            fn from_str(text: &str) -> Result<Self, String> {
-                read(text)
-            }
-        }
-
-        impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(self.named())
-            }
-        }
-    )*};
 }
 
 named! {
@@ -208,6 +167,7 @@ impl Crest {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::named::Named as _;
 
     #[test]
     fn every_choice_is_read_from_its_name_and_goes_to_the_search_and_back() {

@@ -64,14 +64,19 @@ pub enum Reason {
     LeastRadius,
     /// No size is within the limits.
     Size,
-    /// The ripple is above the wanted one.
+    /// The ripple, satellites sealing at the pitch points, is above the wanted one.
     Ripple,
+    /// The form gives no teeth.
+    NoTeeth,
+    /// The ripple, satellites sealing at the flanks, is above the wanted one.
+    FlankRipple,
+    /// The least torque over the mean, satellites sealing at the flanks, is below the wanted one, or vanishes.
+    LeastTorque,
 }
 
 impl Reason {
-    /// `None` of reasons of bounds that are not asked here: of figures at the flanks.
-    const fn of(reason: search::Reason) -> Option<Self> {
-        Some(match reason {
+    const fn of(reason: search::Reason) -> Self {
+        match reason {
             search::Reason::NotClosed => Self::NotClosed,
             search::Reason::Check(Subject::StatorBulge) => Self::StatorBulge,
             search::Reason::Check(Subject::StatorHollow) => Self::StatorHollow,
@@ -82,10 +87,10 @@ impl Reason {
             search::Reason::LeastRadius => Self::LeastRadius,
             search::Reason::Size => Self::Size,
             search::Reason::Ripple => Self::Ripple,
-            search::Reason::NoTeeth | search::Reason::FlankRipple | search::Reason::LeastTorque => {
-                return None;
-            }
-        })
+            search::Reason::NoTeeth => Self::NoTeeth,
+            search::Reason::FlankRipple => Self::FlankRipple,
+            search::Reason::LeastTorque => Self::LeastTorque,
+        }
     }
 
     /// Its name, as in JSON.
@@ -102,6 +107,9 @@ impl Reason {
             Self::LeastRadius => "least_radius",
             Self::Size => "size",
             Self::Ripple => "ripple",
+            Self::NoTeeth => "no_teeth",
+            Self::FlankRipple => "flank_ripple",
+            Self::LeastTorque => "least_torque",
         }
     }
 
@@ -119,6 +127,9 @@ impl Reason {
             Self::LeastRadius => "curvature radius wanted",
             Self::Size => "no size within the limits",
             Self::Ripple => "ripple wanted",
+            Self::NoTeeth => "the form gives no teeth",
+            Self::FlankRipple => "ripple at the flanks wanted",
+            Self::LeastTorque => "least torque wanted",
         }
     }
 }
@@ -126,9 +137,9 @@ impl Reason {
 impl Funnel {
     pub(super) fn of(found: &Found, apart: usize) -> Self {
         let funnel = &found.funnel;
-        let refused = search::Reason::ALL.iter().filter_map(|&reason| {
-            Some(Refused { reason: Reason::of(reason)?, motors: funnel.refused(reason) })
-        });
+        let refused = search::Reason::ALL
+            .iter()
+            .map(|&reason| Refused { reason: Reason::of(reason), motors: funnel.refused(reason) });
         Self {
             sets: funnel.sets,
             outside_limits: funnel.outside_limits,

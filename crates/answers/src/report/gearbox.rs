@@ -11,6 +11,7 @@ use crate::losses::{self, LossChapter};
 use crate::number::plain;
 use crate::sheet::{self, DataSheets};
 use crate::strength::{self, Strength};
+use crate::vibration::{self, Vibration, Wanted};
 use epicyclic_layout::{self as layout, Layout, Verdict};
 use epicyclic_train::set::{Gearing, SetKind, SetSpec};
 use epicyclic_train::{Analysis, Gearbox, PlanetSet};
@@ -47,6 +48,8 @@ pub struct GearboxReport {
     pub losses: Option<LossChapter>,
     /// Data sheets of its gears; `null` where the file says enough of no set.
     pub sheets: Option<DataSheets>,
+    /// Natural frequencies, modes and what excites them; `null` where the file has no `vibration` of any set.
+    pub vibration: Option<Vibration>,
     /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
     pub conflict: Option<Conflict>,
     /// What changes with the `k` of one set while the others stay as they are. Sets with more than two central gears, which have no one
@@ -98,8 +101,12 @@ pub struct Shown<'g> {
 /// The chapters of a gearbox with the input as asked, and the results that their pictures show.
 ///
 /// # Errors
-/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`] and [`sheet::chapter`].
-pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxReport, Shown<'g>), Error> {
+/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`], [`sheet::chapter`] and [`vibration::chapter`].
+pub fn answer<'g>(
+    subject: &'g Subject<'_>,
+    input: Input,
+    wanted: &Wanted,
+) -> Result<(GearboxReport, Shown<'g>), Error> {
     let gearbox = &subject.gearbox;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
     let (layout, conflict) = match layout::draw(gearbox, layout::Options::default()) {
@@ -117,6 +124,7 @@ pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxRepo
         strength: strength::chapters(subject, input)?,
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
+        vibration: vibration::chapter(subject, wanted)?,
         conflict,
         over_k: over_k(gearbox),
     };

@@ -9,7 +9,7 @@
 //! | `N` planets that pass a place of them | `N·|n_s − n_c|`, `N·|n_r − n_c|` | `N` |
 //! | a turn of a planet | `|n_p − n_c|` | each planet has its own phase |
 //!
-//! Which modes `p` excites, [`phasing`] tells. A planet turns `z_s/z_p` times as fast on the carrier as
+//! Which modes `p` excites, [`phasing`] tells of equally spaced planets; of others it can be all. A planet turns `z_s/z_p` times as fast on the carrier as
 //! the sun.
 
 use super::records::{ModeKind, Order, Source};
@@ -21,10 +21,13 @@ pub(super) fn all(
     gear: &str,
     [sun_teeth, planet_teeth, _]: [u32; 3],
     planets: u32,
+    is_equally_spaced: bool,
     [sun, ring, carrier]: [f64; 3],
     harmonics: u32,
 ) -> Vec<Order> {
-    let excited = |periods: u64| phasing::excited(periods, planets).ok().map(ModeKind::of);
+    let excited = |periods: u64| {
+        phasing::excited(periods, planets).ok().filter(|_| is_equally_spaced).map(ModeKind::of)
+    };
     let [of_sun, of_ring] = [sun - carrier, ring - carrier].map(f64::abs);
     let of_teeth = f64::from(sun_teeth) * of_sun;
     let mut orders = vec![

@@ -1,6 +1,7 @@
 //! A set of a file as bodies and springs, as far as the file says enough.
 
 use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
+use super::spacing::Spacing;
 use crate::Error;
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
@@ -29,6 +30,7 @@ pub(super) struct Prepared {
     pub(super) planets: u32,
     /// Teeth of sun, planet and ring.
     pub(super) teeth: Option<[u32; 3]>,
+    pub(super) spacing: Spacing,
     members: [MemberBody; 3],
     planet: Body,
     bearing: Stiffness,
@@ -104,9 +106,15 @@ impl Of<'_> {
             (Some(mass), Some(inertia)),
         ) = (entry.planets, radii, circle, angles, meshes, planet)
         {
+            let teeth = toothed.map(|set| set.gears().map(|gear| gear.teeth().get()));
+            let at = vibration.planet_angles.as_ref();
+            let at: Option<Vec<f64>> = at.map(|all| all.iter().map(|angle| angle.0.si()).collect());
+            let spacing = Spacing::new(planets, teeth, at.as_deref())
+                .map_err(|message| self.refused(&["vibration", "planet_angles"], &message))?;
             return Ok(Ok(Prepared {
                 planets,
-                teeth: toothed.map(|set| set.gears().map(|gear| gear.teeth().get())),
+                teeth,
+                spacing,
                 members: self.members(vibration, by_teeth, [radii[0], radii[2], circle])?,
                 planet: Body { mass, inertia, radius: radii[1] },
                 bearing: vibration.planet_bearing.0,
@@ -342,6 +350,16 @@ impl Prepared {
         if missing.is_empty() { Ok(self.with(sun, ring, carrier)) } else { Err(missing) }
     }
 
+    /// Whether its planets are equally spaced.
+    pub(super) fn is_equally_spaced(&self) -> bool {
+        self.spacing.is_equal
+    }
+
+    /// Radial stiffness of the support of sun, ring or carrier; `None` where its centre is held.
+    pub(super) fn radial_support(&self, member: usize) -> Option<Stiffness> {
+        self.members[member].support
+    }
+
     /// Torsional stiffness of what holds sun, ring or carrier; `None` of a rigid hold.
     pub(super) fn support(&self, member: usize) -> Option<Torque> {
         let own = &self.members[member];
@@ -362,7 +380,12 @@ impl Prepared {
             sun,
             ring,
             carrier,
-            planets: planet.equally_spaced(self.planets as usize),
+            planets: self
+                .spacing
+                .angles_rad
+                .iter()
+                .map(|at| Planet { angle: Angle::from_si(*at), ..planet })
+                .collect(),
             sun_pressure_angle: self.angles[0],
             ring_pressure_angle: self.angles[1],
         }

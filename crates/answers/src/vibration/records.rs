@@ -16,6 +16,10 @@ pub struct SetModes {
     pub held: Vec<Member>,
     /// Number of planets.
     pub planets: u32,
+    /// Their angles on the carrier from `x`.
+    pub planet_angles_rad: Vec<f64>,
+    /// Whether they are equally spaced; of others modes can be of no one kind, and double ones part.
+    pub equally_spaced: bool,
     /// Sun, ring, carrier, and one planet.
     pub bodies: Vec<VibratingBody>,
     /// The springs.
@@ -199,6 +203,8 @@ pub enum Source {
     RingPlanetPass,
     /// What turns with a planet, once a turn relative to the carrier.
     PlanetTurn,
+    /// What drives or loads a link, once a turn; of torsional modes alone.
+    LinkTurn,
 }
 
 /// An order of excitation of a set in a gear.
@@ -279,6 +285,8 @@ pub struct Response {
     pub gear: String,
     /// Damping ratio of every mode.
     pub damping_ratio: f64,
+    /// Whether the gyroscopic effect of the carrier's speed is part of it; without it, or where the carrier rests, the matrices are those at rest.
+    pub gyroscopic: bool,
     /// What each harmonic of the meshes does.
     pub harmonics: Vec<HarmonicResponse>,
 }
@@ -335,72 +343,6 @@ pub struct NotCalculated {
     pub missing: Vec<String>,
 }
 
-/// Torsional modes of the whole gearbox in a gear.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct TorsionalModes {
-    /// The gear.
-    pub gear: String,
-    /// How many modes have no frequency: the freedoms that the gear keeps.
-    pub freedoms: u32,
-    /// The modes in ascending order of frequency.
-    pub modes: Vec<TorsionalMode>,
-}
-
-/// Torsional modes of one frequency.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct TorsionalMode {
-    /// Its number, from 1.
-    pub mode: u32,
-    /// How many modes have this frequency and move the links, or do not.
-    pub multiplicity: u32,
-    /// Natural frequency.
-    pub frequency_hz: f64,
-    /// Shares in the kinetic energy.
-    pub kinetic: Vec<TorsionalKinetic>,
-    /// Shares in the strain energy; empty where no spring is twisted.
-    pub strain: Vec<TorsionalStrain>,
-}
-
-/// Share of links that turn as one piece, or of the planets of a set about their axes, in the kinetic energy.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct TorsionalKinetic {
-    /// The links; a member on a support of its own by name and set; empty of planets.
-    pub links: Vec<String>,
-    /// The set of the planets; `null` of links.
-    pub planets_of: Option<String>,
-    /// The share.
-    pub share: f64,
-}
-
-/// Share of springs in the strain energy.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct TorsionalStrain {
-    /// What springs.
-    pub part: StrainPart,
-    /// The set of the meshes, the name of the shaft, or what stands on the support.
-    pub of: String,
-    /// The share.
-    pub share: f64,
-}
-
-/// What springs in a torsional mode.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum StrainPart {
-    /// The meshes of a sun.
-    SunMeshes,
-    /// The meshes of a ring.
-    RingMeshes,
-    /// A shaft.
-    Shaft,
-    /// What holds a member.
-    Support,
-}
-
 /// What is not calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -411,6 +353,8 @@ pub enum What {
     Resonances,
     /// Torsional modes of the whole gearbox, for want of this set.
     Torsional,
+    /// Modes of the whole gearbox in the plane, for want of this set.
+    Coupled,
 }
 
 /// Why something is not calculated.
@@ -429,6 +373,10 @@ pub enum Reason {
     DoesNotRoll,
     /// No speeds follow in the gear.
     NoSpeeds,
+    /// It is the second set with fewer than three planets, or with planets at unequal angles: what two such sets do depends on the angle between them.
+    NoSymmetry,
+    /// The centrifugal forces of its planets, at unequal angles, have a resultant: its carrier does not turn about its centre.
+    Unbalanced,
 }
 
 impl NotCalculated {
@@ -446,6 +394,12 @@ impl NotCalculated {
             }
             Reason::DoesNotRoll => "its members are joined, no mesh turns".to_owned(),
             Reason::NoSpeeds => "no speeds follow in this gear".to_owned(),
+            Reason::NoSymmetry => {
+                "the second set without three or more planets at equal angles: what two such do depends on the angle between them".to_owned()
+            }
+            Reason::Unbalanced => {
+                "the centrifugal forces of its planets have a resultant, the carrier does not turn about its centre".to_owned()
+            }
         }
     }
 }

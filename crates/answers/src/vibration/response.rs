@@ -10,9 +10,13 @@
 //! since from the pitch point of the sun to that of the ring a planet has half its teeth and, from one flank to the other, half a pitch. `z_s + z_r` is
 //! divisible by the number of planets, so the phases of the ring are those of the sun.
 //!
-//! The modes are those at rest. A peak between two speeds is looked for where a mode has the frequency of the harmonic, and found by the golden section.
+//! Where the carrier turns, the matrices are those of its speed ([`epicyclic_vibration::response`]), with the damping of the modes at rest. The model has the flanks that carry
+//! where the torque on the sun is positive; of a negative one everything is seen from the other side, the speed of the carrier with it. A peak between two
+//! speeds is looked for where the order meets a mode, and found by the golden section.
 
+use super::branches::Branches;
 use super::records::{Greatest, HarmonicResponse, Order, Response, Source};
+use super::wanted::Excitation;
 use super::{Found, Of, Prepared};
 use crate::Error;
 use crate::number::plain;
@@ -20,63 +24,13 @@ use crate::tolerance::PEAK;
 use epicyclic_formats::Physical;
 use epicyclic_vibration::model::SpringId;
 use epicyclic_vibration::response::Displacement;
-use epicyclic_vibration::{Error as Refusal, Modes};
+use epicyclic_vibration::{Centripetal, Error as Refusal, Modes};
 use std::f64::consts::{PI, TAU};
 use uom::si::f64::{Angle, AngularVelocity, Length};
 
 /// Speeds beside that of a resonance at which a curve is taken, over the damping ratio: where it bends.
 const BESIDE_PEAK: [f64; 17] =
     [-16.0, -8.0, -4.0, -2.0, -1.0, -0.7, -0.4, -0.2, 0.0, 0.2, 0.4, 0.7, 1.0, 2.0, 4.0, 8.0, 16.0];
-
-/// What the teeth do, and how the set is damped.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Excitation {
-    /// Amplitudes of the transmission error of a mesh of the sun, the first harmonic first.
-    pub sun: Vec<Length>,
-    /// The same of the ring.
-    pub ring: Vec<Length>,
-    /// Damping ratio of every mode.
-    pub damping_ratio: f64,
-}
-
-impl Excitation {
-    /// Damping ratios that are taken: a set with less would ring for thousands of periods, and one with more does not vibrate.
-    pub const DAMPING_RATIOS: [f64; 2] = [1e-4, 1.0];
-
-    /// Checks the numbers.
-    ///
-    /// # Errors
-    /// [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`].
-    pub(super) fn check(&self, most: u32) -> Result<(), Error> {
-        let harmonics = self.sun.len().max(self.ring.len()) as u32;
-        if !(1..=most).contains(&harmonics) {
-            return Err(Error::Harmonics { harmonics, most });
-        }
-        let [low, high] = Self::DAMPING_RATIOS;
-        if !(low..=high).contains(&self.damping_ratio) {
-            return Err(Error::DampingRatio { given: self.damping_ratio, low, high });
-        }
-        let amplitudes = || self.sun.iter().chain(&self.ring).map(|amplitude| amplitude.si());
-        if let Some(given_m) = amplitudes().find(|amplitude| !(0.0..f64::INFINITY).contains(amplitude)) {
-            return Err(Error::TransmissionError { given_m });
-        }
-        if amplitudes().all(|amplitude| amplitude == 0.0) {
-            return Err(Error::TransmissionError { given_m: 0.0 });
-        }
-        Ok(())
-    }
-
-    /// Amplitudes of a harmonic, from 1: of sun and ring.
-    fn of(&self, harmonic: u32) -> [Length; 2] {
-        let place = harmonic as usize - 1;
-        [&self.sun, &self.ring].map(|all| all.get(place).copied().unwrap_or_default())
-    }
-
-    /// Harmonics that are given.
-    pub(super) fn harmonics(&self) -> u32 {
-        self.sun.len().max(self.ring.len()) as u32
-    }
-}
 
 /// A set in a gear with what excites it.
 pub(super) struct Excited<'a> {
@@ -86,6 +40,9 @@ pub(super) struct Excited<'a> {
     pub(super) teeth: [u32; 3],
     /// Whether the sun drives the planets.
     pub(super) sun_drives: bool,
+    /// Speed of the carrier over that of the input, seen from the side from which the torque on the sun is positive; 0 without gyroscopic effect.
+    pub(super) frame: f64,
+    pub(super) branches: &'a Branches,
     pub(super) excitation: &'a Excitation,
 }
 
@@ -96,7 +53,7 @@ impl Excited<'_> {
         let modes = self.found.model.modes().map_err(refuse)?;
         let mut harmonics = vec![];
         for order in orders.iter().filter(|order| order.source == Source::Mesh) {
-            if self.excitation.of(order.harmonic).iter().any(|amplitude| amplitude.si() > 0.0) {
+            if self.excitation.amplitudes(order.harmonic).iter().any(|amplitude| amplitude.si() > 0.0) {
                 harmonics.extend(self.harmonic(&modes, order, speeds).map_err(refuse)?);
             }
         }
@@ -105,6 +62,7 @@ impl Excited<'_> {
             set: first.set.clone(),
             gear: first.gear.clone(),
             damping_ratio: self.excitation.damping_ratio,
+            gyroscopic: self.frame != 0.0,
             harmonics,
         }))
     }
@@ -112,8 +70,8 @@ impl Excited<'_> {
     /// What the harmonic does to every mesh.
     fn displacements(&self, harmonic: u32) -> Vec<Displacement> {
         let parts = &self.found.parts;
-        let phases = phases(harmonic, self.teeth, self.prepared.planets, self.sun_drives);
-        let [sun, ring] = self.excitation.of(harmonic);
+        let phases = phases(harmonic, self.teeth, &self.prepared.spacing.places, self.sun_drives);
+        let [sun, ring] = self.excitation.amplitudes(harmonic);
         let of = |spring: SpringId, amplitude: Length, phase: f64| Displacement {
             spring,
             amplitude,
@@ -140,7 +98,13 @@ impl Excited<'_> {
         // The greatest amplitudes of the meshes with sun and ring at a speed of the input.
         let forces = |speed: f64| -> Result<[f64; 2], Refusal> {
             let omega = AngularVelocity::from_si(order.of_input * speed);
-            let response = found.model.response(modes, &displacements, omega, zeta)?;
+            let response = if self.frame == 0.0 {
+                found.model.response(modes, &displacements, omega, zeta)?
+            } else {
+                let turning = AngularVelocity::from_si(self.frame * speed);
+                let load = Centripetal::WithBearingLoad;
+                found.model.turning_response(modes, &displacements, omega, zeta, turning, load)?
+            };
             let most = |own: &[SpringId]| {
                 let own =
                     std::iter::zip(&springs, &response.forces).filter(|(spring, _)| own.contains(spring));
@@ -151,10 +115,13 @@ impl Excited<'_> {
         let (low, high) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), speed| {
             (low.min(speed.abs()), high.max(speed.abs()))
         });
-        let at_resonances = found.groups.iter().filter(|group| !group.is_zero()).flat_map(|group| {
-            let speed = TAU * group.frequency.si() / order.of_input;
-            BESIDE_PEAK.map(|beside| speed * (1.0 + beside * zeta))
-        });
+        // At rest, and where the speed takes the modes.
+        let at_rest = found.groups.iter().filter(|group| !group.is_zero());
+        let at_rest = at_rest.map(|group| TAU * group.frequency.si() / order.of_input);
+        let turning = if self.frame == 0.0 { vec![] } else { self.branches.resonances(found, order)? };
+        let turning = turning.iter().map(|met| met.input_speed_rad_s.abs());
+        let at_resonances =
+            at_rest.chain(turning).flat_map(|speed| BESIDE_PEAK.map(|beside| speed * (1.0 + beside * zeta)));
         let at_resonances = at_resonances.filter(|speed| (low..=high).contains(speed));
         let mut places: Vec<f64> = speeds.iter().map(|speed| speed.abs()).chain(at_resonances).collect();
         places.retain(|speed| *speed > 0.0);
@@ -190,7 +157,7 @@ impl Excited<'_> {
                 parts_below_sun_torque_n_m: plain(both[mesh] * f64::from(self.prepared.planets) * radius),
             }
         };
-        let [sun_error_m, ring_error_m] = self.excitation.of(order.harmonic).map(Physical::si);
+        let [sun_error_m, ring_error_m] = self.excitation.amplitudes(order.harmonic).map(Physical::si);
         Ok(Some(HarmonicResponse {
             harmonic: order.harmonic,
             sun_error_m,
@@ -204,18 +171,18 @@ impl Excited<'_> {
     }
 }
 
-/// Phases of a harmonic at the meshes of sun and ring with each planet.
+/// Phases of a harmonic at the meshes of sun and ring with each planet, at its place `κ` among all where the teeth let it stand.
 fn phases(
     harmonic: u32,
-    [sun, planet, _]: [u32; 3],
-    planets: u32,
+    [sun, planet, ring]: [u32; 3],
+    places: &[u64],
     sun_drives: bool,
 ) -> impl Iterator<Item = [f64; 2]> {
-    let [harmonic, sun, planet, planets] = [harmonic, sun, planet, planets].map(u64::from);
-    let offset = PI * (harmonic * (planet + 1) % 2) as f64;
-    (0..planets).map(move |number| {
-        let rest = harmonic * sun % planets * number % planets;
-        let behind = TAU * rest as f64 / planets as f64;
+    let [harmonic, sun, planet, ring] = [harmonic, sun, planet, ring].map(u64::from);
+    let (offset, all) = (PI * (harmonic * (planet + 1) % 2) as f64, sun + ring);
+    places.iter().map(move |place| {
+        let rest = harmonic * sun % all * place % all;
+        let behind = TAU * rest as f64 / all as f64;
         let phase = if sun_drives { -behind } else { behind };
         [phase, offset + phase]
     })
@@ -242,6 +209,7 @@ fn golden([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> Result<f64, Refusal
 
 #[cfg(test)]
 mod tests {
+    use super::super::spacing::Spacing;
     use super::*;
     use crate::front::{self, Part};
     use crate::gearbox::{Choice, one};
@@ -264,7 +232,8 @@ mod tests {
             let turn = |part: Part| set.gears.iter().find(|gear| gear.part == part).unwrap().turn_rad;
             let first = set.planets[0].angle_rad;
             for harmonic in 1..=5 {
-                let found = phases(harmonic, [sun, planet, ring], planets, true);
+                let places = Spacing::new(planets, Some([sun, planet, ring]), None).unwrap().places;
+                let found = phases(harmonic, [sun, planet, ring], &places, true);
                 let cycles = set.planets.iter().map(|planet| {
                     let at_sun = f64::from(sun) * (planet.angle_rad - turn(Part::Sun)) - PI / 2.0;
                     let at_ring = f64::from(ring) * (planet.angle_rad - turn(Part::Ring)) - PI / 2.0;

@@ -1,215 +1,155 @@
-//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as springs.
+//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as springs; and what excites it.
 //!
-//! What turns as one piece in the gear is one inertia: links that ties and engaged shift elements join, but not by a tie that the file gives as a
-//! shaft. A member that is held stands alone: rigidly, or on its tangential support.
+//! Centres are at rest, so that the speed changes no frequency, and an order meets a mode at `n = f/order`. What the teeth and planets of a set do excites by
+//! [`phasing::torsional`] either modes in which links rotate, or those of the planets of this set alone; what turns with a link excites the modes in which it rotates.
 
-use super::records::{
-    NotCalculated, Reason, StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalStrain, What,
+use super::links::{Bodies, Train, TrainSet};
+use super::records::{ModeKind, NotCalculated, Order, Source, What};
+use super::train_records::{
+    StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalResonance,
+    TorsionalStrain,
 };
-use super::{Of, Prepared, joined, number};
+use super::wanted::Settled;
+use super::{Prepared, number, orders};
 use crate::Error;
-use crate::gearbox::Subject;
-use crate::strength::place::refused;
-use crate::tolerance::rounded;
-use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
-use epicyclic_formats::{Path, Physical};
-use epicyclic_train::{Gear, LinkId, PlanetSet};
-use epicyclic_vibration::train::{Link, Placed, Shaft, TrainParts, torsional};
-use epicyclic_vibration::{BodyId, Group, Model, PlanetarySet, SpringId};
-use uom::si::f64::{MomentOfInertia, Torque};
+use crate::analyze::analysis;
+use crate::tolerance::{ROUNDED, rounded};
+use epicyclic_formats::Physical;
+use epicyclic_train::{Analysis, Gear};
+use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
+use epicyclic_vibration::{BodyId, Group, Model, SpringId, phasing};
+use std::f64::consts::TAU;
 
-/// What a file says of the torsional model.
-pub(super) struct Train<'a> {
-    subject: &'a Subject<'a>,
-    file: Option<&'a VibrationOfGearbox>,
-    /// Places of the links of each shaft.
-    shafts: Vec<(&'a ShaftEntry, [LinkId; 2])>,
-}
-
-/// A set of the train.
-pub(super) struct TrainSet<'a> {
-    pub(super) of: Of<'a>,
-    pub(super) set: &'a PlanetSet,
-    pub(super) prepared: Prepared,
-}
-
-/// Links of the model with the names of those of the gearbox in each.
-#[derive(Default)]
-struct Bodies {
-    links: Vec<Link>,
-    names: Vec<Vec<String>>,
-    /// Places by the root of what turns as one piece.
-    of_root: Vec<(usize, usize)>,
-}
-
-impl<'a> Train<'a> {
-    /// Checks shafts and inertias of links.
-    pub(super) fn new(subject: &'a Subject<'a>, file: &'a GearboxFile) -> Result<Self, Error> {
-        let gearbox = &subject.gearbox;
-        let at = |keys: &[&str], index: Option<usize>, message: String| {
-            let path = keys.iter().fold(Path::root().key("vibration"), |path, key| path.key(*key));
-            let path = index.map_or(path.clone(), |index| path.index(index));
-            refused(subject.document, &path, &[], &message)
-        };
-        let link = |name: &str, index: Option<usize>, keys: &[&str]| {
-            gearbox.link(name).filter(|link| *link != LinkId::GROUND).ok_or_else(|| {
-                let all: Vec<&str> = gearbox.link_ids().skip(1).map(|link| gearbox.link_name(link)).collect();
-                at(keys, index, format!("no link is called `{name}`: there are {}", all.join(", ")))
-            })
-        };
-        let entry = file.vibration.as_ref();
-        let mut shafts = vec![];
-        for (index, shaft) in entry.into_iter().flat_map(|entry| &entry.shafts).enumerate() {
-            let mut ends = [LinkId::GROUND; 2];
-            for (end, name) in ends.iter_mut().zip(&shaft.between) {
-                *end = link(name, Some(index), &["shafts"])?;
-            }
-            let is_tied = gearbox.permanent().iter().any(|tie| is_same(*tie, ends));
-            if !is_tied {
-                let [first, second] = &shaft.between;
-                let message = format!("shaft `{}`: `ties` do not join `{first}` and `{second}`", shaft.id);
-                return Err(at(&["shafts"], Some(index), message));
-            }
-            if shaft.stiffness.0.si() <= 0.0 {
-                let message = format!("shaft `{}`: its stiffness must be above 0", shaft.id);
-                return Err(at(&["shafts"], Some(index), message));
-            }
-            shafts.push((shaft, ends));
+/// The torsional modes in a gear with what excites them, or which set lacks what.
+pub(super) fn modes(
+    train: &Train<'_>,
+    gear: &Gear,
+    sets: &[TrainSet<'_>],
+    settled: &Settled,
+) -> Result<Result<TorsionalModes, NotCalculated>, Error> {
+    let laid = match train.laid(gear, sets, What::Torsional, Prepared::torsional) {
+        Ok(laid) => laid,
+        Err(missing) => return Ok(Err(missing)),
+    };
+    let bodies = &laid.bodies;
+    let between = laid.shafts.iter().filter_map(|shaft| Some((shaft, shaft.between?)));
+    let shafts: Vec<Shaft> = between
+        .map(|(shaft, (links, stiffness))| Shaft { name: shaft.entry.id.clone(), links, stiffness })
+        .collect();
+    let placed: Vec<Placed<'_>> = std::iter::zip(sets, &laid.sets)
+        .map(|(one, (set, links))| Placed { name: format!("{} ", one.of.entry.id), set, links: *links })
+        .collect();
+    let refuse = |error| train.refused(gear, &error);
+    let (model, parts) = torsional(&bodies.links, &placed, &shafts).map_err(refuse)?;
+    let groups = model.groups(&parts.links).map_err(refuse)?;
+    let modes: Result<Vec<TorsionalMode>, _> = groups
+        .iter()
+        .enumerate()
+        .map(|(index, group)| mode(index, group, &model, &parts, bodies, sets, &shafts))
+        .collect();
+    let zeros = groups.iter().filter(|group| group.is_zero());
+    let mut all = TorsionalModes {
+        gear: gear.name().to_owned(),
+        freedoms: zeros.map(|group| group.multiplicity() as u32).sum(),
+        modes: modes.map_err(refuse)?,
+        orders: vec![],
+        resonances: vec![],
+        input_speeds_rad_s: settled.ends(),
+    };
+    if let Some([low, high]) = all.input_speeds_rad_s {
+        let analysis = analysis(&train.subject.gearbox, gear.name())?;
+        all.orders = of_links(&analysis, bodies);
+        for (place, one) in sets.iter().enumerate() {
+            all.orders.extend(of_set(&analysis, place, one, settled.harmonics));
         }
-        for (name, inertia) in entry.into_iter().flat_map(|entry| &entry.link_inertias) {
-            link(name, None, &["link_inertias"])?;
-            if inertia.0.si() < 0.0 {
-                let message = format!("the inertia of `{name}` must not be below 0");
-                return Err(at(&["link_inertias", name], None, message));
-            }
+        for order in &all.orders {
+            all.resonances.extend(met(order, &all.modes, [low, high]));
         }
-        Ok(Self { subject, file: entry, shafts })
+        all.resonances.sort_by(|one, other| one.input_speed_rad_s.total_cmp(&other.input_speed_rad_s));
     }
+    Ok(Ok(all))
+}
 
-    /// The torsional modes in a gear, or which set lacks what.
-    pub(super) fn modes(
-        &self,
-        gear: &Gear,
-        sets: &[TrainSet<'_>],
-    ) -> Result<Result<TorsionalModes, NotCalculated>, Error> {
-        let gearbox = &self.subject.gearbox;
-        let ends: Vec<[LinkId; 2]> = self.shafts.iter().map(|(_, ends)| *ends).collect();
-        let roots = joined(gearbox, Some(gear), &ends);
-        let housing = LinkId::GROUND.index();
-        let mut bodies = Bodies::default();
-        let mut built: Vec<(PlanetarySet, [usize; 3])> = vec![];
-        for one in sets {
-            let links = [0, 1, 2].map(|member| one.set.members()[member]);
-            let held = links.map(|link| roots[link.index()] == housing);
-            let set = match one.prepared.torsional(held) {
-                Ok(set) => set,
-                Err(missing) => {
-                    return Ok(Err(NotCalculated {
-                        set: one.of.entry.id.clone(),
-                        gear: Some(gear.name().to_owned()),
-                        what: What::Torsional,
-                        reason: Reason::KeysMissing,
-                        missing,
-                    }));
-                }
-            };
-            let mut places = [0; 3];
-            for (member, place) in places.iter_mut().enumerate() {
-                *place = if held[member] {
-                    bodies.alone(&one.of.entry.id, member, one.prepared.support(member))
-                } else {
-                    bodies.joined(roots[links[member].index()], gearbox, &roots)
-                };
+/// A turn of each link that turns.
+fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
+    let order = |(root, place): &(usize, usize)| {
+        let of_input = analysis.speeds().get(*root).copied().flatten()?.abs();
+        (of_input > ROUNDED).then(|| TorsionalOrder {
+            of: bodies.links[*place].name.clone(),
+            source: Source::LinkTurn,
+            harmonic: 1,
+            of_input,
+            excites: Some(ModeKind::Rotational),
+        })
+    };
+    bodies.of_root.iter().filter_map(order).collect()
+}
+
+/// What the teeth and planets of a set do, in axes on its carrier; nothing where its teeth or speeds are not known.
+fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
+    let (planets, Some(teeth)) = (one.prepared.planets, one.prepared.teeth) else { return vec![] };
+    let [Some(sun), Some(ring), Some(carrier)] = analysis.sets()[place].members[..] else { return vec![] };
+    let set = &one.of.entry.id;
+    let periods = |order: &Order| match order.source {
+        Source::Mesh => Some(u64::from(order.harmonic) * u64::from(teeth[0])),
+        Source::SunTurn | Source::RingTurn => Some(1),
+        Source::SunPlanetPass | Source::RingPlanetPass => Some(u64::from(planets)),
+        // Each planet has a phase of its own.
+        Source::PlanetTurn | Source::LinkTurn => None,
+    };
+    let is_equal = one.prepared.is_equally_spaced();
+    let speeds = [sun, ring, carrier];
+    let all = orders::all(set, analysis.gear().name(), teeth, planets, is_equal, speeds, harmonics);
+    all.into_iter()
+        .map(|order| {
+            // The rule is of equally spaced planets.
+            let periods = periods(&order).filter(|_| is_equal);
+            let excites = periods.and_then(|periods| phasing::torsional(periods, planets).ok());
+            TorsionalOrder {
+                of: set.clone(),
+                source: order.source,
+                harmonic: order.harmonic,
+                of_input: order.of_input,
+                excites: excites.map(ModeKind::of),
             }
-            built.push((set, places));
+        })
+        .collect()
+}
+
+/// Where an order has the frequency of a mode that it can excite.
+fn met(order: &TorsionalOrder, modes: &[TorsionalMode], [low, high]: [f64; 2]) -> Vec<TorsionalResonance> {
+    let mut all = vec![];
+    for mode in modes.iter().filter(|mode| mode.frequency_hz > 0.0) {
+        let share = share(order, mode);
+        // Shares that rounding leaves are told as 0.
+        if share == 0.0 || order.excites.is_some_and(|kind| kind != mode.kind) {
+            continue;
         }
-        let mut shafts = vec![];
-        for (shaft, ends) in &self.shafts {
-            let places = ends.map(|end| (end, roots[end.index()]));
-            if places.iter().any(|(_, root)| *root == housing) {
-                // A shaft between a link and one that is held.
-                let support = Torque::from_si(shaft.stiffness.0.si());
-                if let Some((_, root)) = places.iter().find(|(_, root)| *root != housing) {
-                    let place = bodies.joined(*root, gearbox, &roots);
-                    bodies.links[place].support += support;
-                }
-                continue;
-            }
-            shafts.push(Shaft {
-                name: shaft.id.clone(),
-                links: places.map(|(_, root)| bodies.joined(root, gearbox, &roots)),
-                stiffness: Torque::from_si(shaft.stiffness.0.si()),
+        let speed = TAU * mode.frequency_hz / order.of_input;
+        for input_speed_rad_s in [-speed, speed].into_iter().filter(|speed| (low..=high).contains(speed)) {
+            all.push(TorsionalResonance {
+                input_speed_rad_s,
+                of: order.of.clone(),
+                source: order.source,
+                harmonic: order.harmonic,
+                mode: mode.mode,
+                frequency_hz: mode.frequency_hz,
+                share,
             });
         }
-        for (name, inertia) in self.file.into_iter().flat_map(|file| &file.link_inertias) {
-            let Some(link) = gearbox.link(name).filter(|link| roots[link.index()] != housing) else {
-                continue;
-            };
-            let place = bodies.joined(roots[link.index()], gearbox, &roots);
-            bodies.links[place].inertia += inertia.0;
-        }
-        let placed: Vec<Placed<'_>> = sets
-            .iter()
-            .zip(&built)
-            .map(|(one, (set, links))| Placed { name: format!("{} ", one.of.entry.id), set, links: *links })
-            .collect();
-        let refuse = |error: epicyclic_vibration::Error| {
-            refused(
-                self.subject.document,
-                &Path::root(),
-                &["vibration"],
-                &format!("gear {}: {error}", gear.name()),
-            )
-        };
-        let (model, parts) = torsional(&bodies.links, &placed, &shafts).map_err(refuse)?;
-        let groups = model.groups(&parts.links).map_err(refuse)?;
-        let modes: Result<Vec<TorsionalMode>, _> = groups
-            .iter()
-            .enumerate()
-            .map(|(index, group)| mode(index, group, &model, &parts, &bodies, sets, &shafts))
-            .collect();
-        let modes = modes.map_err(refuse)?;
-        Ok(Ok(TorsionalModes {
-            gear: gear.name().to_owned(),
-            freedoms: groups
-                .iter()
-                .filter(|group| group.is_zero())
-                .map(|group| group.multiplicity() as u32)
-                .sum(),
-            modes,
-        }))
     }
+    all
 }
 
-/// Whether two ties join the same links.
-pub(super) fn is_same(one: [LinkId; 2], other: [LinkId; 2]) -> bool {
-    one == other || one == [other[1], other[0]]
-}
-
-impl Bodies {
-    /// The place of what turns as one piece.
-    fn joined(&mut self, root: usize, gearbox: &epicyclic_train::Gearbox, roots: &[usize]) -> usize {
-        if let Some((_, place)) = self.of_root.iter().find(|(own, _)| *own == root) {
-            return *place;
-        }
-        let own = gearbox.link_ids().filter(|link| roots[link.index()] == root);
-        let names: Vec<String> = own.map(|link| gearbox.link_name(link).to_owned()).collect();
-        self.of_root.push((root, self.links.len()));
-        self.add(names, Torque::default(), false)
+/// How much of a mode is where an order acts.
+fn share(order: &TorsionalOrder, mode: &TorsionalMode) -> f64 {
+    if order.source == Source::LinkTurn {
+        let own =
+            mode.kinetic.iter().filter(|one| one.planets_of.is_none() && one.links.join("+") == order.of);
+        return own.map(|one| one.share).sum();
     }
-
-    /// The place of a member that is held, on its support or rigidly.
-    fn alone(&mut self, set: &str, member: usize, support: Option<Torque>) -> usize {
-        let name = ["sun", "ring", "carrier"][member];
-        self.add(vec![format!("{name} of {set}")], support.unwrap_or_default(), support.is_none())
-    }
-
-    fn add(&mut self, names: Vec<String>, support: Torque, held: bool) -> usize {
-        let inertia = MomentOfInertia::default();
-        self.links.push(Link { name: names.join("+"), inertia, support, held });
-        self.names.push(names);
-        self.links.len() - 1
-    }
+    let is_mesh = |part| matches!(part, StrainPart::SunMeshes | StrainPart::RingMeshes);
+    mode.strain.iter().filter(|one| is_mesh(one.part) && one.of == order.of).map(|one| one.share).sum()
 }
 
 fn mode(
@@ -261,6 +201,7 @@ fn mode(
     }
     Ok(TorsionalMode {
         mode: number(index),
+        kind: ModeKind::of(group.kind),
         multiplicity: group.multiplicity() as u32,
         frequency_hz: group.frequency.si(),
         kinetic,

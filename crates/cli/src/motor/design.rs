@@ -43,7 +43,7 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
     answers::motor::design(&question).map_err(refuse)
 }
 
-fn form(teeth: &Teeth) -> ToothForm {
+pub(super) fn form(teeth: &Teeth) -> ToothForm {
     ToothForm {
         pressure_angle: teeth.pressure_angle.0,
         addendum: teeth.addendum.get(),
@@ -51,6 +51,7 @@ fn form(teeth: &Teeth) -> ToothForm {
         shift: teeth.shift.get(),
         backlash: teeth.backlash.get(),
         fillet: teeth.fillet.get(),
+        crest: teeth.crest.of_search(),
         ..ToothForm::default()
     }
 }
@@ -147,6 +148,8 @@ fn quantity_option(quantity: Quantity) -> Option<&'static str> {
         Quantity::WidthOverDiameter => "--width-over-diameter",
         Quantity::OuterDiameter => "--outer-diameter",
         Quantity::Ripple => "--ripple",
+        Quantity::FlankRipple => "--flank-ripple",
+        Quantity::LeastTorque => "--least-torque",
         Quantity::FamilyPoints => "--places",
         Quantity::Resolution => "--resolution",
         _ => return None,

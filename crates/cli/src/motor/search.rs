@@ -1,16 +1,18 @@
 //! The command `motor search`: the Pareto front of hydromotors for a displacement or torque.
 
-use super::design::refuse;
+use super::Teeth;
+use super::design::{form, refuse};
 use super::sought::{Shown, Sought};
+use super::steps::each_once;
 use crate::desk::Call;
 use crate::failure::Failure;
+use crate::lists::List;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
-use epicyclic_answers::motor_search::Wanted;
+use epicyclic_answers::motor_search::{Objective, Wanted};
 use epicyclic_formats::{Physical, Quantity};
 use epicyclic_hydromotor::checks::ToothHeights;
-use epicyclic_hydromotor::profile::ToothForm;
-use epicyclic_hydromotor::search::MotorSearch;
+use epicyclic_hydromotor::search::{FlankTerms, MotorSearch};
 use uom::si::f64::Ratio;
 
 /// Places of families that are tried in a second, about.
@@ -19,29 +21,41 @@ const PLACES_IN_A_SECOND: f64 = 2e4;
 /// Non-dominated motors for a displacement or torque.
 ///
 /// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits, the motors
-/// remain that no other surpasses in displacement over volume, ripple and least curvature radius together. The module is
-/// chosen from a list and the width follows, or the other way round. Between the places tried a motor may be better: by how much is
-/// estimated and said. Checks take the default teeth of `motor`. Ranges include both ends and may be open: 3..6, ..90.
+/// remain that no other surpasses in all objectives together. The module is chosen from a list and the width follows, or the other way
+/// round. Between the places tried a motor may be better: by how much is estimated and said. The teeth are of one form, as `motor` has
+/// it. Ranges include both ends and may be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "\
 epicyclic motor search [OPTIONS] --displacement <DISPLACEMENT>
        epicyclic motor search [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
 #[command(after_help = "\
+Objectives, also of --by: volume, ripple (at the pitch points), radius (the
+least of curvature), flank-ripple, least-torque. Those of flanks are of
+satellites that seal where the flanks touch; with them, and with --flank-ripple
+and --least-torque, every motor is looked at for its teeth, which takes longer.
+
 Example:
   epicyclic motor search --torque '600 N·m' --pressure '20 MPa' \\
-      --module '2 mm' --stator 5..6 --z3 ..66 --ripple '10 %'")]
+      --module '2 mm' --stator 5..6 --z3 ..66 --ripple '10 %'
+  epicyclic motor search --torque '600 N·m' --pressure '20 MPa' \\
+      --module '2 mm' --stator 5..6 --z3 66 --zs 10 --least-torque '95 %' \\
+      --objectives volume,flank-ripple --by flank-ripple")]
 pub(crate) struct Args {
     #[command(flatten)]
     sought: Sought,
 
-    /// Only designs on which the default teeth of `motor` keep their limits. They are taken from the front: motors that it
+    /// Only designs on which the teeth keep their limits. They are taken from the front: motors that it
     /// surpasses are not brought back for their teeth.
     #[arg(long)]
     with_teeth: bool,
 
-    /// What the designs are ordered by; the first is the one that is drawn.
-    #[arg(long, value_enum, default_value_t = Order::Volume)]
-    by: Order,
+    /// What the designs are held against each other by: see below.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, radius")]
+    objectives: List<Objective>,
+
+    /// What the designs are ordered by, an objective; the first is the one that is drawn.
+    #[arg(long, value_name = "OBJECTIVE", default_value = "volume")]
+    by: Objective,
 
     /// Places along each interval of a family, before refinement.
     #[arg(long, value_name = "NUMBER", default_value_t = 16)]
@@ -53,17 +67,25 @@ pub(crate) struct Args {
 
     #[command(flatten)]
     shown: Shown,
+
+    #[command(flatten)]
+    teeth: Teeth,
+
+    #[command(flatten)]
+    flanks: Flanks,
 }
 
-/// What the designs are ordered by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Order {
-    /// The most displacement over volume first.
-    Volume,
-    /// The least ripple first.
-    Ripple,
-    /// The greatest least curvature radius first.
-    Radius,
+/// What is asked of the flanks.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Satellites that seal at the flanks")]
+struct Flanks {
+    /// Greatest ripple of flow and torque, satellites sealing at the flanks: 8%, or 0.08.
+    #[arg(long, value_name = "RIPPLE", allow_hyphen_values = true)]
+    flank_ripple: Option<Quantity<Ratio>>,
+
+    /// Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94.
+    #[arg(long, value_name = "PART", allow_hyphen_values = true)]
+    least_torque: Option<Quantity<Ratio>>,
 }
 
 /// Runs the command.
@@ -72,11 +94,7 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let wanted = Wanted {
         search: search(args)?,
         with_teeth: args.with_teeth,
-        order: match args.by {
-            Order::Volume => answers::motor_search::Order::Volume,
-            Order::Ripple => answers::motor_search::Order::Ripple,
-            Order::Radius => answers::motor_search::Order::Radius,
-        },
+        order: args.by,
         first_of_each_set: outlet.first_of_each_set(),
         most: outlet.most(),
     };
@@ -105,13 +123,20 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 }
 
 fn search(args: &Args) -> Result<MotorSearch, Failure> {
-    // The teeth that `motor` makes by default.
-    let form = ToothForm::default();
+    let form = form(&args.teeth);
+    let share = |share: Option<Quantity<Ratio>>| share.map(|share| share.0.si());
+    let objectives = each_once("--objectives", &args.objectives.0)?;
     let addendum = form.addendum + form.shift;
     Ok(MotorSearch {
         bounds: args.sought.bounds()?,
         heights: ToothHeights { addendum, dedendum: addendum + form.clearance },
         limits: args.sought.limits()?,
+        flanks: FlankTerms {
+            form,
+            ripple: share(args.flanks.flank_ripple),
+            least_torque: share(args.flanks.least_torque),
+        },
+        objectives: objectives.into_iter().map(Objective::of_search).collect(),
         points: args.places,
         resolution: Some(args.resolution.0.si()),
         ..MotorSearch::new(args.sought.requirements()?)

@@ -57,7 +57,7 @@ pub(super) struct Sought {
     #[arg(long, allow_hyphen_values = true)]
     outer_diameter: Option<Quantity<Length>>,
 
-    /// Greatest ripple of flow and torque: 8%, or 0.08.
+    /// Greatest ripple of flow and torque, satellites sealing at the pitch points: 8%, or 0.08.
     #[arg(long, allow_hyphen_values = true)]
     ripple: Option<Quantity<Ratio>>,
 

@@ -440,7 +440,7 @@ fn losses_add_up() {
         assert!((found - 1.0).abs() < 1e-12, "{key} {found}");
     }
     let start = number(&ideal, "losses.friction.starting_torque_n_m.0");
-    assert!((start / number(&ideal, "work.least_torque_n_m") - 1.0).abs() < 1e-6);
+    assert!((start / number(&ideal, "flanks.least_torque_n_m") - 1.0).abs() < 1e-9);
     let made =
         answered(&with(&six, &["--oil", oil, "--gaps", "satellites: 20 µm", "--friction", "0.05..0.1"]));
     let at = |key: &str| number(&made, &format!("losses.at_point.{key}"));

@@ -91,7 +91,13 @@ fn every_point_of_the_space_is_told() {
 /// A design is the motor that `motor` makes of its numbers, place, form and size, with the same flanks.
 #[test]
 fn a_design_is_what_motor_calculates() {
-    let asked = ["--shift", "0.1..0.3/3", "--families", "arcs", "--crests", "space", "--exact"];
+    for crest in ["space", "tooth"] {
+        designs_are_what_motor_calculates(crest);
+    }
+}
+
+fn designs_are_what_motor_calculates(crest: &str) {
+    let asked = ["--shift", "0.1..0.3/3", "--families", "arcs", "--crests", crest, "--exact"];
     let objectives = ["--objectives", "volume, ripple, contact-ratio, flank-ripple, allowed-pressure"];
     let answer = json(&[&asked[..], &STEEL, &objectives].concat());
     let designs = answer["designs"].as_array().unwrap();
@@ -111,6 +117,7 @@ fn a_design_is_what_motor_calculates() {
             ("--pressure-angle", words(number(&form["pressure_angle_rad"]), "rad")),
             ("--addendum", words(number(&form["addendum"]), "")),
             ("--shift", words(number(&form["shift"]), "")),
+            ("--crest", form["crest"].as_str().unwrap().to_owned()),
             ("--material", "contact_limit: 1500 MPa, root_limit: 400 MPa".to_owned()),
             ("--format", "json".to_owned()),
         ];
@@ -148,7 +155,7 @@ fn a_design_is_what_motor_calculates() {
             .fold(f64::INFINITY, f64::min);
         near(&Value::from(ratio), &design["contact_ratio"]);
     }
-    assert!(designs.len() > 1, "{designs:?}");
+    assert!(designs.len() > 1, "{crest} {designs:?}");
 }
 
 /// Stresses are those of the modulus, whatever the limits.

@@ -466,3 +466,27 @@ fn the_page_of_a_gearbox_has_its_shifts() {
     assert!(sections(&page).contains(&"Shifts"));
     assert!(page.contains("Change of slip of the shift elements") && page.contains("<td>(F1)</td>"));
 }
+
+/// Chapters so far as the file says enough: with a load below that of the parting flanks the first sheet objects.
+#[test]
+fn a_gearbox_with_vibration_has_chapters_of_it() {
+    let of = |more: &[&str]| page(&[&["two-stages.yaml"], more].concat());
+    let chapters = ["natural frequencies", "modes", "resonances", "forces by the transmission error"];
+    let chapters = chapters.map(|chapter| format!("Vibration: {chapter}"));
+    let plain = of(&[]);
+    is_sound(&plain);
+    is_in_order(&plain);
+    let own = |page: &str| -> Vec<String> {
+        let all = sections(page).into_iter().filter(|heading| heading.starts_with("Vibration"));
+        all.map(str::to_owned).collect()
+    };
+    assert_eq!(own(&plain), chapters);
+    assert!(plain.contains("Vibration: the transmission error makes at most"));
+    assert!(!plain.contains("Coupled frequencies") && of(&["--coupled"]).contains("Coupled frequencies"));
+    let parts = "the flanks of the";
+    let loaded = |torque| of(&["--torque", torque, "--speed", "1475 rpm"]).contains(parts);
+    assert!(!plain.contains(parts) && loaded("1 N·m") && !loaded("500 N·m"));
+    // Without the keys of excitation as far as the modes.
+    assert_eq!(own(&page(&["vibration.yaml"])), chapters[..2]);
+    assert_eq!(own(&page(&["scheme-ii-3.yaml"])), [""; 0]);
+}

@@ -285,6 +285,325 @@ fn forces_are_linear_in_the_error_and_grow_as_damping_falls() {
 }
 
 #[test]
+fn the_gyroscopic_effect_changes_forces_where_the_carrier_turns() {
+    let forces = |parts: &[(&str, &str)], more: &[&str]| {
+        let answer = answer("vibration.yaml", parts, &[&ERRORS[..], more].concat());
+        let response = answer["responses"][0].clone();
+        let greatest = number(&list(&response, "harmonics")[0]["greatest_sun"], "force_n");
+        (response["gyroscopic"].as_bool().unwrap(), greatest)
+    };
+    let [with, without] = [forces(&[], &[]), forces(&[], &["--without-gyroscopic"])];
+    assert!(with.0 && !without.0);
+    assert!((with.1 / without.1 - 1.0).abs() > 1e-2, "{with:?} {without:?}");
+    // With the carrier held nothing turns with it.
+    let held = [("ring: ring\n    carrier: fan", "ring: fan\n    carrier: ring")];
+    let [with, without] = [forces(&held, &[]), forces(&held, &["--without-gyroscopic"])];
+    assert_eq!((with, with.0), (without, false));
+}
+
+/// What turns the other way with the torque of the other sign is a mirror image; a torque of the other sign alone is not.
+#[test]
+fn forces_are_those_of_the_mirror_image() {
+    let of = |speeds: &str| {
+        let mut options = ERRORS;
+        options[3] = speeds;
+        let answer = answer("vibration.yaml", &[], &options);
+        number(&list(&answer["responses"][0], "harmonics")[0]["greatest_ring"], "force_n")
+    };
+    let [ahead, back] = ["1500rpm..10000rpm/12", "-10000rpm..-1500rpm/12"].map(of);
+    assert!((ahead / back - 1.0).abs() < 1e-9, "{ahead} {back}");
+}
+
+#[test]
+fn the_file_says_what_options_say() {
+    let keys =
+        "vibration: # of the whole gearbox: inertias beside those of the sets, ties that are springs\n";
+    let more = [
+        keys,
+        "  speeds: [1500 rpm, 9000 rpm]\n  harmonics: 2\n  transmission_error: [3 µm, 1 µm]\n",
+        "  ring_transmission_error: [2 µm]\n  damping: 2 %\n",
+    ];
+    let of_file = answer("vibration.yaml", &[(keys, &more.concat())], &["--gear", "slow"]);
+    let options = [
+        "--gear",
+        "slow",
+        "--speeds",
+        "1500rpm..9000rpm/61",
+        "--harmonics",
+        "2",
+        "--transmission-error",
+        "3um,1um",
+        "--ring-transmission-error",
+        "2um",
+        "--damping",
+        "2%",
+    ];
+    assert_eq!(of_file, answer("vibration.yaml", &[], &options));
+    // An option goes before the file.
+    let other = answer("vibration.yaml", &[(keys, &more.concat())], &["--gear", "slow", "--harmonics", "1"]);
+    let meshes = list(&other, "orders").iter().filter(|order| order["source"] == "mesh");
+    assert_eq!(meshes.count(), 1);
+}
+
+#[test]
+fn torsional_resonances_lie_where_an_order_meets_a_mode_that_its_phases_let_it_excite() {
+    let answer = answer("two-stages.yaml", &[], &["--speeds", "-9000rpm..9000rpm/3", "--harmonics", "8"]);
+    let gear = &answer["torsional"][0];
+    let (modes, orders, resonances) = (list(gear, "modes"), list(gear, "orders"), list(gear, "resonances"));
+    let mut found = 0;
+    for order in orders {
+        let teeth = if order["of"] == "fast" { (24, 4) } else { (22, 3) };
+        if order["source"] == "mesh" {
+            let rest = order["harmonic"].as_u64().unwrap() * teeth.0 % teeth.1;
+            assert_eq!(order["excites"], if rest == 0 { "rotational" } else { "planet" }, "{order}");
+        }
+        for mode in modes.iter().filter(|mode| number(mode, "frequency_hz") > 0.0) {
+            let speed = TAU * number(mode, "frequency_hz") / number(order, "of_input");
+            let own = resonances.iter().filter(|one| {
+                ["of", "source", "harmonic"].iter().all(|key| one[*key] == order[*key])
+                    && one["mode"] == mode["mode"]
+            });
+            let own: Vec<f64> = own.map(|one| number(one, "input_speed_rad_s")).collect();
+            let of_set = |one: &&Value| one["of"] == order["of"];
+            let share: f64 = if order["source"] == "link_turn" {
+                let links = list(mode, "kinetic")
+                    .iter()
+                    .filter(|one| one["links"] == serde_json::json!([order["of"]]));
+                links.map(|one| number(one, "share")).sum()
+            } else {
+                let meshes = list(mode, "strain").iter().filter(of_set);
+                meshes.filter(|one| one["part"] != "shaft").map(|one| number(one, "share")).sum()
+            };
+            let is_excited = (order["excites"].is_null() || order["excites"] == mode["kind"]) && share > 0.0;
+            if is_excited && speed <= 9000.0 * TAU / 60.0 {
+                assert_eq!(own.len(), 2, "{order} {mode}");
+                assert!(own.iter().all(|one| (one.abs() / speed - 1.0).abs() < 1e-12));
+                found += 2;
+            } else {
+                assert_eq!(own, [0.0; 0], "{order} {mode}");
+            }
+        }
+    }
+    assert!(found > 20 && found == resonances.len(), "{found} {}", resonances.len());
+}
+
+/// Modes of the whole gearbox: kinds and frequencies with multiplicities.
+fn coupled(answer: &Value, place: usize) -> Vec<(String, u64, f64)> {
+    let modes = list(&answer["coupled"][place], "modes").iter();
+    let of = |mode: &Value| {
+        let kind = mode["kind"].as_str().unwrap().to_owned();
+        (kind, mode["multiplicity"].as_u64().unwrap(), number(mode, "frequency_hz"))
+    };
+    modes.map(of).collect()
+}
+
+fn same(one: &[(String, u64, f64)], other: &[(String, u64, f64)]) {
+    assert_eq!(one.len(), other.len(), "{one:?} {other:?}");
+    for (one, other) in one.iter().zip(other) {
+        assert_eq!((&one.0, one.1), (&other.0, other.1));
+        assert!((one.2 - other.2).abs() <= 1e-9 * other.2, "{one:?} {other:?}");
+    }
+}
+
+/// Without what the file says of the whole gearbox.
+const ALONE: [(&str, &str); 4] = [
+    ("links: [impeller]\n", ""),
+    ("ties: [[fan, impeller]]\n", ""),
+    ("  link_inertias: { motor: 0.02 kg·m², impeller: 3.5 kg·m² }\n", ""),
+    ("  shafts: [{ id: output, between: [fan, impeller], stiffness: 40 kN·m/rad }]\n", "  harmonics: 3\n"),
+];
+
+#[test]
+fn a_gearbox_of_one_set_has_the_coupled_modes_of_this_set() {
+    for (file, parts) in [("vibration.yaml", &ALONE[..]), ("lin-parker.yaml", &[])] {
+        let answer = answer(file, parts, &["--coupled"]);
+        let set = &answer["sets"][0];
+        let alone = list(set, "modes").iter().map(|mode| {
+            let kind = mode["kind"].as_str().unwrap().to_owned();
+            (kind, mode["multiplicity"].as_u64().unwrap(), number(mode, "frequency_hz"))
+        });
+        let alone: Vec<(String, u64, f64)> = alone.collect();
+        same(&coupled(&answer, 0), &alone);
+        for (mode, own) in list(&answer["coupled"][0], "modes").iter().zip(list(set, "modes")) {
+            assert_eq!(mode["sets"][0]["kind"], own["kind"]);
+            let of = |part: &str| -> f64 {
+                let own = list(mode, "strain").iter().filter(|one| one["part"] == part);
+                own.map(|one| number(one, "share")).sum()
+            };
+            if let Some(strain) = own["strain"].as_object() {
+                for (part, key) in [
+                    ("sun_meshes", "sun_meshes"),
+                    ("ring_meshes", "ring_meshes"),
+                    ("planet_bearings", "planet_bearings"),
+                ] {
+                    assert!((of(part) - strain[key].as_f64().unwrap()).abs() < 1e-9, "{mode} {own}");
+                }
+                let supports = of("support") + of("centre_support");
+                assert!((supports - strain["supports"].as_f64().unwrap()).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn neither_the_order_of_sets_nor_their_names_change_the_coupled_modes() {
+    let wanted = answer("two-stages.yaml", &[], &["--coupled"]);
+    let file = fs::read_to_string(examples().join("two-stages.yaml")).unwrap();
+    let (head, rest) = file.split_once("  - id: fast\n").unwrap();
+    let (fast, rest) = rest.split_once("  - id: slow\n").unwrap();
+    let (slow, tail) = rest.split_once("ties:").unwrap();
+    let other = format!("{head}  - id: A\n{slow}  - id: Z\n{fast}ties:{tail}");
+    let other = answer("two-stages.yaml", &[(file.as_str(), other.as_str())], &["--coupled"]);
+    same(&coupled(&other, 0), &coupled(&wanted, 0));
+    let [one, two] = [&wanted, &other].map(|answer| list(&answer["coupled"][0], "modes"));
+    for (one, two) in one.iter().zip(two) {
+        assert_eq!(one["sets"][0]["kind"], two["sets"][1]["kind"]);
+        assert_eq!(one["sets"][1]["kind"], two["sets"][0]["kind"]);
+    }
+}
+
+/// Coordinates: links that turn, two of each centre that moves, three of each planet.
+#[test]
+fn coupled_modes_are_as_many_as_coordinates_of_one_kind_each() {
+    let answer = answer("two-stages.yaml", &[], &["--coupled"]);
+    let gear = &answer["coupled"][0];
+    let moving = list(gear, "centres").iter().filter(|centre| !centre["mass_kg"].is_null()).count() as u64;
+    assert_eq!((moving, gear["freedoms"].as_u64()), (4, Some(1)));
+    let of = |kind: &str| {
+        let own = list(gear, "modes").iter().filter(|mode| mode["kind"] == kind);
+        own.map(|mode| mode["multiplicity"].as_u64().unwrap()).sum::<u64>()
+    };
+    // Four links turn; of each set three coordinates of the planets are rotational, six translational, three are of each planet more.
+    let kinds = ["rotational", "translational", "planet", "mixed"].map(of);
+    assert_eq!(kinds, [4 + 2 * 3, 2 * moving + 2 * 6, 3, 0]);
+    for mode in list(gear, "modes") {
+        let sum = |key: &str| list(mode, key).iter().map(|one| number(one, "share")).sum::<f64>();
+        assert!((sum("kinetic") - 1.0).abs() < 1e-9, "{mode}");
+        assert!(list(mode, "strain").is_empty() || (sum("strain") - 1.0).abs() < 1e-9, "{mode}");
+        let of_sets: Vec<&Value> = list(mode, "sets").iter().map(|set| &set["kind"]).collect();
+        match mode["kind"].as_str().unwrap() {
+            "planet" => assert_eq!(of_sets, [&Value::from("planet"), &Value::Null]),
+            kind => assert_eq!(of_sets, [kind, kind]),
+        }
+    }
+}
+
+#[test]
+fn held_centres_and_rigid_planet_bearings_leave_the_torsional_modes() {
+    let error = |zeros: &str| {
+        let bearing = |given: &str| format!("{given}{zeros} N/µm");
+        let parts = [
+            ("planet_bearing: 350 N/µm", format!("planet_bearing: {}", bearing("350"))),
+            ("planet_bearing: 600 N/µm", format!("planet_bearing: {}", bearing("600"))),
+            ("      sun: { support: 30 N/µm }\n", String::new()),
+            (
+                "      sun: { support: 0 N/µm } # it floats, held by the shaft and its planets\n",
+                String::new(),
+            ),
+            (", support: 220 N/µm", String::new()),
+            (", support: 500 N/µm", String::new()),
+        ];
+        let parts: Vec<(&str, &str)> = parts.iter().map(|(from, to)| (*from, to.as_str())).collect();
+        let answer = answer("two-stages.yaml", &parts, &["--coupled"]);
+        let flat = |modes: &[Value]| -> Vec<f64> {
+            let each = modes.iter().flat_map(|mode| {
+                vec![number(mode, "frequency_hz"); mode["multiplicity"].as_u64().unwrap() as usize]
+            });
+            each.collect()
+        };
+        let torsional = flat(list(&answer["torsional"][0], "modes"));
+        let coupled = flat(list(&answer["coupled"][0], "modes"));
+        assert!(torsional.len() > 10 && coupled.len() > torsional.len());
+        let pairs = torsional.iter().zip(&coupled).filter(|(torsional, _)| **torsional > 0.0);
+        pairs.map(|(torsional, coupled)| (coupled / torsional - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let [soft, hard] = ["00", "000"].map(error);
+    assert!(soft < 2e-2 && (libm::log10(soft / hard) - 1.0).abs() < 0.1, "{soft} {hard}");
+}
+
+/// A shaft that bends joins the sun of one set and the carrier of the other; without it each has translational modes of its own.
+#[test]
+fn a_shaft_that_bends_couples_the_sets_in_the_plane() {
+    let lateral = (", lateral_stiffness: 15 N/µm", "");
+    let answer = answer("two-stages.yaml", &[lateral], &["--coupled"]);
+    for mode in list(&answer["coupled"][0], "modes").iter().filter(|mode| mode["kind"] == "translational") {
+        let at_rest = list(mode, "sets").iter().filter(|set| set["kind"].is_null()).count();
+        assert_eq!(at_rest, 1, "{mode}");
+    }
+}
+
+/// Of planets in pairs double modes part, and each stays of one kind; of planets at other angles they are of no one kind.
+#[test]
+fn planets_at_unequal_angles_part_the_double_modes() {
+    let with = |angles: &str| {
+        let angles = format!("    vibration: # meshes\n      planet_angles: [{angles}]\n      #");
+        answer("vibration.yaml", &[("    vibration: # meshes", &angles)], &["--gear", "slow"])
+    };
+    let of = |answer: &Value| {
+        let set = &answer["sets"][0];
+        let kinds = list(set, "modes")
+            .iter()
+            .map(|mode| (mode["kind"].as_str().unwrap().to_owned(), mode["multiplicity"].as_u64().unwrap()));
+        (set["equally_spaced"].as_bool().unwrap(), kinds.collect::<Vec<_>>())
+    };
+    let count = |kinds: &[(String, u64)], kind: &str| {
+        kinds.iter().filter(|one| one.0 == kind).map(|one| one.1).sum::<u64>()
+    };
+    let equal = answer("vibration.yaml", &[], &["--gear", "slow"]);
+    let given = with("0 deg, 90 deg, 180 deg, 270 deg");
+    assert_eq!(of(&given), of(&equal));
+    assert!(of(&given).0);
+    let (is_equal, pairs) = of(&with("0 deg, 86.67 deg, 180 deg, 266.67 deg"));
+    assert!(!is_equal && pairs.iter().all(|one| one.1 == 1), "{pairs:?}");
+    assert_eq!(["rotational", "translational", "planet"].map(|kind| count(&pairs, kind)), [6, 12, 3]);
+    // That without frequency turns all by their ratios.
+    let (_, other) = of(&with("0 deg, 80 deg, 180 deg, 270 deg"));
+    assert_eq!(["rotational", "mixed", "planet"].map(|kind| count(&other, kind)), [1, 17, 3]);
+    // What meets the planets one after the other can then excite all modes.
+    let file = answer(
+        "vibration.yaml",
+        &[(
+            "    vibration: # meshes",
+            "    vibration: # meshes\n      planet_angles: [0 deg, 86.67 deg, 180 deg, 266.67 deg]\n      #",
+        )],
+        &["--gear", "slow", "--speeds", "0rpm..3000rpm/2"],
+    );
+    assert!(list(&file, "orders").iter().all(|order| order["excites"].is_null()));
+}
+
+/// Planets whose centrifugal forces have a resultant: modes at rest are told, what needs a carrier that turns about its centre is not, and the rest of the gearbox is.
+#[test]
+fn of_planets_out_of_balance_the_modes_at_rest_are_told() {
+    let angles = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";
+    let answer = answer("two-stages.yaml", &[("planet_bearing: 350", angles)], &["--coupled"]);
+    let not = list(&answer, "not_calculated");
+    assert_eq!(not.len(), 1, "{not:?}");
+    assert_eq!(
+        [&not[0]["set"], &not[0]["gear"], &not[0]["what"], &not[0]["reason"]],
+        ["fast", "only", "resonances", "unbalanced"]
+    );
+    assert_eq!(list(&answer, "sets").len(), 2);
+    assert!(list(&answer, "resonances").iter().all(|one| one["set"] == "slow"));
+    assert!(list(&answer, "responses").iter().all(|one| one["set"] == "slow"));
+    assert_eq!((list(&answer, "torsional").len(), list(&answer, "coupled").len()), (1, 1));
+}
+
+/// Two sets that are not round, in two gears: what keeps them from being coupled is told once.
+#[test]
+fn two_sets_that_are_not_round_are_not_coupled() {
+    let slow = "planet_angles: [0 deg, 124 deg, 240 deg]\n      planet_bearing: 600";
+    let fast = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";
+    let gears = "gears: [{ name: only }, { name: other }]";
+    let parts =
+        [("planet_bearing: 350", fast), ("planet_bearing: 600", slow), ("gears: [{ name: only }]", gears)];
+    let answer = answer("two-stages.yaml", &parts, &["--coupled"]);
+    let own = list(&answer, "not_calculated").iter().filter(|one| one["what"] == "coupled");
+    let own: Vec<[&Value; 3]> = own.map(|one| [&one["set"], &one["gear"], &one["reason"]]).collect();
+    assert_eq!(own, [[&Value::from("slow"), &Value::Null, &Value::from("no_symmetry")]]);
+    assert!(list(&answer, "coupled").is_empty() && list(&answer, "torsional").len() == 2);
+}
+
+#[test]
 fn the_vibration_of_a_fan_drive() {
     let folder = here();
     for name in ["vibration.yaml", "every-gearbox-key.yaml"] {
@@ -295,7 +614,7 @@ fn the_vibration_of_a_fan_drive() {
         &[
             &["vibrate", "vibration.yaml", "--speeds", "500rpm..3000rpm/6"],
             &[&["vibrate", "vibration.yaml"], &ERRORS[..], &["--format", "csv"]].concat(),
-            &["vibrate", "every-gearbox-key.yaml", "--set", "auxiliary", "--format", "csv"],
+            &["vibrate", "lin-parker.yaml", "--set", "P", "--format", "csv"],
         ]
     ));
 }
@@ -329,6 +648,16 @@ fn vibration_that_is_refused() {
         ("motor: 0.02 kg·m²", "rotor: 0.02 kg·m²"),
         ("motor: 0.02 kg·m²", "motor: -0.02 kg·m²"),
         (", impeller: 3.5 kg·m²", ""),
+        ("    vibration: #", "    vibration:\n      planet_angles: [0 deg, 90 deg, 180 deg] #"),
+        ("    vibration: #", "    vibration:\n      planet_angles: [0 deg, 88 deg, 180 deg, 270 deg] #"),
+        ("    vibration: #", "    vibration:\n      planet_angles: [0 deg, 180 deg, 180 deg, 270 deg] #"),
+        ("  link_inertias", "  damping: 2 %\n  link_inertias"),
+        ("  link_inertias", "  damping: 200 %\n  transmission_error: [3 µm]\n  link_inertias"),
+        ("  link_inertias", "  transmission_error: [3 µm]\n  link_inertias"),
+        ("  link_inertias", "  damping: 2 %\n  transmission_error: [-3 µm]\n  link_inertias"),
+        ("  link_inertias", "  ring_transmission_error: [3 µm]\n  link_inertias"),
+        ("  link_inertias", "  harmonics: 0\n  link_inertias"),
+        ("stiffness: 40 kN·m/rad", "stiffness: 40 kN·m/rad, lateral_stiffness: -1 N/µm"),
     ]
     .into_iter()
     .enumerate()
@@ -388,6 +717,13 @@ fn vibration_that_is_refused() {
             "2%",
         ],
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--response", "r.svg"],
+        &["vibrate", "vibration.yaml", "--damping", "2%"],
+        &["vibrate", "vibration.yaml", "--without-gyroscopic"],
+        &["vibrate", "vibration.yaml", "--campbell", "c.svg"],
+        &["vibrate", "vibration.yaml", "--gear", "slow", "--torsional-campbell", "c.svg"],
+        &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--torsional-campbell", "c.svg"],
+        &["vibrate", "vibration.yaml", "--coupled", "--set", "P"],
+        &["report", "scheme-ii-3.yaml", "--coupled", "-o", "page.html"],
     ]);
     insta::assert_snapshot!(sessions(folder.path(), &lines));
 }

@@ -5,12 +5,12 @@ use crate::quantity::TorsionalStiffness;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use uom::si::f64::{Angle, Length, Mass, MomentOfInertia, SurfaceTension};
+use uom::si::f64::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Ratio, SurfaceTension};
 
 /// A stiffness, N/m.
 pub type Stiffness = SurfaceTension;
 
-/// What the torsional vibration of the whole gearbox asks for beyond its sets.
+/// What the vibration of the whole gearbox asks for beyond its sets, and what excites it.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VibrationOfGearbox {
@@ -20,6 +20,21 @@ pub struct VibrationOfGearbox {
     /// Ties that are springs.
     #[serde(default)]
     pub shafts: Vec<ShaftEntry>,
+    /// Least and greatest speed of the input, for resonances and forces. An option gives others.
+    #[serde(default)]
+    pub speeds: Option<[Quantity<AngularVelocity>; 2]>,
+    /// How many harmonics of the meshes are told. Default 3.
+    #[serde(default)]
+    pub harmonics: Option<u32>,
+    /// Amplitudes of the transmission error of the meshes, the first harmonic first.
+    #[serde(default)]
+    pub transmission_error: Vec<Quantity<Length>>,
+    /// The same of the ring's meshes, where it is another.
+    #[serde(default)]
+    pub ring_transmission_error: Vec<Quantity<Length>>,
+    /// Damping ratio of every mode, for the forces that transmission errors make.
+    #[serde(default)]
+    pub damping: Option<Quantity<Ratio>>,
 }
 
 /// A tie that is a shaft.
@@ -32,6 +47,9 @@ pub struct ShaftEntry {
     pub between: [String; 2],
     /// Its torsional stiffness.
     pub stiffness: Quantity<TorsionalStiffness>,
+    /// Its lateral stiffness between the centres of the two links, for their motion in the plane. Default: none.
+    #[serde(default)]
+    pub lateral_stiffness: Option<Quantity<Stiffness>>,
 }
 
 /// What the vibration of a simple set asks for beyond its teeth, module, face width and planets.
@@ -52,6 +70,9 @@ pub struct VibrationEntry {
     pub planet: PlanetEntry,
     /// Radial stiffness of the bearings of one planet together.
     pub planet_bearing: Quantity<Stiffness>,
+    /// Angles of the planets on the carrier, where they are not equally spaced.
+    #[serde(default)]
+    pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// Stiffness of one mesh of the sun and of one of the ring along the line of action. Default: `c_γα·b` by ISO 6336.
     #[serde(default)]
     pub mesh_stiffness: Option<[Quantity<Stiffness>; 2]>,

@@ -9,6 +9,7 @@
 //! | [`third`] | the third contact that holds a satellite |
 //! | [`stress`] | pressures of Hertz |
 //! | [`root`] | bending at the roots, the pressure that a shape allows |
+//! | [`starting`] | the torque at the start, against friction with the contacts where they are |
 //!
 //! # Frame and signs
 //! A satellite is looked at in the frame of its ray: x along the ray from the axis, y across it counter-clockwise, the origin in
@@ -35,11 +36,13 @@ pub mod root;
 pub mod sealing;
 #[cfg(test)]
 mod slow;
+pub mod starting;
 pub mod stress;
 pub mod third;
 
 pub use forces::{BearingLoad, FlankForce, GreatestFlankForce, Push};
 pub use root::{AllowedPressure, Governing, MaterialLimits, RootStress};
 pub use sealing::{FlankRipple, SealingContact};
+pub use starting::StartingTorque;
 pub use stress::{ContactStress, LoadedPath, Mesh, PeakPressure, effective_modulus};
 pub use third::{ForceBound, ThirdContact, ThirdContactBounds};

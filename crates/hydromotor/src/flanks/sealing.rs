@@ -133,9 +133,18 @@ impl Row {
 
     /// Places between two contacts at which the sealing contact changes, by a quantity.
     fn changes(&self, motor: &Motor, by: By, ends: &[Contact; 2]) -> Vec<f64> {
+        self.places(motor, by, ends, |turn| turn.0)
+    }
+
+    /// Places between two contacts at which the sealing contact passes the pitch point, by a quantity.
+    fn passages(&self, motor: &Motor, by: By, ends: &[Contact; 2]) -> Vec<f64> {
+        self.places(motor, by, ends, |turn| turn.1)
+    }
+
+    fn places(&self, motor: &Motor, by: By, ends: &[Contact; 2], of: fn(&(f64, f64)) -> f64) -> Vec<f64> {
         let own = arc(self.side);
         let [from, to] = [0, 1].map(|i| ends[i].get(own));
-        let places = self.turns.iter().flat_map(|turn| windings(turn.0, self.lobe, [from, to]));
+        let places = self.turns.iter().flat_map(|turn| windings(of(turn), self.lobe, [from, to]));
         let at = |s: f64| if by == own { s } else { motor.shape.at(own, s).get(by) };
         places.map(at).collect()
     }
@@ -173,7 +182,7 @@ impl Rows {
 }
 
 /// `f′` with contacts at offsets.
-fn sealed(contact: &Contact, [e3, e1]: [f64; 2]) -> f64 {
+pub(super) fn sealed(contact: &Contact, [e3, e1]: [f64; 2]) -> f64 {
     let Contact { rho3, rho1, .. } = *contact;
     contact.flow() + (rho3 * e1 * e1 - rho1 * e3 * e3) / (2.0 * (rho3 - rho1))
 }
@@ -197,10 +206,10 @@ fn sealed_slope(contact: &Contact, r: f64, [e3, e1]: [f64; 2], rates: [f64; 2]) 
 }
 
 /// The flow on a smooth piece: every loaded satellite with its contacts.
-struct Piece<'a> {
+pub(super) struct Piece<'a> {
     motor: &'a Motor,
     cos: f64,
-    times: f64,
+    pub(super) times: f64,
     loaded: Vec<(u32, f64, [Seal; 2])>,
 }
 
@@ -208,6 +217,15 @@ struct Piece<'a> {
 type Known = Vec<Option<Contact>>;
 
 impl Piece<'_> {
+    /// Every loaded satellite at a rotation: its contact, the sign of its push, and `e₃` and `e₁`.
+    pub(super) fn contacts(&self, rotation: f64) -> impl Iterator<Item = (Contact, f64, [f64; 2])> + '_ {
+        self.loaded.iter().map(move |&(j, sigma, seals)| {
+            let contact = self.motor.shape.at(By::Phase, self.motor.phase(rotation, j));
+            let offsets = [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)];
+            (contact, sigma, offsets)
+        })
+    }
+
     /// `Q′/b` and its slope.
     fn at(&self, rotation: f64) -> (f64, f64) {
         self.with(|j| self.motor.shape.at(By::Phase, self.motor.phase(rotation, j)))
@@ -238,7 +256,7 @@ fn contact_of<'a>(motor: &Motor, known: &'a mut Known, rotation: f64, j: u32) ->
 }
 
 /// The flow of a profile piece by piece.
-struct Flow<'a> {
+pub(super) struct Flow<'a> {
     profile: &'a Profile,
     /// Of satellites by a crest and by a trough.
     rows: [Rows; 2],
@@ -246,7 +264,7 @@ struct Flow<'a> {
 }
 
 impl<'a> Flow<'a> {
-    fn new(profile: &'a Profile, rule: SealingContact) -> Self {
+    pub(super) fn new(profile: &'a Profile, rule: SealingContact) -> Self {
         let motor = profile.motor();
         let rows = [1.0, -1.0].map(|sigma| Rows::new(profile, sigma, rule));
         let period = motor.period();
@@ -258,6 +276,26 @@ impl<'a> Flow<'a> {
         ends.sort_by(f64::total_cmp);
         ends.dedup_by(|late, early| *late - *early < WITHIN * period);
         Self { profile, rows, ends }
+    }
+
+    /// The pieces of a period between all changes and all passages of the pitch points by contacts that seal.
+    pub(super) fn pieces_of_arms(&self) -> Vec<([f64; 2], Piece<'a>)> {
+        let motor = self.profile.motor();
+        let period = motor.period();
+        let mut ends = self.ends.clone();
+        for (rows, crest) in self.rows.iter().zip([true, false]) {
+            let range = motor.loaded(crest);
+            let contacts = range.map(|phase| motor.shape.at(By::Phase, phase));
+            let passages = rows.rows.iter().flat_map(|row| row.passages(motor, By::Phase, &contacts));
+            ends.extend(passages.map(|phase| phase.rem_euclid(period)));
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|late, early| *late - *early < WITHIN * period);
+        let piece = |pair: &[f64]| {
+            let mut known = vec![None; self.satellites() as usize];
+            ([pair[0], pair[1]], self.piece(0.5 * (pair[0] + pair[1]), &mut known))
+        };
+        ends.windows(2).map(piece).collect()
     }
 
     /// Satellites among which the pressures do not repeat.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::MotorNumbers;
-use crate::units::{angle_of_degrees, in_degrees};
+use crate::units::angle_of_degrees;
 use proptest::prelude::*;
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::dynamic_viscosity::pascal_second;
@@ -97,26 +97,6 @@ fn the_mean_loss_is_that_of_all_angles() {
 }
 
 #[test]
-fn the_start_without_friction_is_the_least_of_the_ripple() {
-    let motor = motor(1.0);
-    let start = motor.starting_torque(alpha(), mm(10.0), mpa(20.0), range(0.0, 0.12)).unwrap();
-    let least = motor.ripple().least.value * 0.01 * 20e6;
-    // The least is at a kink, and looked at a ten-millionth of the period beside it.
-    assert!((start.frictionless.value / least - 1.0).abs() < 1e-7);
-    assert_eq!(start.range[1], start.frictionless);
-    // With friction: no angle has less, and the angle named has it.
-    let left = |rotation: f64| {
-        let torque = motor.torque(angle(rotation), mm(10.0), mpa(20.0)).unwrap().value;
-        torque - 0.12 * loss_by_motion(&motor, rotation, mm(10.0), mpa(20.0))
-    };
-    let worst = start.range[0].value;
-    for i in 0..3000 {
-        assert!(left(TAU / 12.0 * (f64::from(i) + 0.5) / 3000.0) > worst * (1.0 - 1e-6));
-    }
-    assert!((left(radians(start.rotation)) / worst - 1.0).abs() < 1e-6, "{}", in_degrees(start.rotation));
-}
-
-#[test]
 fn the_drag_is_that_of_points_of_the_faces() {
     let motor = motor(1.0);
     let um = Length::new::<micrometer>;
@@ -184,5 +164,4 @@ fn bad_ranges_are_refused() {
     assert!(motor.mean_friction_torque(alpha(), mm(1.0), mpa(0.0), range(0.0, 0.1)).is_err());
     assert!(motor.mean_friction_torque(angle(0.0), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err());
     assert!(motor.friction_torque(alpha(), angle(f64::NAN), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err());
-    assert!(motor.starting_torque(alpha(), mm(0.0), mpa(1.0), range(0.0, 0.1)).is_err());
 }

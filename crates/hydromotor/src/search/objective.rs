@@ -83,7 +83,13 @@ impl AtFlanks {
     /// Of a motor in a form; none where the form gives no teeth, or no number.
     #[must_use]
     pub fn of(motor: &Motor, form: ToothForm) -> Option<Self> {
-        let ripple = Profile::new(motor, form).ok()?.flank_ripple(SealingContact::default());
+        Self::of_profile(&Profile::new(motor, form).ok()?)
+    }
+
+    /// The same of teeth that are there; none where they give no number.
+    #[must_use]
+    pub fn of_profile(profile: &Profile) -> Option<Self> {
+        let ripple = profile.flank_ripple(SealingContact::default());
         let at = Self { ripple: ripple.at_flanks.delta, least_over_mean: ripple.least_over_mean };
         (at.ripple > 0.0 && at.ripple.is_finite() && at.least_over_mean.is_finite()).then_some(at)
     }

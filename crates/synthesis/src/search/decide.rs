@@ -130,19 +130,6 @@ impl<W: Word> Search<W> {
         let functions: Vec<Function> =
             locals.iter().map(|function| Function::with_equal(ratio(function), sets, equal)).collect();
         let functions: Vec<&Function> = functions.iter().collect();
-        let begun = std::time::Instant::now();
-        struct D<'x>(std::time::Instant, Vec<&'x Function>, Parts);
-        impl Drop for D<'_> {
-            fn drop(&mut self) {
-                if self.0.elapsed().as_secs_f64() > 0.3 {
-                    eprintln!("{:.1} s parts {}", self.0.elapsed().as_secs_f64(), self.2.iter().count());
-                    for f in &self.1 {
-                        eprintln!("   {}", f.ratio);
-                    }
-                }
-            }
-        }
-        let _d = D(begun, functions.clone(), parts);
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
             assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every

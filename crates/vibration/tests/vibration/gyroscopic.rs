@@ -21,7 +21,7 @@ fn omegas(modes: &[WhirlMode]) -> Vec<f64> {
 }
 
 /// `G` and `K_Ω` written here from the acceleration in a turning frame, for models whose bodies are all planar.
-fn turning(
+pub(crate) fn turning(
     model: &Model,
     carrier: usize,
     load: f64,
@@ -43,7 +43,7 @@ fn turning(
 }
 
 /// Of planets of 0.66 kg on bearings of 1e8 N/m.
-fn load(planets: f64, speed: f64) -> f64 {
+pub(crate) fn load(planets: f64, speed: f64) -> f64 {
     planets * 0.66 / (1.0 - 0.66 * speed * speed / 1e8)
 }
 

@@ -2,6 +2,7 @@
 #![cfg(test)]
 
 mod common;
+mod coupled;
 mod energy;
 mod gyroscopic;
 mod modal;

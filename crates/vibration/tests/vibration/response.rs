@@ -1,8 +1,9 @@
 //! Forced vibration: against a direct solution of the equations of motion, and in the limits of low and high frequency.
 
 use crate::common::{body, lin_parker, n_m};
+use crate::gyroscopic::{load, turning};
 use epicyclic_vibration::response::{Displacement, Response};
-use epicyclic_vibration::{Axis, Error, Freedom, Model, SetParts};
+use epicyclic_vibration::{Axis, Centripetal, Error, Freedom, Model, SetParts, Support};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 use uom::si::angle::radian;
@@ -27,7 +28,15 @@ fn errors(parts: &SetParts, teeth: f64) -> Vec<Displacement> {
 }
 
 /// `(K + i·ω·C − ω²·M)·q = F` by elimination; the damping matrix from the matrix square root, `C = 2·ζ·M^½·(M^-½·K·M^-½)^½·M^½`, not from modes one by one.
-fn direct(model: &Model, displacements: &[Displacement], omega: f64, zeta: f64) -> Vec<Complex<f64>> {
+///
+/// In axes that turn with a carrier of four planets at a speed `(K − Ω²·K_Ω + i·ω·(C + Ω·G) − ω²·M)·q = F`.
+fn direct(
+    model: &Model,
+    displacements: &[Displacement],
+    omega: f64,
+    zeta: f64,
+    speed: f64,
+) -> Vec<Complex<f64>> {
     let size = model.size();
     let rows = model.stiffness_matrix_n_per_m();
     let stiffness = DMatrix::from_fn(size, size, |row, column| rows[row][column]);
@@ -44,9 +53,14 @@ fn direct(model: &Model, displacements: &[Displacement], omega: f64, zeta: f64) 
     let damping = DMatrix::from_fn(size, size, |row, column| {
         2.0 * zeta * roots[row] * y[(row, column)] * roots[column]
     });
+    let (_, _, g, k_omega) = turning(model, 2, load(4.0, speed));
     let system = DMatrix::from_fn(size, size, |row, column| {
         let mass = if row == column { masses[row] } else { 0.0 };
-        Complex::new(stiffness[(row, column)] - omega * omega * mass, omega * damping[(row, column)])
+        let at = (row, column);
+        Complex::new(
+            stiffness[at] - speed * speed * k_omega[at] - omega * omega * mass,
+            omega * (damping[at] + speed * g[at]),
+        )
     });
     // The drive as the force that the displacement of a spring alone has at the coordinates: K of this spring on a unit of it.
     let mut drive = DVector::from_element(size, Complex::new(0.0, 0.0));
@@ -97,13 +111,87 @@ fn superposed_modes_are_the_direct_solution() {
         for hertz in [100.0, 727.0, 1500.0, 1808.0, 5000.0, 13_000.0] {
             let omega = TAU * hertz;
             let found = flat(&model, &model.response(&modes, &drive, at(omega), 0.02).unwrap());
-            let wanted = direct(&model, &drive, omega, 0.02);
+            let wanted = direct(&model, &drive, omega, 0.02, 0.0);
             let size = wanted.iter().map(|part| part.norm()).fold(0.0, f64::max);
             for (found, wanted) in found.iter().zip(&wanted) {
                 assert!((found - wanted).norm() < 1e-8 * size, "{teeth} {hertz}: {found} {wanted}");
             }
         }
     }
+}
+
+#[test]
+fn the_response_of_a_turning_set_is_the_direct_solution() {
+    let mut set = lin_parker(4);
+    for central in [&mut set.sun, &mut set.carrier] {
+        central.support.tangential = n_m(1e8);
+    }
+    let (model, parts) = set.planar().unwrap();
+    let modes = model.modes().unwrap();
+    for teeth in [1.0, 2.0, 3.0, 4.0] {
+        let drive = errors(&parts, teeth);
+        for hertz in [100.0, 727.0, 1500.0, 1808.0, 5000.0, 13_000.0] {
+            let omega = TAU * hertz;
+            let of = |speed: f64| {
+                let load = Centripetal::WithBearingLoad;
+                flat(
+                    &model,
+                    &model.turning_response(&modes, &drive, at(omega), 0.02, at(speed), load).unwrap(),
+                )
+            };
+            let most = |all: &[Complex<f64>]| all.iter().map(|part| part.norm()).fold(0.0, f64::max);
+            let apart = |one: &[Complex<f64>], other: &[Complex<f64>]| {
+                let apart = one.iter().zip(other).map(|(one, other)| (one - other).norm());
+                apart.fold(0.0, f64::max) / most(other)
+            };
+            for speed in [300.0, -300.0, 900.0] {
+                let wanted = direct(&model, &drive, omega, 0.02, speed);
+                assert!(apart(&of(speed), &wanted) < 1e-8, "{teeth} {hertz} {speed}");
+            }
+            // At rest the superposition of modes.
+            let resting = flat(&model, &model.response(&modes, &drive, at(omega), 0.02).unwrap());
+            assert!(apart(&of(0.0), &resting) < 1e-9, "{teeth} {hertz}");
+            // One and three periods around four planets drive opposite whirls: turning the other way exchanges them, and the speed changes both.
+            if teeth == 1.0 {
+                assert!(
+                    apart(&of(300.0), &resting) > 1e-4 && apart(&of(-300.0), &of(300.0)) > 1e-4,
+                    "{hertz}"
+                );
+            }
+        }
+    }
+}
+
+/// A disc on a round support, driven along `x` of axes that turn: with `z = x + i·y`, `m·(z̈ + 2·i·Ω·ż − Ω²·z) + k·z = k·a·cos(ω·t)`, so that
+/// `z = k·a/2·(exp(i·ω·t)/(k − m·(ω + Ω)²) + exp(−i·ω·t)/(k − m·(ω − Ω)²))`.
+#[test]
+fn a_disc_in_turning_axes_follows_its_closed_form() {
+    let mut model = Model::new();
+    let disc = model.body("disc", &body(2.0, 3.0, 0.1), Freedom::Translation).unwrap();
+    let support = model.support(disc, Support { radial: n_m(2e6), ..Support::default() }).unwrap();
+    let modes = model.modes().unwrap();
+    let a = 1e-5;
+    let drive =
+        [Displacement { spring: support[0], amplitude: Length::new::<meter>(a), phase: Angle::default() }];
+    for (omega, speed) in [(500.0, 100.0), (500.0, -100.0), (980.0, 50.0), (1500.0, 300.0)] {
+        let load = Centripetal::default();
+        let response = model.turning_response(&modes, &drive, at(omega), 0.0, at(speed), load).unwrap();
+        let [forwards, backwards] =
+            [omega + speed, omega - speed].map(|seen| 1e6 * a * 2.0 / 2.0 / (2e6 - 2.0 * seen * seen));
+        let [[x, ..], [x_sine, ..]] = [&response.cosine, &response.sine].map(|shape| shape.of(disc).unwrap());
+        let [[_, y_cosine, _], [_, y, _]] =
+            [&response.cosine, &response.sine].map(|shape| shape.of(disc).unwrap());
+        let size = forwards.abs() + backwards.abs();
+        assert!((x - (forwards + backwards)).abs() < 1e-10 * size, "{x} {forwards} {backwards}");
+        assert!((y - (forwards - backwards)).abs() < 1e-10 * size, "{y} {forwards} {backwards}");
+        assert!(x_sine.abs() + y_cosine.abs() < 1e-10 * size);
+    }
+    // At one of the frequencies that the axes see, without damping.
+    let load = Centripetal::default();
+    let resonant = model.turning_response(&modes, &drive, at(900.0), 0.0, at(100.0), load).unwrap_err();
+    assert_eq!(resonant.name(), "out-of-range", "{resonant}");
+    let refused = model.turning_response(&modes, &drive, at(900.0), 0.1, at(f64::NAN), load).unwrap_err();
+    assert!(refused.to_string().starts_with("speed of the frame"), "{refused}");
 }
 
 /// One mass on one spring: the magnification of a textbook.

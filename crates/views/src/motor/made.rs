@@ -27,12 +27,7 @@ fn push(push: Push) -> Figure {
 pub(super) fn flanks(flanks: &Flanks) -> Vec<Part> {
     let mut rows = vec![
         count("loaded_satellites", "satellites that part the pressures", "2n", flanks.loaded_satellites),
-        Row::new(
-            "flank_ripple",
-            "ripple of flow and torque at the flanks",
-            "δ′",
-            [Figure::Share(flanks.ripple)],
-        ),
+        Row::new("flank_ripple", "ripple at the flanks", "δ′", [Figure::Share(flanks.ripple)]),
         Row::new(
             "least_over_mean",
             "least over mean torque there",
@@ -337,15 +332,19 @@ pub(super) fn losses(losses: &Losses) -> Vec<Part> {
             "",
             [Figure::Share(friction.share[0])],
         ));
-        rows.push(both("starting_torque", "least torque at the start", "", friction.starting_torque_n_m));
-        rows.push(one(
+        rows.extend(
+            friction
+                .starting_torque_n_m
+                .map(|torques| both("starting_torque", "least torque at the start", "", torques)),
+        );
+        rows.extend(maybe(
             "frictionless_start",
             "the same without friction",
             "",
             Torque,
             friction.starting_torque_without_n_m,
         ));
-        rows.push(one("worst_at", "with the rotor at", "", Angle, friction.worst_at_rad));
+        rows.extend(maybe("worst_at", "with the rotor at", "", Angle, friction.worst_at_rad));
     }
     let mut parts = vec![facts(
         "losses",

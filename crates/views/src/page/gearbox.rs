@@ -2,7 +2,7 @@
 
 use super::paper::{PICTURE_MM, SMALL_PLOT_MM};
 use super::sheet::{Arrangement, Block, Section, Sheet};
-use super::{side_by_side, strength};
+use super::{side_by_side, strength, vibration};
 use crate::analyze::{overview, sets};
 use crate::figure::Figure;
 use crate::report::{Part, Records};
@@ -43,6 +43,7 @@ pub fn sheet(
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
     answer.push(Block::words(operating_point(overview)));
     answer.extend(strength::enough(&report.strength).map(Block::Words));
+    answer.extend(report.vibration.as_ref().and_then(vibration::in_short).map(Block::Words));
     let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
     let parts = overview::chapter(overview, !has_shifts);
     let mut chapter = vec![Block::Answer(Report { parts, ..Report::default() })];
@@ -68,13 +69,16 @@ pub fn sheet(
         let blocks = sheet::for_page(sheets).into_iter().map(Block::Answer).collect();
         sections.push(Section::new("Data sheets of the gears", blocks).arranged(Arrangement::Rows));
     }
+    if let Some(of_sets) = &report.vibration {
+        sections.extend(vibration::sections(of_sets)?);
+    }
     sections.extend(drawings(report, shown, scale)?);
     if !report.over_k.is_empty() {
         let plots = over_k(&report.over_k)?;
         sections.push(Section::new("Another k", plots).arranged(Arrangement::Rows));
     }
     let is_rated = report.strength.iter().any(|one| one.governing.is_some());
-    let left_out = [
+    let mut left_out = vec![
         if report
             .losses
             .as_ref()
@@ -91,7 +95,11 @@ pub fn sheet(
         },
         "What happens while it shifts.",
     ];
-    sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
+    left_out.extend(report.vibration.as_ref().map(|_| vibration::LEFT_OUT));
+    sections.push(Section::new(
+        "What is left out",
+        vec![Block::List(left_out.into_iter().map(str::to_owned).collect())],
+    ));
     let theory = "Speeds by Willis' equation of each set, torques by their balance with the loss of each mesh on the side that \
                   its rolling power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
     let strength =
@@ -214,6 +222,9 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         all.extend(others.map(|warning| format!("gear {}: {}", gear.gear.gear, warning.message)));
     }
     all.extend(strength::objections(&report.strength));
+    if let Some(of_sets) = &report.vibration {
+        all.extend(vibration::objections(of_sets, &report.gears));
+    }
     let circulating = overview.gears.iter().filter_map(|gear| {
         // Where no planet turns on its pin the gearbox turns as a block, and no mesh passes the power on.
         let turns = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > RESTS);

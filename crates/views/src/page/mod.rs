@@ -11,6 +11,7 @@
 //! | [`compare`] | gearboxes side by side |
 //! | [`sheet`] | any of them: the answer, chapters of answers, pictures and words, the input |
 //! | `strength` | the strength of teeth on the page of a gearbox |
+//! | `vibration` | the vibration of planet sets on the page of a gearbox |
 //! | `side_by_side` | the figures of all gears of a gearbox, a column for each |
 //! | [`imprint`] | what a page says of itself |
 
@@ -27,6 +28,7 @@ pub mod sheet;
 mod side_by_side;
 mod strength;
 pub mod synthesis;
+mod vibration;
 
 pub use imprint::{Imprint, Paper};
 pub use sheet::{Block, Section, Sheet};

@@ -129,7 +129,7 @@ fn in_short(motor: &Motor) -> Block {
         one("satellites", "N + n", Figure::Count(numbers.satellites)),
         one("greatest diameter of the stator's centrode", "", quantity(Length, motor.size.stator_outer_m)),
         one("displacement a revolution over width", "q/b", quantity(Area, work.displacement_per_width_m2)),
-        one("ripple of flow and torque", "δ", Figure::Share(work.ripple)),
+        one("ripple at the pitch points", "δ", Figure::Share(work.ripple)),
     ];
     rows.extend(
         motor.flanks.as_ref().map(|flanks| one("ripple at the flanks", "δ′", Figure::Share(flanks.ripple))),
@@ -155,10 +155,13 @@ fn points(over_angle: &OverAngle, values: &[f64]) -> Vec<[f64; 2]> {
 fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     let mean = vec![over_angle.mean_flow_per_width_m2; over_angle.angles_rad.len()];
     let ripple = 100.0 * answer.work.ripple;
-    let plot =
-        Plot::new(format!("Flow, ripple {ripple:.2} %"), "angle of the rotor, deg", "flow, mm² a radian")
-            .sized(PLOT_MM)
-            .with(Curve::new("at the pitch points", points(over_angle, &over_angle.flow_per_width_m2)));
+    let plot = Plot::new(
+        format!("Flow, ripple {ripple:.2} % at the pitch points"),
+        "angle of the rotor, deg",
+        "flow, mm² a radian",
+    )
+    .sized(PLOT_MM)
+    .with(Curve::new("at the pitch points", points(over_angle, &over_angle.flow_per_width_m2)));
     let at_flanks = over_angle.flank_flow_per_width_m2.as_ref();
     let plot = match at_flanks {
         Some(flow) => plot.with(Curve::new("at the flanks", points(over_angle, flow))),

@@ -6,8 +6,10 @@ use crate::number::{plain, si};
 use crate::tolerance::beside_zero;
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::efficiency::OperatingPoint;
+use epicyclic_hydromotor::flanks::SealingContact;
 use epicyclic_hydromotor::leakage::{GapFlow, Regime};
 use epicyclic_hydromotor::ports::PortPlate;
+use epicyclic_hydromotor::profile::Profile;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Pressure};
@@ -71,12 +73,12 @@ pub struct Friction {
     pub torque_n_m: [f64; 2],
     /// The same over the mean torque without losses.
     pub share: [f64; 2],
-    /// Least torque at the start, at the worst angle, by contacts at the pitch points.
-    pub starting_torque_n_m: [f64; 2],
+    /// Least torque at the start, at the worst angle, with the contacts where they are there; null without teeth.
+    pub starting_torque_n_m: Option<[f64; 2]>,
     /// The same without friction.
-    pub starting_torque_without_n_m: f64,
+    pub starting_torque_without_n_m: Option<f64>,
     /// That angle.
-    pub worst_at_rad: f64,
+    pub worst_at_rad: Option<f64>,
 }
 
 /// The motor at a speed and a pressure. Of two values the first is with the greatest friction.
@@ -156,16 +158,19 @@ impl Losses {
             (Some(range), Some(width), Some(drop)) => {
                 let alpha = point.form.pressure_angle;
                 let [low, high] = motor.mean_friction_torque(alpha, width, drop, range)?;
-                let start = motor.starting_torque(alpha, width, drop, range)?;
+                let profile = Profile::new(motor, point.form).ok();
+                let start = profile
+                    .map(|profile| profile.starting_torque(SealingContact::default(), width, drop, range))
+                    .transpose()?;
                 let whole = si(motor.theoretical_torque(width, drop)?);
                 let [least, most] = range.ends();
                 Some(Friction {
                     coefficients: [most, least],
                     torque_n_m: [si(high), si(low)],
                     share: [si(high) / whole, si(low) / whole],
-                    starting_torque_n_m: start.range.map(si),
-                    starting_torque_without_n_m: si(start.frictionless),
-                    worst_at_rad: beside_zero(start.rotation),
+                    starting_torque_n_m: start.map(|start| start.range.map(si)),
+                    starting_torque_without_n_m: start.map(|start| si(start.frictionless)),
+                    worst_at_rad: start.map(|start| beside_zero(start.rotation)),
                 })
             }
             _ => None,

@@ -25,6 +25,8 @@ const SHEET: &[&str] = &["sheet"];
 const VIBRATE: &[&str] = &["vibrate"];
 /// The torsional vibration of two simple sets with what the file says of the whole gearbox.
 const TRAIN: &[&str] = &["train"];
+/// The same with its motion in the plane.
+const COUPLED: &[&str] = &["train", "--coupled"];
 const TWO_SETS: &str = "\
 gearbox: train
 input: engine
@@ -32,9 +34,9 @@ output: wheels
 links: [turbine]
 sets:
   - { id: A, sun: engine, ring: ground, carrier: ring, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
-      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m², support: 90 N/µm } } }
   - { id: B, sun: shaft, ring: ground, carrier: wheels, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
-      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+      vibration: { planet_bearing: 300 N/µm, sun: { support: 0 N/µm }, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
 ties: [[ring, shaft], [wheels, turbine]]
 gears: [{ name: only }]
 ";
@@ -160,6 +162,13 @@ const GEARBOX: &[Key] = &[
     key("vibration.shafts.id", "id: middle shaft", "id: another", TRAIN),
     key("vibration.shafts.between", "between: [ring, shaft]", "between: [wheels, turbine]", TRAIN),
     key("vibration.shafts.stiffness", "stiffness: 30 kN·m/rad", "stiffness: 31 kN·m/rad", TRAIN),
+    key("vibration.shafts.lateral_stiffness", "lateral_stiffness: 20", "lateral_stiffness: 21", COUPLED),
+    key("vibration.speeds", "speeds: [500 rpm", "speeds: [600 rpm", TRAIN),
+    key("vibration.harmonics", "harmonics: 2", "harmonics: 1", TRAIN),
+    key("vibration.transmission_error", "error: [3 µm, 1 µm]", "error: [3 µm, 2 µm]", TRAIN),
+    key("vibration.ring_transmission_error", "error: [2 µm]", "error: [1 µm]", TRAIN),
+    key("vibration.damping", "damping: 2 %", "damping: 3 %", TRAIN),
+    key("sets.vibration.planet_angles", "120 deg, 240 deg", "123.2432 deg, 240 deg", VIBRATE),
     key("sets.vibration.planet_bearing", "planet_bearing: 400", "planet_bearing: 410", VIBRATE),
     key("sets.vibration.mesh_stiffness", "mesh_stiffness: [1200", "mesh_stiffness: [1300", VIBRATE),
     key("sets.vibration.pressure_angles", "pressure_angles: [24 deg", "pressure_angles: [25 deg", VIBRATE),
@@ -544,13 +553,16 @@ fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
         format!("{TWO_SETS}vibration:{block}\n")
     };
     let (file, more) = match more {
-        ["train"] => (train(file.split_once("\nvibration:").unwrap().1), VIBRATE),
-        _ => (file.to_owned(), more),
+        ["train", more @ ..] => {
+            let of_train = [VIBRATE, more].concat();
+            (train(file.split_once("\nvibration:").unwrap().1), of_train)
+        }
+        _ => (file.to_owned(), more.to_vec()),
     };
     fs::write(folder.join("box.yaml"), file).unwrap();
     let (command, more) = match more.split_first() {
         Some((&command @ ("strength" | "losses" | "sheet" | "vibrate"), more)) => (command, more),
-        _ => ("analyze", more),
+        _ => ("analyze", &more[..]),
     };
     let mut args = vec![command, "box.yaml"];
     if !more.contains(&"--format") {

@@ -66,6 +66,7 @@ const KEYS: &[Key] = &[
     key("teeth.shift", "shift: 0.2", "shift: 0.15"),
     key("teeth.backlash", "backlash: 0.04", "backlash: 0.05"),
     key("teeth.fillet", "fillet: 0.1", "fillet: 0.12"),
+    key("teeth.crest", "crest: space", "crest: tooth"),
     key("material.youngs_modulus", "youngs_modulus: 206 GPa", "youngs_modulus: 170 GPa"),
     key("material.poissons_ratio", "poissons_ratio: 0.3", "poissons_ratio: 0.28"),
     key("material.contact_limit", "contact_limit: 2000 MPa", "contact_limit: 1900 MPa"),

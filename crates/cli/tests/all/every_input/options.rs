@@ -132,14 +132,19 @@ vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --format json
   --shapes modes.svg
   --format csv
   --output modes.json
+vibrate: vibration.yaml --gear slow --speeds 0rpm..6000rpm/3
+  --torsional-campbell torsional.svg
 vibrate: every-gearbox-key.yaml
   --set auxiliary
+vibrate: two-stages.yaml
+  --coupled
 vibrate: vibration.yaml --speeds 0rpm..6000rpm/3
   --transmission-error 3um --damping 2%
 vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --transmission-error 3um --damping 2%
   --transmission-error 3um,1um
   --ring-transmission-error 1um
   --damping 3%
+  --without-gyroscopic
   --response forces.svg
 losses: drags.yaml --speed '1475 rpm' --torque '60 N·m'
   --conductance '20 W/K'
@@ -477,6 +482,7 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --format json
   --shift 0.1
   --backlash 0.05
   --fillet 0.12
+  --crest tooth
   --svg motor.svg
   --dxf motor.dxf
   --csv motor.csv
@@ -523,6 +529,16 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --zs 10
   --divisor common
   --with-teeth
+  --pressure-angle '24 deg'
+  --addendum 0.8
+  --clearance 0.2
+  --shift 0.1
+  --backlash 0.05
+  --fillet 0.12
+  --crest tooth
+  --flank-ripple '9 %'
+  --least-torque '95 %'
+  --objectives 'volume, flank-ripple'
   --by ripple
   --places 6
   --resolution '20 %'
@@ -660,6 +676,14 @@ report: scheme-ii-3.yaml --speed '1475 rpm'
   --power '75 kW'
 report: sized-gearbox.yaml
   --to-scale
+report: two-stages.yaml --format json
+  --speeds 300rpm..2000rpm/12
+  --harmonics 1
+  --transmission-error 2um
+  --ring-transmission-error 1um
+  --damping 3%
+  --without-gyroscopic
+  --coupled
 report: minimal-drive.yaml
   --output page.html
   --format json
@@ -744,6 +768,10 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'discharge: 
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm }' | pitch_radius
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: 0 deg, diameter: 1 mm, pitch_radius: 100 mm }' | axis
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm, pitch_radius: 46 mm }, low: { angle: -14 deg, diameter: 8 mm, pitch_radius: 46 mm }' | overlap
+motor search: --displacement '250 cm3/rev' --z3 55 --objectives contact-ratio | none of
+motor search: --displacement '250 cm3/rev' --z3 55 --objectives 'volume, volume' | twice
+motor search: --displacement '250 cm3/rev' --z3 55 --least-torque 1.2 | --least-torque
+motor search: --displacement '250 cm3/rev' --z3 55 --flank-ripple 0 | --flank-ripple
 motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --csv a.csv --angle '5 deg' | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --design 2 | --csv
@@ -771,6 +799,9 @@ report: minimal-drive.yaml --customer me --format json | .html
 report: sized-gearbox.yaml --to-scale --format json | pictures
 report: minimal-drive.yaml --to-scale | drive
 report: self-crossing.yaml --to-scale | crossing
+report: minimal-drive.yaml --coupled | drive
+report: scheme-ii-3.yaml --harmonics 2 | `vibration` of a set
+vibrate: vibration.yaml --without-gyroscopic | a transmission error and speeds of the input
 ";
 
 /// Bearings of one's own.

@@ -303,6 +303,21 @@ fn every_design_keeps_all_limits_at_256_angles() {
     assert!(families.contains(&FamilyKind::TwoArcs) && families.contains(&FamilyKind::SecondHarmonic));
 }
 
+/// The same of the search as it is by default, of every seventh of its designs.
+#[test]
+fn designs_of_the_default_search_keep_all_limits_at_256_angles() {
+    const STRIDE: usize = 7;
+    let search = FormSearch::new(Requirements::of_displacement(Volume::new::<cubic_centimeter>(188.5)));
+    let found = search.front().unwrap();
+    for design in found.designs.iter().step_by(STRIDE) {
+        let profile = design.profile(design.sizes[0].module).unwrap();
+        assert!(profile.limits().iter().all(Limit::holds), "{design:?}");
+        let clearances = profile.clearances(255).unwrap();
+        assert!(clearances.free(), "{design:?} {clearances:?}");
+    }
+    assert!(found.designs.len() > 4 * STRIDE, "{}", found.designs.len());
+}
+
 #[test]
 fn every_point_is_counted_once() {
     for (resolution, least) in [(None, 1.0), (Some(0.05), 1.2)] {

@@ -60,7 +60,11 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     };
     let mut turned = vec![false; levers.len()];
     let mut best = of(&usual, &turned);
-    let mut better = |order: &[usize], turned: &[bool]| {
+    // With what the order costs at least, whichever ends are up.
+    let mut better = |order: &[usize], turned: &[bool], at_least: f64| {
+        if at_least >= best.0 - LEVEL {
+            return false;
+        }
         let next = of(order, turned);
         let is_better = next.0 < best.0 - LEVEL;
         if is_better {
@@ -76,11 +80,12 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     let is_one_sided = clutches.iter().any(is_beside);
     if levers.len() <= ALL_TRIED {
         for order in permutations(levers.len()) {
+            let at_least = cost_of_order(levers, &order, clutches);
             for senses in 0..1_u32 << levers.len() {
                 let turned: Vec<bool> = (0..levers.len()).map(|lever| senses >> lever & 1 == 1).collect();
                 // Of mirror images one is enough where they cost the same.
                 if (is_one_sided || order.first() <= order.last()) && !turned[0] {
-                    better(&order, &turned);
+                    better(&order, &turned, at_least);
                 }
             }
         }
@@ -90,14 +95,14 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
             let mut moved = false;
             for one in 0..order.len() {
                 turned[one] = !turned[one];
-                let is_better = better(&order, &turned);
+                let is_better = better(&order, &turned, 0.0);
                 moved |= is_better;
                 if !is_better {
                     turned[one] = !turned[one];
                 }
                 for other in one + 1..order.len() {
                     order.swap(one, other);
-                    let is_better = better(&order, &turned);
+                    let is_better = better(&order, &turned, 0.0);
                     moved |= is_better;
                     if !is_better {
                         order.swap(one, other);
@@ -186,25 +191,32 @@ fn heights(
         seen[one].push((at, other, there, weight));
         seen[other].push((there, one, at, weight));
     }
+    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2. What is left of the equals sign
+    // stays as the levers move.
+    let [stiff, centred] = USUAL;
+    let sums = seen.iter().map(|seen| {
+        let mut sums = [centred, 0.5 * centred, 0.25 * centred + stiff];
+        for &(t, _, _, weight) in seen {
+            for (sum, by) in sums.iter_mut().zip([1.0, t, t * t]) {
+                *sum += weight * by;
+            }
+        }
+        sums
+    });
+    let sums: Vec<[f64; 3]> = sums.collect();
     let mut place = vec![(0.0_f64, 1.0_f64); columns.len()];
     // Each lever in turn takes the best place for those of the others: the sum falls with each.
     for _ in 0..STEPS {
         let mut moved = 0.0_f64;
         for at in 0..columns.len() {
-            let [stiff, centred] = USUAL;
-            // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2.
-            let mut sums = [centred, 0.5 * centred, 0.25 * centred + stiff];
             let mut right = [0.5 * centred, 0.25 * centred + stiff];
             for &(t, other, there, weight) in &seen[at] {
                 let wanted = place[other].0 + place[other].1 * there;
-                for (sum, by) in sums.iter_mut().zip([1.0, t, t * t]) {
-                    *sum += weight * by;
-                }
                 for (sum, by) in right.iter_mut().zip([1.0, t]) {
                     *sum += weight * by * wanted;
                 }
             }
-            let [n, t, tt] = sums;
+            let [n, t, tt] = sums[at];
             let stretch = ((n * right[1] - t * right[0]) / (n * tt - t * t)).clamp(STRETCH[0], STRETCH[1]);
             let next = ((right[0] - stretch * t) / n, stretch);
             moved = moved.max((next.0 - place[at].0).abs()).max((next.1 - place[at].1).abs());
@@ -220,6 +232,14 @@ fn heights(
         }
     }
     columns
+}
+
+/// What an order costs whichever ends are up: the levers between the ends of ties.
+fn cost_of_order(levers: &[Lever], order: &[usize], clutches: &[(usize, [LinkId; 2])]) -> f64 {
+    let columns: Vec<Column> =
+        order.iter().map(|&lever| Column { lever, points: levers[lever].nodes.clone() }).collect();
+    let between = |tie: &Tie| (tie.ends[1].0 - tie.ends[0].0).saturating_sub(1);
+    5.0 * ties(&columns, clutches).iter().map(between).sum::<usize>() as f64
 }
 
 /// What an arrangement costs.
