@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 /// How each class is searched, and who is told of what follows.
 pub trait Means<E>: Sync {
-    /// Searches a class; checks the [limits](Wanted::limits) with its gears first.
+    /// Searches a class; checks the [limits](super::Wanted::limits) with its gears first.
     ///
     /// # Errors
     /// Those of the search.
