@@ -133,6 +133,7 @@ mod tests {
             "vibrate --campbell <FILE>",
             "vibrate --response <FILE>",
             "vibrate --shapes <FILE>",
+            "vibrate --torsional-campbell <FILE>",
             "motor --csv <FILE>",
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
