@@ -24,14 +24,14 @@ fn wish(ratios: &[f64], tolerance: f64, sets: usize, elements: usize) -> Wish {
     Wish::new(ratios.iter().map(around).collect(), elements, vec![1.4..=4.5; sets])
 }
 
-/// Refines a point, and compares with bisection.
+/// Refines a point, and compares with bisection, both within 10⁻⁶.
 fn agrees(ratios: &[Ratio], wish: &Wish, point: &[f64]) -> Refined {
     let whole: Cuboid = wish.k.iter().map(|range| [*range.start(), *range.end()]).collect();
     let refined = refine(ratios, &wish.gears, &[], &whole, point, Equal::NONE);
     let plain = bisection::refine(ratios, &wish.gears, &whole, point);
     let at_best = bisection::deviation(ratios, &wish.gears, &refined.k);
     assert!((at_best - refined.deviation).abs() < 1e-9, "{at_best}: {refined:?}");
-    assert!(refined.deviation <= plain.deviation + 1e-9, "{refined:?} {plain:?}");
+    assert!(refined.deviation <= plain.deviation + 1e-6, "{refined:?} {plain:?}");
     assert!(plain.deviation - refined.deviation <= bisection::CLOSE + 1e-6, "{refined:?} {plain:?}");
     for (range, by_bisection) in refined.ranges.iter().zip(&plain.ranges) {
         for (end, other) in range.iter().zip(by_bisection) {
