@@ -107,9 +107,12 @@ fn a_helix_angle_that_is_refused_has_its_place() {
     let folder = here();
     let file = fs::read_to_string(examples().join(DTU)).unwrap();
     for (to, told) in [
-        ("helix_angle: -8 deg", "16:18: set `stage`: helix angle is -8"),
-        ("helix_angle: 8 mm", "16:18: "),
-        ("helix_angle: 8", "16:18: "),
+        (
+            "helix_angle: -8 deg",
+            "16:18: sets[0].helix_angle: set `stage`: helix angle is -8 °; it must lie between 0 and 60 °",
+        ),
+        ("helix_angle: 8 mm", "16:18: sets[0].helix_angle: "),
+        ("helix_angle: 8", "16:18: sets[0].helix_angle: "),
     ] {
         let wrong = file.replacen("helix_angle: 8 deg", to, 1);
         fs::write(folder.path().join("box.yaml"), wrong).unwrap();
@@ -174,7 +177,7 @@ fn helical_teeth_are_rated_with_their_factors() {
         near(factor("Y_β"), 1.0 - 8.0 / 120.0, 1e-12);
         let contact_ratio = sheet[place / 2]["contact_ratio"].as_f64().unwrap();
         near(factor("Z_ε"), contact_ratio.sqrt().recip(), 1e-12);
-        near(factor("Z_B/Z_D"), 1.0, 0.0);
+        near(factor("Z_B, Z_D"), 1.0, 0.0);
     }
 }
 
@@ -275,4 +278,35 @@ fn friction_losses_have_the_base_helix_angle() {
     }
     let loss = 0.04 * base_pitch * (1.0 / radii[0] + 1.0 / radii[1]) * sum / libm::cos(beta_b);
     assert!(losses.iter().any(|told| (told / loss - 1.0).abs() < 1e-4), "{losses:?} {loss}");
+}
+
+/// What `size` finds and saves has the same safeties in `strength`; without the angle it is another set.
+#[test]
+fn helical_sets_are_sized_as_they_are_rated() {
+    let folder = here();
+    let spur = fs::read_to_string(examples().join("travel-drive-duty.yaml")).unwrap();
+    let helical =
+        spur.replacen("    planet_teeth: [40]\n", "    planet_teeth: [40]\n    helix_angle: 12 deg\n", 1);
+    let run = |args: &[&str]| -> Value {
+        let done = output(folder.path(), &[args, &["--format", "json"]].concat());
+        assert!(done.status.success(), "{done:?}");
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    let best = |text: &str| {
+        fs::write(folder.path().join("box.yaml"), text).unwrap();
+        run(&["size", "box.yaml", "--save", "sized.yaml"])["sets"][0]["found"][0].clone()
+    };
+    assert_ne!(best(&spur)["centre_distance_m"], best(&helical)["centre_distance_m"]);
+    let best = best(&helical);
+    assert!(fs::read_to_string(folder.path().join("sized.yaml")).unwrap().contains("helix_angle: 12 deg"));
+    let rated = run(&["strength", "sized.yaml"]);
+    let [sized, rated] = [&best, &rated].map(|told| told["over_duty"].as_array().unwrap());
+    assert_eq!((sized.len(), rated.len()), (4, 4));
+    for (sized, rated) in sized.iter().zip(rated) {
+        for kind in ["flank", "root"] {
+            near(&sized[kind]["safety"], rated[kind]["safety"].as_f64().unwrap(), 1e-9);
+        }
+    }
+    let sheet = &run(&["sheet", "sized.yaml"])["sets"][0];
+    near(&sheet["centre_distance_m"], best["centre_distance_m"].as_f64().unwrap(), 1e-12);
 }
