@@ -1890,6 +1890,7 @@ def motor(
     shift: Values | None = None,
     backlash: Values | None = None,
     fillet: Values | None = None,
+    crest: Values | None = None,
     material: Values | None = None,
     oil: Values | None = None,
     gaps: Values | None = None,
@@ -1963,6 +1964,8 @@ def motor(
         Backlash j* along the pitch curves
     fillet
         Radius ρ* of the rounded tips of the cutters
+    crest
+        What lies in the middle of the stator's crests: space, tooth
     material
         Material of the teeth: youngs_modulus, poissons_ratio, contact_limit, root_limit. Default: steel without
         limits
@@ -2018,7 +2021,7 @@ def motor(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor"], [file], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["motor"], [file], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def motor_search(
@@ -2039,7 +2042,8 @@ def motor_search(
     zs: Values | None = None,
     divisor: Literal["any", "one", "common"] | None = None,
     with_teeth: bool = False,
-    by: Literal["volume", "ripple", "radius"] | None = None,
+    objectives: Values | None = None,
+    by: Values | None = None,
     places: Values | None = None,
     resolution: Values | None = None,
     every: bool = False,
@@ -2052,16 +2056,24 @@ def motor_search(
     dxf: Values | None = None,
     csv: Values | None = None,
     points: Values | None = None,
+    pressure_angle: Values | None = None,
+    addendum: Values | None = None,
+    clearance: Values | None = None,
+    shift: Values | None = None,
+    backlash: Values | None = None,
+    fillet: Values | None = None,
+    crest: Values | None = None,
+    flank_ripple: Values | None = None,
+    least_torque: Values | None = None,
     output: Path | None = None,
     progress: Progress | None = None,
 ) -> Answer:
     """Non-dominated motors for a displacement or torque.
 
     Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits,
-    the motors remain that no other surpasses in displacement over volume, ripple and least curvature radius together.
-    The module is chosen from a list and the width follows, or the other way round. Between the places tried a motor
-    may be better: by how much is estimated and said. Checks take the default teeth of `motor`. Ranges include both
-    ends and may be open: 3..6, ..90.
+    the motors remain that no other surpasses in all objectives together. The module is chosen from a list and the
+    width follows, or the other way round. Between the places tried a motor may be better: by how much is estimated
+    and said. The teeth are of one form, as `motor` has it. Ranges include both ends and may be open: 3..6, ..90.
 
     Parameters
     ----------
@@ -2084,7 +2096,7 @@ def motor_search(
     outer_diameter
         Greatest diameter of the stator's centrode
     ripple
-        Greatest ripple of flow and torque: 8%, or 0.08
+        Greatest ripple of flow and torque, satellites sealing at the pitch points: 8%, or 0.08
     stator
         Lobes of the stator
     rotor
@@ -2096,10 +2108,12 @@ def motor_search(
     divisor
         Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple
     with_teeth
-        Only designs on which the default teeth of `motor` keep their limits. They are taken from the front: motors
-        that it surpasses are not brought back for their teeth
+        Only designs on which the teeth keep their limits. They are taken from the front: motors that it surpasses are
+        not brought back for their teeth
+    objectives
+        What the designs are held against each other by: see below
     by
-        What the designs are ordered by; the first is the one that is drawn
+        What the designs are ordered by, an objective; the first is the one that is drawn
     places
         Places along each interval of a family, before refinement
     resolution
@@ -2125,6 +2139,24 @@ def motor_search(
         File for points of the centrodes with direction and curvature, in millimetres and degrees
     points
         Points of each half-lobe in that file
+    pressure_angle
+        Pressure angle of the satellites
+    addendum
+        Addendum h_a*
+    clearance
+        Clearance c* of tips over roots
+    shift
+        Profile shift x of the satellites; the wheels have −x
+    backlash
+        Backlash j* along the pitch curves
+    fillet
+        Radius ρ* of the rounded tips of the cutters
+    crest
+        What lies in the middle of the stator's crests: space, tooth
+    flank_ripple
+        Greatest ripple of flow and torque, satellites sealing at the flanks: 8%, or 0.08
+    least_torque
+        Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
         line writes them a page in .html or a drawing; what is asked is then answered twice
@@ -2145,7 +2177,7 @@ def motor_search(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--with-teeth": with_teeth, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points}, progress, output=output)
+    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--with-teeth": with_teeth, "--objectives": objectives, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--flank-ripple": flank_ripple, "--least-torque": least_torque}, progress, output=output)
 
 
 def motor_forms(
@@ -2230,7 +2262,7 @@ def motor_forms(
     outer_diameter
         Greatest diameter of the stator's centrode
     ripple
-        Greatest ripple of flow and torque: 8%, or 0.08
+        Greatest ripple of flow and torque, satellites sealing at the pitch points: 8%, or 0.08
     stator
         Lobes of the stator
     rotor
