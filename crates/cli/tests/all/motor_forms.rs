@@ -190,7 +190,7 @@ fn every_family_is_drawn() {
 #[test]
 fn a_saved_design_has_the_figures_of_the_search() {
     let numbers = "motor forms --stator 5 --rotor 4 --z3 110 --zs 10 --places 4 --crests tooth --pressure-angle 25deg --addendum 0.7..0.8/2 \
-                   --shift 0.1 --fillet 0.12 --backlash 0.05 --clearance 0.2 --format json --save saved.yaml";
+                   --shift 0.1..0.4/4 --fillet 0.12 --backlash 0.05 --clearance 0.2 --format json --save saved.yaml";
     let duty = ["--torque", "600 N·m", "--pressure", "20 MPa", "--speed", "60 rpm"];
     let displacement = ["--displacement", "250 cm3/rev"];
     for (family, design, wanted) in [
