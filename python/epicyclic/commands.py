@@ -2049,6 +2049,7 @@ def motor_search(
     every: bool = False,
     limit: Values | None = None,
     design: Values | None = None,
+    save: Values | None = None,
     angle: Values | None = None,
     view: Literal["centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     dpi: Values | None = None,
@@ -2106,7 +2107,8 @@ def motor_search(
     zs
         Teeth of a satellite
     divisor
-        Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple
+        Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the pitch
+        points
     with_teeth
         Only designs on which the teeth keep their limits. They are taken from the front: motors that it surpasses are
         not brought back for their teeth
@@ -2123,7 +2125,9 @@ def motor_search(
     limit
         Show at most this many designs. Default: 12 in a table, otherwise all
     design
-        Number of the design that is drawn, or whose centrodes are written. Default: 1
+        Number of the design that is drawn, saved, or whose centrodes are written. Default: 1
+    save
+        File for the design as a motor, which `motor FILE`, `report` and `serve` read
     angle
         Angle of the rotor in the drawing. Default: 0
     view
@@ -2177,7 +2181,7 @@ def motor_search(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--with-teeth": with_teeth, "--objectives": objectives, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--flank-ripple": flank_ripple, "--least-torque": least_torque}, progress, output=output)
+    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--with-teeth": with_teeth, "--objectives": objectives, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--save": save, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--flank-ripple": flank_ripple, "--least-torque": least_torque}, progress, output=output)
 
 
 def motor_forms(
@@ -2223,6 +2227,7 @@ def motor_forms(
     every: bool = False,
     limit: Values | None = None,
     design: Values | None = None,
+    save: Values | None = None,
     angle: Values | None = None,
     view: Literal["centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     dpi: Values | None = None,
@@ -2272,7 +2277,8 @@ def motor_forms(
     zs
         Teeth of a satellite
     divisor
-        Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple
+        Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the pitch
+        points
     families
         Families of motors: arcs, cosine, second-harmonic
     places
@@ -2324,7 +2330,9 @@ def motor_forms(
     limit
         Show at most this many designs. Default: 12 in a table, otherwise all
     design
-        Number of the design that is drawn, or whose centrodes are written. Default: 1
+        Number of the design that is drawn, saved, or whose centrodes are written. Default: 1
+    save
+        File for the design as a motor, which `motor FILE`, `report` and `serve` read
     angle
         Angle of the rotor in the drawing. Default: 0
     view
@@ -2360,7 +2368,7 @@ def motor_forms(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor", "forms"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--families": families, "--places": places, "--pressure-angle": pressure_angle, "--addendum": addendum, "--shift": shift, "--clearance": clearance, "--fillet": fillet, "--backlash": backlash, "--crests": crests, "--contact-ratio": contact_ratio, "--contact-limit": contact_limit, "--root-limit": root_limit, "--youngs-modulus": youngs_modulus, "--poissons-ratio": poissons_ratio, "--flank-ripple": flank_ripple, "--least-torque": least_torque, "--contact-stress": contact_stress, "--root-stress": root_stress, "--allowed-pressure": allowed_pressure, "--objectives": objectives, "--resolution": resolution, "--exact": exact, "--by": by, "--every": every, "--limit": limit, "--design": design, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points}, progress, output=output)
+    return _call.answer(["motor", "forms"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--families": families, "--places": places, "--pressure-angle": pressure_angle, "--addendum": addendum, "--shift": shift, "--clearance": clearance, "--fillet": fillet, "--backlash": backlash, "--crests": crests, "--contact-ratio": contact_ratio, "--contact-limit": contact_limit, "--root-limit": root_limit, "--youngs-modulus": youngs_modulus, "--poissons-ratio": poissons_ratio, "--flank-ripple": flank_ripple, "--least-torque": least_torque, "--contact-stress": contact_stress, "--root-stress": root_stress, "--allowed-pressure": allowed_pressure, "--objectives": objectives, "--resolution": resolution, "--exact": exact, "--by": by, "--every": every, "--limit": limit, "--design": design, "--save": save, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points}, progress, output=output)
 
 
 def draw(

@@ -6,6 +6,7 @@ mod flanks;
 mod made;
 mod moving;
 mod over_angle;
+pub(crate) mod saved;
 mod shape;
 mod teeth;
 
@@ -111,7 +112,7 @@ pub struct Numbers {
     pub satellite_radius_m: f64,
 }
 
-/// Displacement, torque and flow, without losses.
+/// Displacement, torque and flow, without losses; the least and the greatest with satellites that seal at the pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Work {
@@ -121,7 +122,7 @@ pub struct Work {
     pub greatest_chamber_m2: f64,
     /// Displacement a revolution over the width.
     pub displacement_per_width_m2: f64,
-    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`.
+    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, satellites sealing at the pitch points; that at the flanks is `flanks.ripple`.
     pub ripple: f64,
     /// Width of the wheels; null, as all that depends on it, where none is given.
     pub width_m: Option<f64>,

@@ -1,8 +1,9 @@
 //! What both searches for hydromotors share: designs listed, a design as a motor in its size.
 
 use crate::Error;
-use crate::motor::{Chosen, Designed, Groups, Made, Point};
+use crate::motor::{Chosen, Designed, Groups, Made, Point, saved};
 use crate::number::si;
+use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::search::Requirements;
@@ -71,6 +72,30 @@ impl Drawn<'_> {
             speed,
             angle,
         })
+    }
+}
+
+/// Which design of a search a motor is.
+pub(crate) struct Origin {
+    /// From 1.
+    pub(crate) design: usize,
+    /// How many there are.
+    pub(crate) of: usize,
+    /// The command that found it.
+    pub(crate) by: &'static str,
+}
+
+impl Origin {
+    /// Its file, with the material of its teeth where one is given.
+    pub(crate) fn saved(
+        &self,
+        designed: &Designed,
+        material: Option<&MaterialGroup>,
+    ) -> Result<String, Error> {
+        let Self { design, of, by } = self;
+        let numbers = designed.motor.numbers();
+        let title = format!("Hydromotor {}×{}", numbers.stator_lobes(), numbers.rotor_lobes());
+        saved::file(designed, material, &title, &format!("Design {design} of {of} found by epicyclic {by}."))
     }
 }
 

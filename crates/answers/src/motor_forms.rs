@@ -7,7 +7,7 @@ pub use choices::{Crest, Family, Objective};
 pub use funnel::{Funnel, Reason, Refused};
 
 use crate::motor::{Designed, GoverningLimit, Groups};
-use crate::motor_designs::{Drawn, Listed, nearest_half, nth};
+use crate::motor_designs::{Drawn, Listed, Origin, nearest_half, nth};
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
@@ -254,6 +254,16 @@ impl Searched {
         let motor = design.motor(size.module)?;
         Drawn { motor, form: design.form, width: size.width, angle, made: &self.wanted.made }
             .designed(&self.wanted.search.requirements)
+    }
+
+    /// The file of a design, in the size shown of it; the first is 1.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDesign`].
+    pub fn saved(&self, design: usize) -> Result<String, Error> {
+        let designed = self.motor(design, Angle::default())?;
+        let found = Origin { design, of: self.found.designs.len(), by: "motor forms" };
+        found.saved(&designed, self.wanted.made.material.as_ref())
     }
 
     /// `None` of a design without a size, of which a search finds none.

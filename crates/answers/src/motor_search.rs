@@ -9,7 +9,7 @@ pub use objective::Objective;
 pub use teeth::{AtFlanks, TeethLimits};
 
 use crate::motor::{Designed, Groups, Subject};
-use crate::motor_designs::{Drawn, Listed, nearest_half, nth};
+use crate::motor_designs::{Drawn, Listed, Origin, nearest_half, nth};
 use crate::motor_forms::Form;
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error};
@@ -239,6 +239,16 @@ impl Searched {
         let motor = design.motor(size.module)?;
         let (form, made) = (self.wanted.search.flanks.form, &Groups::default());
         Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
+    }
+
+    /// The file of a design, in the size shown of it; the first is 1.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDesign`].
+    pub fn saved(&self, design: usize) -> Result<String, Error> {
+        let designed = self.motor(design, Angle::default())?;
+        let found = Origin { design, of: self.found.designs.len(), by: "motor search" };
+        found.saved(&designed, None)
     }
 
     /// `None` of a design without a size, of which a search finds none.

@@ -140,8 +140,10 @@ mod tests {
         ];
         let saved =
             ["select --save <FILE>", "size --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
-        let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        let of_forms = ["forms --csv <FILE>", "forms --dxf <FILE>", "forms --svg <FILE>"];
+        let of_search =
+            ["search --csv <FILE>", "search --dxf <FILE>", "search --save <FILE>", "search --svg <FILE>"];
+        let of_forms =
+            ["forms --csv <FILE>", "forms --dxf <FILE>", "forms --save <FILE>", "forms --svg <FILE>"];
         let mut expected = [
             &drawings[..],
             &of_search,

@@ -300,7 +300,9 @@ fn line() -> impl Strategy<Value = Vec<String>> {
 fn try_line(line: &[String], answer: &PathBuf) -> bool {
     let mut all = line.to_vec();
     all.extend(["-o".to_owned(), answer.display().to_string()]);
-    if ["select", "synthesize"].contains(&line[0].as_str()) {
+    let saves = (line[0] == "motor" && line.get(1).is_some_and(|word| word == "search" || word == "forms"))
+        || ["select", "synthesize"].contains(&line[0].as_str());
+    if saves {
         all.push(format!("--save={}", answer.with_extension("yaml").display()));
     }
     if line[0] == "motor" {

@@ -1,4 +1,4 @@
-//! A motor of five arches and three lobes: its displacement over width, and its ripple.
+//! A motor of five arches and three lobes: its displacement over width, and its ripple at the pitch points.
 
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::{Motor, MotorNumbers};
@@ -10,6 +10,6 @@ fn main() -> Result<(), epicyclic_hydromotor::Error> {
     let arcs = Family::new(numbers, module)?.at_part(0.5)?;
     let motor = Motor::of_two_arcs(numbers, module, arcs.trough_distance())?;
     let displacement = motor.displacement_per_width().get::<square_millimeter>();
-    println!("{displacement:.1} mm², ripple {:.2} %", 100.0 * motor.ripple().delta);
+    println!("{displacement:.1} mm², ripple {:.2} % at the pitch points", 100.0 * motor.ripple().delta);
     Ok(())
 }

@@ -48,7 +48,7 @@ words! {
         DisplacementTolerance "tolerance of the displacement"
         WidthOverDiameter "width over diameter"
         OuterDiameter "outer diameter"
-        Ripple "ripple"
+        Ripple "ripple at the pitch points"
         FlankRipple "ripple at the flanks"
         LeastRadius "least radius"
         ContactRatio "contact ratio"

@@ -77,9 +77,13 @@ impl AsReport for Motor {
 /// without them.
 #[must_use]
 pub fn key(motor: &Motor) -> Vec<[String; 2]> {
-    const KEY: [&str; 6] = ["satellites", "ripple", "displacement", "torque", "flow", "power"];
-    let rows = numbers(&motor.numbers).into_iter().chain(work(motor));
-    let chosen = rows.filter(|row| KEY.contains(&row.name));
+    const KEY: [&str; 7] =
+        ["satellites", "ripple", "flank_ripple", "displacement", "torque", "flow", "power"];
+    let mut rows: Vec<Row> = numbers(&motor.numbers).into_iter().chain(work(motor)).collect();
+    if let (Some(flanks), Some(place)) = (&motor.flanks, rows.iter().position(|row| row.name == "ripple")) {
+        rows.insert(place + 1, made::flank_ripple(flanks));
+    }
+    let chosen = rows.iter().filter(|row| KEY.contains(&row.name));
     chosen.map(|row| [row.label.to_owned(), row.cells.iter().map(Figure::table).collect()]).collect()
 }
 
@@ -115,7 +119,7 @@ fn numbers(numbers: &Numbers) -> Vec<Row> {
         ),
         remarked(
             Row::new("lobe_ratio", "their ratio", "N/n", [Figure::Multiple(numbers.lobe_ratio)]),
-            "near 1: little ripple",
+            "near 1: little ripple at the pitch points",
         ),
         count("stator_teeth", "teeth of the stator", "Z₃", numbers.stator_teeth),
         count("rotor_teeth", "teeth of the rotor", "Z₁", numbers.rotor_teeth),

@@ -8,7 +8,7 @@ use crate::motor_designs::{
 use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, Text, View};
 use epicyclic_answers::motor::GoverningLimit;
-use epicyclic_answers::motor_forms::{Crest, Design, Family, Flanks, Funnel, MotorForms};
+use epicyclic_answers::motor_forms::{Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
 use epicyclic_formats::Dimension::{Angle, Length, Pressure, Volume};
 
 impl AsReport for MotorForms {
@@ -44,7 +44,7 @@ pub fn count(search: &MotorForms) -> String {
 
 /// What the answer claims of the points that are not listed.
 fn completeness(search: &MotorForms) -> String {
-    let objectives: Vec<String> = search.objectives.iter().map(ToString::to_string).collect();
+    let objectives: Vec<String> = search.objectives.iter().map(objective).collect();
     let (points, objectives) = (search.funnel.points, objectives.join(", "));
     match search.resolution {
         None => format!(
@@ -55,6 +55,15 @@ fn completeness(search: &MotorForms) -> String {
              surpasses in none of {objectives} by more than {}. Motors and forms between the places and steps are not tried.",
             Figure::Share(resolution).table()
         ),
+    }
+}
+
+/// An objective in words: which ripple is meant.
+fn objective(objective: &Objective) -> String {
+    match objective {
+        Objective::Ripple => "ripple at the pitch points".to_owned(),
+        Objective::FlankRipple => "ripple at the flanks".to_owned(),
+        other => other.to_string(),
     }
 }
 
@@ -104,8 +113,8 @@ fn views(search: &MotorForms) -> Vec<View> {
     let shapes = View {
         note: format!(
             "Place: l over the module, or ε₂ of the second harmonic. q/V: displacement over the cylinder about the stator's centrode. \
-             δ, pitch: ripple of flow and torque, satellites sealing at the pitch points. ϱ: least curvature radius of both centrodes.{}{}",
-            of_set(search.first_of_each_set),
+             δ: ripple of flow and torque, satellites sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both \
+             centrodes.{}",
             hidden(search.hidden)
         ),
         ..View::new(
@@ -118,15 +127,17 @@ fn views(search: &MotorForms) -> Vec<View> {
                 "place",
                 "displacement_by_volume",
                 "ripple",
+                "flank_ripple",
                 "least_radius_in_modules",
-                "designs_of_the_set",
             ],
         )
     };
     let forms = View {
-        note: "Lengths in modules. Crest: what lies in the middle of the stator's crests. Contact: the shortest path of contact of \
-               any flank over the base pitch."
-            .to_owned(),
+        note: format!(
+            "Lengths in modules. Crest: what lies in the middle of the stator's crests. Contact: the shortest path of contact of \
+             any flank over the base pitch.{}",
+            of_set(search.first_of_each_set)
+        ),
         ..View::new(
             "Teeth",
             &[
@@ -139,6 +150,7 @@ fn views(search: &MotorForms) -> Vec<View> {
                 "backlash",
                 "crest",
                 "contact_ratio",
+                "designs_of_the_set",
             ],
         )
     };

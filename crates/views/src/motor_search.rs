@@ -76,9 +76,9 @@ fn records(search: &MotorSearch) -> Records {
     let (hidden, of_set) = (hidden(search.hidden), of_set(search.first_of_each_set));
     let shapes = View {
         note: format!(
-            "q/V: displacement over the cylinder about the stator's centrode. δ, pitch: ripple of flow and torque, satellites \
-             sealing at the pitch points. ϱ: least curvature radius of both centrodes. Teeth: whether the form keeps its limits \
-             (hold, fail) or gives no teeth (none); the search does not ask, --with-teeth leaves out what fails.{of_set}{hidden}"
+            "q/V: displacement over the cylinder about the stator's centrode. δ: ripple of flow and torque, satellites \
+             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. Teeth: whether the form keeps its limits \
+             (hold, fail) or gives no teeth (none); the search does not ask, --with-teeth leaves out what fails.{hidden}"
         ),
         ..View::new(
             "Designs",
@@ -88,10 +88,10 @@ fn records(search: &MotorSearch) -> Records {
                 "teeth",
                 "displacement_by_volume",
                 "ripple",
+                "flank_ripple",
                 "least_radius_in_modules",
                 "nearest",
                 "teeth_limits",
-                "designs_of_the_set",
             ],
         )
     };
@@ -103,11 +103,18 @@ fn records(search: &MotorSearch) -> Records {
     let flanks = View {
         note: format!(
             "Ripple δ of flow and torque, and their least over the mean, with satellites that seal at the pitch points, and with \
-             satellites that seal at the flanks of the form.{none}"
+             satellites that seal at the flanks of the form.{none}{of_set}"
         ),
         ..View::new(
             "Satellites sealing at the pitch points, and at the flanks",
-            &["design", "ripple", "least_over_mean", "flank_ripple", "flank_least_over_mean"],
+            &[
+                "design",
+                "ripple",
+                "least_over_mean",
+                "flank_ripple",
+                "flank_least_over_mean",
+                "designs_of_the_set",
+            ],
         )
     };
     let sizes = size_columns(

@@ -39,7 +39,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "curvature of the rotor, and how nearly it consists of arcs",
             rotor,
         ),
-        Calculation::new("hydromotor.working", "chambers, displacement and ripple", working),
+        Calculation::new(
+            "hydromotor.working",
+            "chambers, displacement and ripple at the pitch points",
+            working,
+        ),
     ]
 }
 

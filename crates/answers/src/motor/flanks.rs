@@ -21,7 +21,7 @@ use uom::si::f64::{Length, Pressure};
 pub struct Flanks {
     /// Satellites that part high from low pressure, `2n`; the others are idle.
     pub loaded_satellites: u32,
-    /// Ripple of flow and torque with the flanks as seals.
+    /// Ripple of flow and torque, satellites sealing at the flanks; that at the pitch points is `work.ripple`.
     pub ripple: f64,
     /// Least over mean flow, which is that of the torque.
     pub least_over_mean: f64,

@@ -126,7 +126,7 @@ impl Reason {
             Self::Neighbours => "satellites' tips meet",
             Self::LeastRadius => "curvature radius wanted",
             Self::Size => "no size within the limits",
-            Self::Ripple => "ripple wanted",
+            Self::Ripple => "ripple at the pitch points wanted",
             Self::NoTeeth => "the form gives no teeth",
             Self::FlankRipple => "ripple at the flanks wanted",
             Self::LeastTorque => "least torque wanted",

@@ -24,7 +24,7 @@ pub enum TeethLimits {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AtFlanks {
-    /// Ripple of flow and torque.
+    /// Ripple of flow and torque, satellites sealing at the flanks.
     pub ripple: f64,
     /// Least over mean flow, which is that of the torque.
     pub least_over_mean: f64,

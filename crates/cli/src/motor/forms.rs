@@ -36,10 +36,10 @@ const SHARE_OF_MOTORS: f64 = 0.1;
 epicyclic motor forms [OPTIONS] --displacement <DISPLACEMENT>
        epicyclic motor forms [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
 #[command(after_help = "\
-Objectives, also of --by: volume, ripple, radius (the least of curvature),
-contact-ratio, flank-ripple, least-torque, contact-stress, root-stress,
-allowed-pressure. With those of flanks under load every admissible point is
-tried, which takes longer.
+Objectives, also of --by: volume, ripple (at the pitch points), radius (the
+least of curvature), contact-ratio, flank-ripple, least-torque, contact-stress,
+root-stress, allowed-pressure. With those of flanks under load every admissible
+point is tried, which takes longer.
 
 Example:
   epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --module '2 mm' \\
@@ -47,7 +47,8 @@ Example:
   epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --stator 6 \\
       --z3 66 --zs 10 --places 4 --pressure-angle '25 deg' --shift 0.2 \\
       --contact-limit '1500 MPa' --root-limit '400 MPa' \\
-      --objectives volume,allowed-pressure --by allowed-pressure")]
+      --objectives volume,allowed-pressure --by allowed-pressure \\
+      --save motor.yaml")]
 pub(crate) struct Args {
     #[command(flatten)]
     sought: Sought,
@@ -200,7 +201,8 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     });
     drop(shown);
     let searched = searched.map_err(refuse)?;
-    let files = outlet.files(|design, angle| searched.motor(design, angle))?;
+    let files =
+        outlet.files(|design, angle| searched.motor(design, angle), |design| searched.saved(design))?;
     let answer = searched.answer();
     outlet.output.deliver_with(call, files, &answer)?;
     if !outlet.is_table() && answer.hidden > 0 {
@@ -291,11 +293,6 @@ fn search(args: &Args) -> Result<FormSearch, Failure> {
 /// A refusal with the option that it speaks of.
 fn refuse(error: answers::Error) -> Failure {
     let option = match &error {
-        // The ripple at the pitch points is refused as not positive.
-        answers::Error::Motor(hydromotor::Error::OutOfRange { quantity: Of::Ripple, value, .. }) => {
-            let message = format!("ripple is {value}; it must be finite and above 0");
-            return Failure::Option { option: "--flank-ripple", message };
-        }
         answers::Error::Motor(error) => of_forms(error),
         _ => None,
     };

@@ -113,7 +113,8 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     });
     drop(shown);
     let searched = searched.map_err(refuse)?;
-    let files = outlet.files(|design, angle| searched.motor(design, angle))?;
+    let files =
+        outlet.files(|design, angle| searched.motor(design, angle), |design| searched.saved(design))?;
     let answer = searched.answer();
     outlet.output.deliver_with(call, files, &answer)?;
     if !outlet.is_table() && answer.hidden > 0 {

@@ -11,6 +11,7 @@ use epicyclic_answers::motor::Designed;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::search::{Limits, LobeDivisor, Requirements, Size, SizeLimits};
+use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volume};
 
@@ -77,7 +78,7 @@ pub(super) struct Sought {
     #[arg(long, value_name = "TEETH", default_value = "8..60")]
     zs: Span<u32>,
 
-    /// Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple.
+    /// Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the pitch points.
     #[arg(long, value_enum, default_value_t = Divisor::Any)]
     divisor: Divisor,
 }
@@ -93,9 +94,13 @@ pub(super) struct Shown {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// Number of the design that is drawn, or whose centrodes are written. Default: 1.
+    /// Number of the design that is drawn, saved, or whose centrodes are written. Default: 1.
     #[arg(long, value_name = "N")]
     design: Option<usize>,
+
+    /// File for the design as a motor, which `motor FILE`, `report` and `serve` read.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
 
     /// Angle of the rotor in the drawing. Default: 0.
     #[arg(long, allow_hyphen_values = true)]
@@ -216,8 +221,8 @@ impl Shown {
         }
         let outlet = Outlet { shown: self, drawings, output: self.output.but_for_drawings() };
         if self.design.is_some() && !outlet.has_files() {
-            let message = "it is for drawings and centrodes; give --svg, --dxf or --csv, or an --output that ends in .svg, .dxf, .pdf \
-                           or .png";
+            let message = "it is for drawings, centrodes and the file of a motor; give --svg, --dxf, --csv or --save, or an --output \
+                           that ends in .svg, .dxf, .pdf or .png";
             return Err(Failure::Option { option: "--design", message: message.to_owned() });
         }
         Ok(outlet)
@@ -226,7 +231,7 @@ impl Shown {
 
 impl Outlet<'_> {
     fn has_files(&self) -> bool {
-        !self.drawings.is_empty() || self.shown.files.csv.is_some()
+        !self.drawings.is_empty() || self.shown.files.csv.is_some() || self.shown.save.is_some()
     }
 
     /// Whether the answer is a table.
@@ -244,16 +249,22 @@ impl Outlet<'_> {
         self.shown.limit.unwrap_or(if self.is_table() { SHOWN_IN_TABLE } else { usize::MAX })
     }
 
-    /// The drawings and centrodes of the design that is chosen.
+    /// The drawings, the centrodes and the file of the design that is chosen.
     pub(super) fn files(
         &self,
         motor: impl FnOnce(usize, Angle) -> Result<Designed, answers::Error>,
+        saved: impl FnOnce(usize) -> Result<String, answers::Error>,
     ) -> Result<Vec<Content>, Failure> {
         if !self.has_files() {
             return Ok(vec![]);
         }
         let angle = self.shown.angle.map_or_else(Angle::default, |angle| angle.0);
-        let designed = motor(self.shown.design.unwrap_or(1), angle).map_err(refuse)?;
-        files::content(&self.shown.files, &self.drawings, &designed)
+        let design = self.shown.design.unwrap_or(1);
+        let designed = motor(design, angle).map_err(refuse)?;
+        let mut written = files::content(&self.shown.files, &self.drawings, &designed)?;
+        if let Some(file) = &self.shown.save {
+            written.push((file.clone(), saved(design).map_err(refuse)?.into_bytes()));
+        }
+        Ok(written)
     }
 }

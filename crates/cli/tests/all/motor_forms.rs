@@ -186,6 +186,80 @@ fn every_family_is_drawn() {
     }
 }
 
+/// A design that is saved has the figures that the search tells, of every family, with material and without.
+#[test]
+fn a_saved_design_has_the_figures_of_the_search() {
+    let numbers = "motor forms --stator 5 --rotor 4 --z3 110 --zs 10 --places 4 --crests tooth --pressure-angle 25deg --addendum 0.7..0.8/2 \
+                   --shift 0.1..0.4/4 --fillet 0.12 --backlash 0.05 --clearance 0.2 --format json --save saved.yaml";
+    let duty = ["--torque", "600 N·m", "--pressure", "20 MPa", "--speed", "60 rpm"];
+    let displacement = ["--displacement", "250 cm3/rev"];
+    for (family, design, wanted) in [
+        ("arcs", "1", [&duty[..], &STEEL].concat()),
+        ("arcs", "1", displacement.to_vec()),
+        ("cosine", "1", displacement.to_vec()),
+        (
+            "second-harmonic",
+            "1",
+            [&duty[..], &["--youngs-modulus", "200 GPa", "--poissons-ratio", "0.28"]].concat(),
+        ),
+    ] {
+        let folder = here();
+        let asked = ["--families", family, "--design", design, "--exact"];
+        let line: Vec<&str> = numbers.split_whitespace().chain(asked).chain(wanted).collect();
+        saved_as_told(folder.path(), &line, design);
+        let page = output(folder.path(), &["report", "saved.yaml", "-o", "page.html"]);
+        assert!(page.status.success(), "{}", text(&page.stderr));
+    }
+}
+
+#[test]
+fn a_saved_design_of_motor_search_has_its_figures() {
+    let line = "motor search --displacement 250cm3/rev --speed 60rpm --stator 5 --rotor 3 --z3 55 --zs 10 --places 4 --pressure-angle 24deg \
+                --crest tooth --design 2 --format json --save saved.yaml";
+    let folder = here();
+    saved_as_told(folder.path(), &line.split_whitespace().collect::<Vec<_>>(), "2");
+}
+
+/// Runs a search and compares its design with what `motor` says of the file.
+fn saved_as_told(folder: &std::path::Path, line: &[&str], design: &str) {
+    let done = output(folder, line);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let found: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let designs = found["designs"].as_array().unwrap();
+    let design = designs.iter().find(|one| one["design"].to_string() == design).unwrap();
+    let done = output(folder, &["motor", "saved.yaml", "--format", "json"]);
+    let saved = std::fs::read_to_string(folder.join("saved.yaml")).unwrap();
+    assert!(done.status.success(), "{}\n{saved}", text(&done.stderr));
+    let motor: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let near = |one: &Value, other: &Value| {
+        if one.is_null() && other.is_null() {
+            return;
+        }
+        let (one, other) = (number(one), number(other));
+        assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}: {design}\n{saved}");
+    };
+    let (size, work, flanks) = (&design["size"], &motor["work"], &motor["flanks"]);
+    let own = if design["flanks"].is_object() { &design["flanks"] } else { &design["at_flanks"] };
+    near(&motor["size"]["displacement_by_volume"], &design["displacement_by_volume"]);
+    near(&motor["size"]["stator_outer_m"], &size["outer_diameter_m"]);
+    near(&work["ripple"], &design["ripple"]);
+    near(&work["width_m"], &size["width_m"]);
+    for key in ["displacement_m3", "torque_n_m", "least_torque_n_m", "flow_m3_s", "power_w"] {
+        near(&work[key], &size[key]);
+    }
+    near(&flanks["ripple"], &own["ripple"]);
+    near(&flanks["least_over_mean"], &own["least_over_mean"]);
+    if own["allowed"].is_object() {
+        near(&flanks["allowed"]["on_path_pa"], &own["allowed"]["on_path_pa"]);
+    }
+    if !own["contact_on_path_pa"].is_null() {
+        let contacts = flanks["contact"].as_array().unwrap();
+        let keys = ["at_pitch_point_pa", "on_path_pa"];
+        let figures = contacts.iter().flat_map(|one| keys.iter().filter_map(|key| one[key].as_f64()));
+        near(&Value::from(figures.fold(0.0, f64::max)), &own["contact_on_path_pa"]);
+    }
+}
+
 #[test]
 fn searches_that_find_nothing_or_make_no_sense() {
     let more: [&[&str]; 34] = [
@@ -243,7 +317,9 @@ fn searches_that_find_nothing_or_make_no_sense() {
     all.push([&of_displacement[..], &["--contact-stress", "900 MPa"]].concat());
     all.push([&of_displacement[..], &["--objectives", "root-stress"]].concat());
     all.push([&of_displacement[..], &["--design", "2"]].concat());
+    all.push(with(&["--shift", "0.2", "--save", "no.yaml", "--design", "99"]));
     let folder = here();
     let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
     insta::assert_snapshot!(sessions(folder.path(), &all));
+    assert!(!folder.path().join("no.yaml").exists());
 }

@@ -6,6 +6,8 @@
 //! |---|---|
 //! | `outline` | the closed loop of a port |
 //! | `overlap` | the area that a port and a chamber share, exactly |
+//! | `depth` | whether a port is open or closed throughout a stretch of rotation |
+//! | `land` | the least distance of two ports, exactly |
 //! | [`timing`] | when each chamber opens and closes, closed angles, short circuits |
 //! | [`trapped`] | what a closed chamber does to its pressure, the charge of what it never empties |
 //! | [`throttling`] | the pressure drop over the openings |
@@ -19,6 +21,8 @@
 //! Chambers are bounded by the centrodes and the pitch circles of the satellites, as in [`crate::chambers`]: the gaps between the
 //! teeth are left out.
 
+mod depth;
+mod land;
 mod outline;
 mod overlap;
 pub mod throttling;
@@ -119,6 +123,10 @@ pub struct OutlineVertex {
     /// The way to the next: 0 a straight line, else an arc, `tan(sweep/4)`, positive counter-clockwise.
     pub bulge: f64,
 }
+
+/// The cosine of the steepest contact, `μ` from the radius, is above this: [`rays_part_chambers`] admits none beyond 45° and looks at
+/// 64 phases.
+const LEAST_COSINE: f64 = 0.65;
 
 /// Both pressures.
 const SIDES: [PortSide; 2] = [PortSide::High, PortSide::Low];
@@ -247,8 +255,7 @@ impl PortPlate {
         crests.flat_map(|crest| SIDES.map(|side| outline(side, crest))).collect()
     }
 
-    /// The least distance of a high-pressure from a low-pressure port: the land that parts the pressures, between points of both
-    /// outlines half a degree of arc apart.
+    /// The least distance of a high-pressure from a low-pressure port: the land that parts the pressures.
     #[must_use]
     pub fn land(&self) -> Length {
         self.motor.length(self.least_land())
@@ -256,36 +263,10 @@ impl PortPlate {
 
     /// In units of the module; 0 where ports overlap.
     fn least_land(&self) -> f64 {
-        const POINTS: u32 = 360;
-        let points = |port: &Port| -> Vec<[f64; 2]> {
-            let pieces = port.pieces();
-            pieces
-                .iter()
-                .flat_map(|piece| (0..POINTS).map(|i| piece.at(f64::from(i) / f64::from(POINTS))))
-                .collect()
-        };
         let [high, low] = self.ports;
-        let lobe = TAU / f64::from(self.motor.numbers().stator_lobes());
-        let of_high = points(&high);
-        let mut least = f64::INFINITY;
-        // The low ports beside the high one.
-        let [[high_angle, _], [low_angle, _]] = [high.reach(), low.reach()];
-        let near = ((high_angle - low_angle) / lobe).round();
-        for crest in [-1.0, 0.0, 1.0] {
-            let low = low.turned((near + crest) * lobe);
-            let of_low = points(&low);
-            if of_high.iter().any(|&point| low.contains(point))
-                || of_low.iter().any(|&point| high.contains(point))
-            {
-                return 0.0;
-            }
-            for [x, y] in &of_high {
-                for [u, v] in &of_low {
-                    least = least.min(libm::hypot(x - u, y - v));
-                }
-            }
-        }
-        least
+        let lobes = self.motor.numbers().stator_lobes();
+        let turned = |crest: u32| low.turned(TAU * f64::from(crest) / f64::from(lobes));
+        (0..lobes).map(|crest| land::between(&high, &turned(crest))).fold(f64::INFINITY, f64::min)
     }
 
     fn port(&self, side: PortSide, crest: u32) -> Port {

@@ -30,6 +30,14 @@ impl Piece {
         }
     }
 
+    /// From end to end along it.
+    pub(crate) fn length(&self) -> f64 {
+        match *self {
+            Self::Line(from, to) => libm::hypot(to[0] - from[0], to[1] - from[1]),
+            Self::Arc(_, radius, _, sweep) => radius * sweep.abs(),
+        }
+    }
+
     /// `½∮(x·dy − y·dx)` between two parts of it.
     pub(crate) fn swept(&self, from: f64, to: f64) -> f64 {
         match *self {
@@ -44,6 +52,44 @@ impl Piece {
                 0.5 * radius * (radius * (b - a) + across)
             }
         }
+    }
+
+    /// Of an arc, whether a point lies in a direction from the centre in which the arc lies too.
+    pub(crate) fn faces(&self, [x, y]: [f64; 2]) -> bool {
+        let Self::Arc(centre, _, start, sweep) = *self else { return false };
+        let angle = libm::atan2(y - centre[1], x - centre[0]);
+        let turn = if sweep > 0.0 { angle - start } else { start - angle };
+        turn.rem_euclid(TAU) <= sweep.abs()
+    }
+
+    /// Its points whose normal goes through a point.
+    pub(crate) fn normal_to(&self, point: [f64; 2]) -> Vec<[f64; 2]> {
+        match *self {
+            Self::Line(from, to) => {
+                let along = [to[0] - from[0], to[1] - from[1]];
+                let square = along[0] * along[0] + along[1] * along[1];
+                let part = (along[0] * (point[0] - from[0]) + along[1] * (point[1] - from[1])) / square;
+                if (0.0..=1.0).contains(&part) { vec![self.at(part)] } else { vec![] }
+            }
+            Self::Arc(centre, radius, ..) => {
+                let off = [0, 1].map(|i| point[i] - centre[i]);
+                let apart = libm::hypot(off[0], off[1]);
+                let at = |side: f64| [0, 1].map(|i| centre[i] + side * radius * off[i] / apart);
+                [1.0, -1.0].map(at).into_iter().filter(|&at| self.faces(at)).collect()
+            }
+        }
+    }
+
+    /// Its point nearest to another.
+    pub(crate) fn nearest(&self, point: [f64; 2]) -> [f64; 2] {
+        let apart = |[x, y]: &[f64; 2]| libm::hypot(x - point[0], y - point[1]);
+        let mut nearest = self.at(0.0);
+        for other in std::iter::once(self.at(1.0)).chain(self.normal_to(point)) {
+            if apart(&other) < apart(&nearest) {
+                nearest = other;
+            }
+        }
+        nearest
     }
 
     /// Parts at which it crosses a circle.

@@ -12,29 +12,34 @@
 
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
+use crate::ports::LEAST_COSINE;
 use crate::ports::outline::{Piece, Port};
 use crate::roots::{bracketed, quadrature};
 use crate::satellites::Place;
 use std::f64::consts::{PI, TAU};
 
-/// Places of a piece between which a crossing with a centrode is sought.
+/// Places of a piece between which a crossing with a centrode is sought at first.
 const PLACES: u32 = 24;
+
+/// A piece that dips into a wall for less, over the square root of the port's area, is not followed: the sliver between chord and
+/// wall, about a twelfth of the cube of this times the curvature, is less than [`crate::tolerance::OPEN`].
+const DIP: f64 = 1e-3;
 
 /// Panels of the eight-point rule on a wall.
 const PANELS: u32 = 4;
 
 /// A chamber at an instant, in units of the module.
 pub(crate) struct Region<'a> {
-    motor: &'a Motor,
-    rotation: f64,
-    back: Place,
-    front: Place,
-    r: f64,
+    pub(super) motor: &'a Motor,
+    pub(super) rotation: f64,
+    pub(super) back: Place,
+    pub(super) front: Place,
+    pub(super) r: f64,
 }
 
 /// A wall of a chamber along a centrode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Wall {
+pub(super) enum Wall {
     Stator,
     Rotor,
 }
@@ -46,11 +51,11 @@ impl<'a> Region<'a> {
         Self { motor, rotation, back, front, r: motor.shape.satellite_radius() }
     }
 
-    fn ends(&self) -> [f64; 2] {
+    pub(super) fn ends(&self) -> [f64; 2] {
         [self.back.contact.theta3, self.front.contact.theta3]
     }
 
-    fn radius(&self, wall: Wall, theta: f64) -> f64 {
+    pub(super) fn radius(&self, wall: Wall, theta: f64) -> f64 {
         match wall {
             Wall::Stator => self.motor.shape.at(By::StatorAngle, theta).rho3,
             Wall::Rotor => self.motor.shape.at(By::RotorAngle, theta - self.rotation).rho1,
@@ -58,7 +63,7 @@ impl<'a> Region<'a> {
     }
 
     /// Least and greatest radius of a wall.
-    fn radii(&self, wall: Wall) -> [f64; 2] {
+    pub(super) fn radii(&self, wall: Wall) -> [f64; 2] {
         let (crest, trough) = (self.motor.shape.within(By::Phase, 0.0), self.motor.shape.trough());
         match wall {
             Wall::Stator => [trough.rho3, crest.rho3],
@@ -99,6 +104,7 @@ impl<'a> Region<'a> {
             return 0.0;
         }
         let [inner, outer] = port.radii();
+        let dip = DIP * port.area().sqrt();
         let discs = [&self.back, &self.front];
         // Angles at which a wall is cut: on the satellites about their centres, on the centrodes about the axis.
         let mut on_discs = [vec![], vec![]];
@@ -118,7 +124,7 @@ impl<'a> Region<'a> {
                 if outer <= least || inner >= greatest {
                     continue;
                 }
-                for part in self.across_wall(&piece, wall) {
+                for part in self.across_wall(&piece, wall, dip) {
                     cuts.push(part);
                     let [x, y] = piece.at(part);
                     angles.push(libm::atan2(y, x));
@@ -141,20 +147,33 @@ impl<'a> Region<'a> {
         sum.max(0.0)
     }
 
-    /// Parts of a piece at which it crosses a centrode.
-    fn across_wall(&self, piece: &Piece, wall: Wall) -> Vec<f64> {
+    /// Parts of a piece at which it crosses a centrode: between places on different sides of it, and between those on one side
+    /// where so near that the piece may reach across, halved until they are nearer than `dip`.
+    fn across_wall(&self, piece: &Piece, wall: Wall, dip: f64) -> Vec<f64> {
         let off = |part: f64| {
             let [x, y] = piece.at(part);
             libm::hypot(x, y) - self.radius(wall, libm::atan2(y, x))
         };
-        let places: Vec<(f64, f64)> = (0..=PLACES)
-            .map(|i| {
-                let part = f64::from(i) / f64::from(PLACES);
-                (part, off(part))
-            })
-            .collect();
-        let changes = places.windows(2).filter(|pair| (pair[0].1 < 0.0) != (pair[1].1 < 0.0));
-        changes.map(|pair| bracketed(pair[0].0, pair[1].0, off)).collect()
+        let length = piece.length();
+        let mut found = vec![];
+        let mut before = (0.0, off(0.0));
+        for i in 1..=PLACES {
+            let part = f64::from(i) / f64::from(PLACES);
+            let mut ahead = vec![(part, off(part))];
+            while let Some(&next) = ahead.last() {
+                let apart = (next.0 - before.0) * length;
+                if (before.1 < 0.0) != (next.1 < 0.0) {
+                    found.push(bracketed(before.0, next.0, off));
+                } else if apart > dip && before.1.abs() + next.1.abs() < apart / LEAST_COSINE {
+                    let middle = 0.5 * (before.0 + next.0);
+                    ahead.push((middle, off(middle)));
+                    continue;
+                }
+                before = next;
+                ahead.pop();
+            }
+        }
+        found
     }
 
     /// What the wall along a satellite adds: clockwise about it, from the one contact to the other.

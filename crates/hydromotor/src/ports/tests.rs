@@ -31,7 +31,7 @@ fn deg(value: f64) -> Angle {
     angle_of_degrees(value)
 }
 
-fn hole(diameter: f64, pitch_radius: f64, angle: f64) -> PortShape {
+pub(super) fn hole(diameter: f64, pitch_radius: f64, angle: f64) -> PortShape {
     PortShape::Hole { diameter: mm(diameter), pitch_radius: mm(pitch_radius), angle: deg(angle) }
 }
 
@@ -41,7 +41,7 @@ fn kidney(inner: f64, outer: f64, angle: f64, span: f64, corner: f64) -> PortSha
 }
 
 /// 6×4, module 0.75 mm, l 30 mm.
-fn motor() -> Motor {
+pub(super) fn motor() -> Motor {
     Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10).unwrap(), mm(0.75), mm(30.0)).unwrap()
 }
 
@@ -377,7 +377,7 @@ fn openings_are_those_of_the_phase() {
     );
     // From the hole's centre across to the kidney's end at -8°, less the hole's radius.
     let land = 19.7 * libm::sin(radians(deg(23.0))) - 2.0;
-    assert!((plate.land().get::<millimeter>() - land).abs() < 1e-4);
+    assert!((plate.land().get::<millimeter>() - land).abs() < 1e-12);
 }
 
 #[test]

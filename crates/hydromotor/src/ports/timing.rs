@@ -1,21 +1,32 @@
 //! When a chamber opens and closes over its cycle.
 //!
-//! All chambers go through the same cycle, so that one stands for all. Its openings are looked at for 360 phases of the cycle; where a state
-//! changes between two, the phase of the change is found by halving. What opens and closes again within less than a step may be
-//! missed.
+//! All chambers go through the same cycle, so that one stands for all. The cycle is halved until a port is proven open or closed throughout a
+//! stretch (`depth`), down to stretches of 1e-4 radians, 0.006°; what such a short one is, the area says that is open in its middle.
+//! So nothing that lasts longer is missed, be it an opening, a closure or a short circuit. The phase of a change is found by halving on.
 
 use uom::si::f64::{Angle, Area};
 
 use crate::Error;
 use crate::contact::Conjugate;
+use crate::ports::depth::Throughout;
+use crate::ports::overlap::Region;
 use crate::ports::{PortPlate, SIDES, of};
 use crate::quantity::PortSide;
-use crate::roots::bracketed;
+use crate::roots::{bracketed, golden};
 use crate::tolerance::{INSTANT, OPEN};
 use crate::units::{angle, area, in_degrees, millimetres};
 
-/// Phases of the cycle that are looked at.
-const PHASES: u32 = 360;
+/// Stretches of the cycle from which halving starts.
+const STRETCHES: u32 = 16;
+
+/// Stretches of rotation that are halved no more.
+const SHORTEST: f64 = 1e-4;
+
+/// Phases of the cycle between which the widest opening is sought.
+const PHASES: u32 = 120;
+
+/// Steps of golden section between two of them.
+const STEPS: u32 = 24;
 
 /// A stretch of a chamber's cycle, by its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +64,7 @@ pub struct Closed {
 pub struct Widest {
     /// Its area.
     pub area: Area,
-    /// The phase of the chamber, one of those looked at.
+    /// The phase of the chamber.
     pub phase: Angle,
 }
 
@@ -106,40 +117,93 @@ impl PortPlate {
     /// Where a chamber is open to a pressure; the widest opening and its phase.
     fn open_stretches(&self, side: PortSide, cycle: f64) -> Result<(Vec<Span>, (f64, f64)), Error> {
         let least = OPEN * self.ports[of(side)].area();
-        let phase = |i: u32| cycle * ((f64::from(i) + 0.5) / f64::from(PHASES) - 0.5);
-        let openings: Vec<f64> = (0..PHASES).map(|i| self.opening(side, phase(i))).collect();
-        let is_open = |i: u32| openings[(i % PHASES) as usize] > least;
-        let widest = (0..PHASES).fold((0.0, 0.0), |best: (f64, f64), i| {
-            let opening = openings[i as usize];
-            if opening > best.0 { (opening, phase(i)) } else { best }
-        });
-        let count = (0..PHASES).filter(|&i| is_open(i)).count();
-        if count == 0 || count == PHASES as usize {
-            let ideal = self.motor.ports();
-            let port = match side {
-                PortSide::High => ideal.high[0],
-                PortSide::Low => ideal.low[0],
-            };
-            let (radius_mm, angle_deg) = (millimetres(port.centre_radius), in_degrees(port.angle));
-            return Err(if count == 0 {
-                Error::PortNeverOpens { side, radius_mm, angle_deg }
-            } else {
-                let most_mm = millimetres(port.greatest_diameter).max(0.0);
-                Error::PortNeverCloses { side, most_mm, radius_mm, angle_deg }
-            });
+        let is_open = |phase: f64| self.opening(side, phase) > least;
+        let mut seen = vec![];
+        for i in 0..STRETCHES {
+            let [from, to] = [i, i + 1].map(|i| cycle * (f64::from(i) / f64::from(STRETCHES) - 0.5));
+            self.look(side, [from, to], &is_open, &mut seen);
         }
-        let change = |i: u32| {
-            let step = |phase: f64| if self.opening(side, phase) > least { 1.0 } else { -1.0 };
-            bracketed(phase(i), phase(i) + cycle / f64::from(PHASES), step)
-        };
-        let opens = (0..PHASES).filter(|&i| !is_open(i) && is_open(i + 1));
-        let spans = opens.map(|i| {
-            let closes = (i + 1..).find(|&j| !is_open(j + 1)).unwrap_or(i + 1);
-            let from = change(i);
-            let to = change(closes % PHASES) + if closes >= PHASES { cycle } else { 0.0 };
-            Span { from, to }.within(cycle)
+        let count = seen.iter().filter(|(_, open)| *open).count();
+        if count == 0 || count == seen.len() {
+            return Err(self.never_changes(side, count == 0));
+        }
+        // Once more around from the first that is closed, so that every opening has its end.
+        let first = seen.iter().position(|(_, open)| !open).unwrap_or(0);
+        let around = seen[first..].iter().copied();
+        let again = seen[..=first].iter().map(|&(phase, open)| (phase + cycle, open));
+        let around: Vec<(f64, bool)> = around.chain(again).collect();
+        let mut spans: Vec<Span> = vec![];
+        let mut from = 0.0;
+        for pair in around.windows(2).filter(|pair| pair[0].1 != pair[1].1) {
+            let at = bracketed(pair[0].0, pair[1].0, |phase| if is_open(phase) { 1.0 } else { -1.0 });
+            if pair[1].1 {
+                from = at;
+            } else {
+                spans.push(Span { from, to: at }.within(cycle));
+            }
+        }
+        Ok((spans, self.widest(side, cycle)))
+    }
+
+    /// Phases in their order, and whether a chamber is open to a pressure there: between two that are alike it does not change
+    /// for longer than [`SHORTEST`].
+    fn look(
+        &self,
+        side: PortSide,
+        [from, to]: [f64; 2],
+        is_open: &impl Fn(f64) -> bool,
+        seen: &mut Vec<(f64, bool)>,
+    ) {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        match self.throughout(side, middle, half) {
+            Throughout::Unsure if 2.0 * half > SHORTEST => {
+                self.look(side, [from, middle], is_open, seen);
+                self.look(side, [middle, to], is_open, seen);
+            }
+            Throughout::Unsure => seen.push((middle, is_open(middle))),
+            sure => seen.extend([from, to].map(|phase| (phase, sure == Throughout::Open))),
+        }
+    }
+
+    /// What the ports of a pressure are to a chamber for all phases that differ from one by no more than `half`.
+    fn throughout(&self, side: PortSide, phase: f64, half: f64) -> Throughout {
+        let region = Region::new(&self.motor, phase - 0.5 * self.motor.chamber_phase(), 0);
+        let mut all = Throughout::Closed;
+        for crest in 0..self.motor.numbers().stator_lobes() {
+            match region.throughout(&self.port(side, crest), half) {
+                Throughout::Open => return Throughout::Open,
+                Throughout::Unsure => all = Throughout::Unsure,
+                Throughout::Closed => {}
+            }
+        }
+        all
+    }
+
+    /// The widest opening to a pressure and its phase.
+    fn widest(&self, side: PortSide, cycle: f64) -> (f64, f64) {
+        let step = cycle / f64::from(PHASES);
+        let looked_at = (0..PHASES).map(|i| {
+            let phase = cycle * ((f64::from(i) + 0.5) / f64::from(PHASES) - 0.5);
+            (self.opening(side, phase), phase)
         });
-        Ok((spans.collect(), widest))
+        let best = looked_at.fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });
+        let (phase, less) = golden(best.1 - step, best.1 + step, STEPS, |phase| -self.opening(side, phase));
+        if -less > best.0 { (-less, phase) } else { best }
+    }
+
+    fn never_changes(&self, side: PortSide, is_closed: bool) -> Error {
+        let ideal = self.motor.ports();
+        let port = match side {
+            PortSide::High => ideal.high[0],
+            PortSide::Low => ideal.low[0],
+        };
+        let (radius_mm, angle_deg) = (millimetres(port.centre_radius), in_degrees(port.angle));
+        if is_closed {
+            Error::PortNeverOpens { side, radius_mm, angle_deg }
+        } else {
+            let most_mm = millimetres(port.greatest_diameter).max(0.0);
+            Error::PortNeverCloses { side, most_mm, radius_mm, angle_deg }
+        }
     }
 }
 
@@ -215,3 +279,6 @@ fn states(high: &[Span], low: &[Span], cycle: f64) -> Vec<(Span, [bool; 2])> {
     }
     states
 }
+
+#[cfg(test)]
+mod tests;

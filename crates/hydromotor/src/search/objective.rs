@@ -5,6 +5,7 @@ use crate::flanks::SealingContact;
 use crate::motor::Motor;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
+use crate::units::positive;
 
 /// What a design is good for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -47,20 +48,22 @@ pub struct FlankTerms {
     pub least_torque: Option<f64>,
 }
 
+/// Bounds of the flow with satellites that seal at the flanks: a ripple above 0, a least torque that is a part of the mean.
+pub(super) fn of_flow(ripple: Option<f64>, least_torque: Option<f64>) -> Result<(), Error> {
+    if let Some(ripple) = ripple {
+        positive(Quantity::FlankRipple, ripple, "")?;
+    }
+    match least_torque {
+        Some(value) if !(value > 0.0 && value <= 1.0) => {
+            Err(Error::OutOfRange { quantity: Quantity::LeastTorque, value, low: 0.0, high: 1.0, unit: "" })
+        }
+        _ => Ok(()),
+    }
+}
+
 impl FlankTerms {
     pub(super) fn checked(&self) -> Result<(), Error> {
-        let asked = [
-            (Quantity::FlankRipple, self.ripple, f64::INFINITY),
-            (Quantity::LeastTorque, self.least_torque, 1.0),
-        ];
-        for (quantity, value, high) in asked {
-            if let Some(value) = value
-                && !(value.is_finite() && value > 0.0 && value <= high)
-            {
-                return Err(Error::OutOfRange { quantity, value, low: 0.0, high, unit: "" });
-            }
-        }
-        Ok(())
+        of_flow(self.ripple, self.least_torque)
     }
 
     /// Whether every motor is looked at for its teeth: with these objectives, or for a bound.

@@ -23,11 +23,16 @@ fn push(push: Push) -> Figure {
     }
 }
 
+/// The ripple with satellites that seal where flanks touch.
+pub(super) fn flank_ripple(flanks: &Flanks) -> Row {
+    Row::new("flank_ripple", "ripple at the flanks", "δ′", [Figure::Share(flanks.ripple)])
+}
+
 /// Sealing and forces, then stresses.
 pub(super) fn flanks(flanks: &Flanks) -> Vec<Part> {
     let mut rows = vec![
         count("loaded_satellites", "satellites that part the pressures", "2n", flanks.loaded_satellites),
-        Row::new("flank_ripple", "ripple at the flanks", "δ′", [Figure::Share(flanks.ripple)]),
+        flank_ripple(flanks),
         Row::new(
             "least_over_mean",
             "least over mean torque there",

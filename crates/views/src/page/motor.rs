@@ -154,9 +154,12 @@ fn points(over_angle: &OverAngle, values: &[f64]) -> Vec<[f64; 2]> {
 /// Flow over width a radian.
 fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     let mean = vec![over_angle.mean_flow_per_width_m2; over_angle.angles_rad.len()];
-    let ripple = 100.0 * answer.work.ripple;
+    let at = |ripple: f64, place: &str| format!("{:.2} % at the {place}", 100.0 * ripple);
+    let at_flanks = answer.flanks.as_ref().map(|flanks| at(flanks.ripple, "flanks"));
+    let ripples: Vec<String> =
+        std::iter::once(at(answer.work.ripple, "pitch points")).chain(at_flanks).collect();
     let plot = Plot::new(
-        format!("Flow, ripple {ripple:.2} % at the pitch points"),
+        format!("Flow, ripple {}", ripples.join(", ")),
         "angle of the rotor, deg",
         "flow, mm² a radian",
     )

@@ -546,6 +546,7 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --svg motor.svg
   --dxf motor.dxf
   --csv motor.csv
+  --save motor.yaml
   --format csv
   --output motors.json
   --output motors.pdf
@@ -600,6 +601,7 @@ motor forms: --displacement '250 cm3/rev' --stator 6 --rotor 4 --z3 66 --zs 9..1
   --svg motor.svg
   --dxf motor.dxf
   --csv motor.csv
+  --save motor.yaml
   --format csv
   --output motors.json
   --output motors.pdf

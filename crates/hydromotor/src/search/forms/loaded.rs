@@ -2,6 +2,7 @@
 
 use uom::si::f64::Pressure;
 
+use super::super::objective::of_flow;
 use super::refusal::FormRefusal;
 use super::shape::Shape;
 use super::{FormSearch, Objective};
@@ -55,15 +56,7 @@ impl FlankOrder {
         positive_pressure(Quantity::ContactLimit, self.materials.contact)?;
         positive_pressure(Quantity::RootLimit, self.materials.root)?;
         positive_pressure(Quantity::ContactModulus, self.materials.modulus)?;
-        for (quantity, value, high) in
-            [(Quantity::Ripple, self.ripple, f64::INFINITY), (Quantity::LeastTorque, self.least_torque, 1.0)]
-        {
-            if let Some(value) = value
-                && !(value > 0.0 && value <= high)
-            {
-                return Err(Error::OutOfRange { quantity, value, low: 0.0, high, unit: "" });
-            }
-        }
+        of_flow(self.ripple, self.least_torque)?;
         for (quantity, stress) in
             [(Quantity::ContactStress, self.contact_stress), (Quantity::RootStress, self.root_stress)]
         {
