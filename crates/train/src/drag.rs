@@ -111,6 +111,7 @@ impl DragCurve {
     }
 
     /// Its points, ascending.
+    #[must_use]
     pub fn points(&self) -> impl DoubleEndedIterator<Item = (AngularVelocity, Torque)> + '_ {
         self.points.iter().map(|&[speed, size]| (angular_velocity(speed), torque(size)))
     }
