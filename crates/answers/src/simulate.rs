@@ -23,8 +23,11 @@
 //! ```text
 //! T = J·ω̇ − Σ T_applied      J, T_applied of the output with what is one piece with it
 //! ```
+//!
+//! Drags of the gearbox count as applied, but for those of shift elements.
 
 mod build;
+mod drags;
 mod elements;
 mod joints;
 mod parts;
@@ -39,6 +42,7 @@ mod threads;
 use crate::gearbox::{self, Choice};
 use crate::tolerance::RESIDUAL;
 use crate::{Answer, Error, Warning};
+pub use drags::{DragKind, DragResult, DragSamples};
 pub use elements::ElementResult;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
 use epicyclic_formats::{Document, Path, Physical, Problem, Quantity};
@@ -90,6 +94,8 @@ pub struct Simulation {
     pub shifts: Vec<ShiftResult>,
     /// Shift elements and resistances.
     pub elements: Vec<ElementResult>,
+    /// Drags that the gearbox states, in the order of its file. Those whose links are one piece are left out.
+    pub drags: Vec<DragResult>,
     /// Elastic shafts.
     pub shafts: Vec<ShaftResult>,
     /// Torque converters.
@@ -156,6 +162,8 @@ pub enum ChangeKind {
     Set,
     /// The ends of a shaft come into contact, or part.
     Shaft,
+    /// Links that drag on each other begin to turn against each other, or stop.
+    Drag,
     /// A speed is passed.
     Threshold,
 }
@@ -235,6 +243,8 @@ pub struct Energies {
     pub work_j: f64,
     /// Heat of all elements and resistances.
     pub element_heat_j: f64,
+    /// Loss of all drags.
+    pub drag_loss_j: f64,
     /// Loss of all meshes.
     pub mesh_loss_j: f64,
     /// Heat of the dampers of shafts.
@@ -290,7 +300,7 @@ pub fn answer_watched(
     let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
         if goes_on(time.si() / whole) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
-    let run = run.map_err(|why| scenario.of_run(why))?;
+    let run = run.map_err(|why| scenario.of_drag(&built.drags, why))?;
     Ok(told(&scenario, &built, &run, every.kept))
 }
 
@@ -311,6 +321,7 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
         events: run.events.iter().map(|event| EventRecord::of(built, event)).collect(),
         shifts,
         elements,
+        drags: drags::results(&built.drags, run, &instants),
         shafts: joints::shafts(&file.shafts, run, &instants),
         converters: joints::converters(&file.converters, run, &instants),
         end: at_end(run),
@@ -351,6 +362,7 @@ impl Energies {
             kinetic_after_j: audit.after.si(),
             work_j: sum(&audit.work),
             element_heat_j: sum(&audit.heat),
+            drag_loss_j: sum(&audit.drags),
             mesh_loss_j: sum(&audit.mesh_losses),
             damping_heat_j: sum(&audit.damping),
             converter_heat_j: sum(&audit.converters),
@@ -396,6 +408,9 @@ impl ChangeRecord {
             Change::Set { name, from, to } => states(ChangeKind::Set, name, State::of(*from), State::of(*to)),
             Change::Shaft { name, from, to } => {
                 states(ChangeKind::Shaft, name, State::of_shaft(*from), State::of_shaft(*to))
+            }
+            Change::Drag { name, from, to } => {
+                states(ChangeKind::Drag, name, State::of(*from), State::of(*to))
             }
             Change::Threshold { name, is_rising } => Self {
                 kind: ChangeKind::Threshold,
@@ -443,8 +458,8 @@ fn warnings(
         );
         all.push(Warning { name: "even-split", message });
     }
-    if !scenario.subject.drags.is_empty() {
-        let message = "the drags that the gearbox states are not part of the motion".to_owned();
+    if scenario.file.drags == Some(false) && !scenario.subject.drags.is_empty() {
+        let message = "the drags that the gearbox states are left out, as drags: false asks".to_owned();
         all.push(Warning { name: "drags", message });
     }
     all

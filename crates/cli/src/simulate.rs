@@ -41,6 +41,7 @@ Keys of the file:
   scenario: its name
   gearbox: as a gearbox file has it; or gearbox_file, transmission: one beside
   efficiency, inertias (link: inertia), planets, engaged
+  drags: false to leave out those that the gearbox states
   gear, start: input_speed, or speeds (link: speed); else at rest
   duration, sample_every
   torques: id, link, and one of constant, over_time, over_speed, linear,

@@ -409,7 +409,7 @@ pub struct BrakeEntry {
     pub id: String,
     /// The link it holds.
     pub link: String,
-    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }
@@ -426,7 +426,7 @@ pub struct ClutchEntry {
     /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
     #[serde(default)]
     pub one_way: Option<[String; 2]>,
-    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }

@@ -57,6 +57,9 @@ pub struct ScenarioFile {
     /// Efficiency with the carrier fixed of each set for which the gearbox states no losses, 0.97 or 97 %. Default: no losses.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
+    /// Whether the drags that the gearbox states act. Default: they do.
+    #[serde(default)]
+    pub drags: Option<bool>,
     /// Inertia of each link about the main axis, without planets. Default 0.
     #[serde(default)]
     pub inertias: BTreeMap<String, Quantity<MomentOfInertia>>,

@@ -141,6 +141,25 @@ pub enum Error {
         /// By how much the best is contradicted, over the largest torque or acceleration.
         violation: f64,
     },
+    /// A speed at which a drag is not told.
+    #[error(
+        "at {time_s} s the links of the drag {drag} turn at {slip_rad_s} rad/s against each other, and its curve is from {from_rad_s} to \
+         {to_rad_s} rad/s: give points there, or beyond: constant"
+    )]
+    DragSpeed {
+        /// The drag.
+        drag: String,
+        /// Its place among the drags.
+        place: usize,
+        /// The speed of its links relative to each other, in size.
+        slip_rad_s: f64,
+        /// The first speed of its curve.
+        from_rad_s: f64,
+        /// The last speed of its curve.
+        to_rad_s: f64,
+        /// When.
+        time_s: f64,
+    },
     /// Initial speeds that the sets do not allow.
     #[error(
         "the initial speeds do not fit: {link} is given {given} rad/s, and turns at {found} rad/s by the others"
@@ -234,6 +253,7 @@ impl Error {
             Self::TooManyMeshes { .. } => "too-many-meshes",
             Self::TooManyAtRest { .. } => "too-many-at-rest",
             Self::NoMotion { .. } => "no-motion",
+            Self::DragSpeed { .. } => "drag-speed",
             Self::InitialSpeeds { .. } => "initial-speeds",
             Self::InitialOpen { .. } => "initial-open",
             Self::InitialSlip { .. } => "initial-slip",

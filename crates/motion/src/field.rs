@@ -6,11 +6,12 @@
 //! |---|---|---|
 //! | `q̇` | speeds of the coordinates | rad/s |
 //! | work | of each applied torque, `∫ T·ω dt` | J |
-//! | heat | of each element, `∫ C·abs(s) dt` | J |
+//! | heat | of each element, `∫ C·abs(s) dt`, without drags | J |
 //! | loss | of each mesh, `∫ P·(1 − e) dt` | J |
 //! | inner loss | of each applied torque, in its source | J |
 //! | oil | heat of each converter | J |
 //! | damping | heat of each shaft | J |
+//! | drag | loss of each drag, `∫ M·abs(s) dt` | J |
 //! | twist | of each shaft, `∫ (ω_1 − ω_2) dt` | rad |
 //!
 //! A *trigger* is what may end a pattern, with a margin that is positive until then.
@@ -22,7 +23,7 @@ pub(crate) use triggers::Trigger;
 use crate::converter::Drive;
 use crate::course::Piece;
 use crate::dense::{dot, largest};
-use crate::model::{Kind, Model};
+use crate::model::{Element, Kind, Model};
 use crate::pattern::{Pattern, System, Way};
 use crate::shaft::Flank;
 use crate::split::{Share, even, torques};
@@ -37,6 +38,7 @@ pub(crate) struct Parts {
     pub(crate) inner: usize,
     pub(crate) oil: usize,
     pub(crate) damping: usize,
+    pub(crate) drag: usize,
     pub(crate) twist: usize,
     pub(crate) size: usize,
 }
@@ -49,8 +51,9 @@ impl Parts {
         let inner = loss + model.mechanism.meshes.len();
         let oil = inner + model.torques.len();
         let damping = oil + model.converters.len();
-        let twist = damping + model.shafts.len();
-        Self { work, heat, loss, inner, oil, damping, twist, size: twist + model.shafts.len() }
+        let drag = damping + model.shafts.len();
+        let twist = drag + model.drags.len();
+        Self { work, heat, loss, inner, oil, damping, drag, twist, size: twist + model.shafts.len() }
     }
 }
 
@@ -64,7 +67,9 @@ pub(crate) struct Field<'m> {
     /// Pieces of the applied torques over time, and of the capacities.
     courses: Vec<Piece>,
     capacities: Vec<Piece>,
-    /// Whether the capacity of an element is nothing in this piece.
+    /// Whether the capacity of an element is nothing in this piece, so that it is open but for drags.
+    pub(crate) is_open: Vec<bool>,
+    /// Whether an element has neither capacity nor dry friction of drags now.
     pub(crate) is_idle: Vec<bool>,
     /// On which side of each threshold the speed is.
     pub(crate) sides: Vec<f64>,
@@ -89,6 +94,8 @@ pub(crate) struct Field<'m> {
     /// What shafts pass on, and torques on impellers and turbines.
     pub(crate) shafts: Vec<f64>,
     pub(crate) converters: Vec<[f64; 2]>,
+    /// Torques of drags on their first links, without what stuck elements hold of them.
+    pub(crate) drags: Vec<f64>,
 }
 
 impl<'m> Field<'m> {
@@ -100,6 +107,7 @@ impl<'m> Field<'m> {
             meshes: vec![1; model.mechanism.meshes.len()],
             segments: vec![0; model.torques.len()],
             curves: vec![0; model.elements.len()],
+            drags: vec![0; model.drags.len()],
             flanks: vec![Flank::Firm; model.shafts.len()],
             drives: vec![Drive::Idle; model.converters.len()],
         };
@@ -111,6 +119,7 @@ impl<'m> Field<'m> {
             system,
             courses: vec![],
             capacities: vec![],
+            is_open: vec![],
             is_idle: vec![],
             sides: vec![0.0; model.thresholds.len()],
             waits: vec![0.0; model.elements.len()],
@@ -128,6 +137,7 @@ impl<'m> Field<'m> {
             applied: vec![0.0; model.torques.len()],
             shafts: vec![0.0; model.shafts.len()],
             converters: vec![[0.0; 2]; model.converters.len()],
+            drags: vec![0.0; model.drags.len()],
         };
         made.take_pieces(t);
         Some(made)
@@ -138,15 +148,26 @@ impl<'m> Field<'m> {
         self.courses.clear();
         self.courses.extend(self.model.torques.iter().map(|one| one.law.piece(t)));
         self.capacities.clear();
-        self.is_idle.clear();
+        self.is_open.clear();
         for element in &self.model.elements {
-            let (piece, is_idle) = match &element.kind {
+            let (piece, is_open) = match &element.kind {
                 Kind::Friction { capacity, .. } => (capacity.piece(t), capacity.is_zero(t)),
                 Kind::OneWay | Kind::Dog { .. } => (Piece::ZERO, false),
+                Kind::Drag => (Piece::ZERO, true),
             };
             self.capacities.push(piece);
-            self.is_idle.push(is_idle);
+            self.is_open.push(is_open);
         }
+        self.find_idle();
+    }
+
+    /// Finds what is idle, with the dog clutches as they are engaged.
+    pub(crate) fn find_idle(&mut self) {
+        let Self { model, pattern, is_open, is_idle, .. } = self;
+        let engaged = |place: Option<usize>| place.is_some_and(|dog| pattern.elements[dog] == Way::Stuck);
+        let rests = |one: &Element| one.dry == 0.0 || engaged(one.beside);
+        is_idle.clear();
+        is_idle.extend(model.elements.iter().zip(is_open).map(|(one, is_open)| *is_open && rests(one)));
     }
 
     /// Capacity of a slipping element, where its slip is not looked at; it never falls below 0, which rounding at the end of a ramp would
@@ -165,8 +186,13 @@ impl<'m> Field<'m> {
         }
     }
 
-    /// The largest torque that a stuck element holds; none of a one-way or dog clutch.
+    /// The largest torque that a stuck element holds, with the dry friction of drags; none of a one-way or dog clutch.
     pub(crate) fn static_capacity(&self, element: usize, t: f64) -> Option<f64> {
+        self.own_capacity(element, t).map(|own| own + self.model.elements[element].dry)
+    }
+
+    /// The same without drags.
+    pub(crate) fn own_capacity(&self, element: usize, t: f64) -> Option<f64> {
         match &self.model.elements[element].kind {
             Kind::Friction { static_ratio, curve, .. } => {
                 let at_rest = if curve.is_empty() {
@@ -177,11 +203,14 @@ impl<'m> Field<'m> {
                 Some(static_ratio * at_rest * self.capacity(element, t))
             }
             Kind::OneWay | Kind::Dog { .. } => None,
+            Kind::Drag => Some(0.0),
         }
     }
 
-    fn is_one_way(&self, element: usize) -> bool {
-        matches!(self.model.elements[element].kind, Kind::OneWay)
+    /// The least torque that a one-way clutch carries.
+    fn least(&self, element: usize) -> Option<f64> {
+        let one = &self.model.elements[element];
+        matches!(one.kind, Kind::OneWay).then_some(-one.dry)
     }
 
     pub(crate) fn is_dog(&self, element: usize) -> bool {
@@ -197,6 +226,9 @@ impl<'m> Field<'m> {
             if let Kind::Friction { curve, .. } = &one.kind {
                 self.pattern.curves[place] = table::segment(curve, dot(&one.slip, y).abs(), true);
             }
+        }
+        for (place, one) in self.model.drags.iter().enumerate() {
+            self.pattern.drags[place] = one.curve.segment(dot(&one.slip, y));
         }
         for (place, one) in self.model.shafts.iter().enumerate() {
             self.pattern.flanks[place] = one.shaft.flank(y[self.parts.twist + place], dot(&one.rate, y));
@@ -242,12 +274,23 @@ impl<'m> Field<'m> {
             let sign = self.pattern.elements[place].sign();
             if sign != 0.0 {
                 let slip = dot(&one.slip, y);
-                let torque = -sign * self.capacity(place, t) * self.curve(place, sign * slip);
+                let own = -sign * self.capacity(place, t) * self.curve(place, sign * slip);
+                let torque = own - sign * one.dry;
                 self.elements[place] = torque;
                 push(&mut self.nodes, one.places, torque);
-                heat = -torque * slip;
+                heat = -own * slip;
             }
             dy[parts.heat + place] = heat;
+        }
+        for (place, one) in self.model.drags.iter().enumerate() {
+            let slip = dot(&one.slip, y);
+            let smooth = -one.curve.at(self.pattern.drags[place], slip);
+            push(&mut self.nodes, one.places, smooth);
+            // The dry part is on the links by what carries it.
+            let way = one.carrier.map_or(0.0, |(carrier, sign)| sign * self.pattern.elements[carrier].sign());
+            let torque = smooth - way * one.curve.dry;
+            self.drags[place] = torque;
+            dy[parts.drag + place] = -torque * slip;
         }
         for (place, one) in self.model.shafts.iter().enumerate() {
             let (flank, twist) = (self.pattern.flanks[place], y[parts.twist + place]);
@@ -301,13 +344,13 @@ impl<'m> Field<'m> {
                     .map(|(_, made)| -made.get(place).copied().unwrap_or(0.0))
                     .collect(),
                 capacity: self.static_capacity(stuck[self.system.independent.kept[place]], t),
-                is_one_way: self.is_one_way(stuck[self.system.independent.kept[place]]),
+                least: self.least(stuck[self.system.independent.kept[place]]),
             });
             let of_others = (0..others).map(|place| Share {
                 base: 0.0,
                 factors: (0..others).map(|one| f64::from(u8::from(one == place))).collect(),
                 capacity: self.static_capacity(stuck[self.system.independent.others[place].0], t),
-                is_one_way: self.is_one_way(stuck[self.system.independent.others[place].0]),
+                least: self.least(stuck[self.system.independent.others[place].0]),
             });
             let shares: Vec<Share> = of_kept.chain(of_others).collect();
             // Where no split spares the one-way clutches, the independent elements alone show it.

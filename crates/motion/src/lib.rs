@@ -9,6 +9,7 @@
 //! | [`Course`], [`TorqueLaw`] | torques over time and speed |
 //! | [`Shaft`] | elastic, damped shafts with backlash |
 //! | [`Converter`] | torque converters by their characteristic |
+//! | [`Model::drag`], [`Model::shift_drag`] | drags by the curves of a gearbox file, which can stick at rest |
 //! | [`Start`] | speeds and twists at the start |
 //! | [`Run`] | what [`Model::run`] finds: samples, [events](Event), energies ([`Audit`]) |
 //!
@@ -21,7 +22,7 @@
 //! ```
 //!
 //! Shift elements are dry friction without smoothing: between events it is fixed what holds and what slips, and the right side is smooth. An event is the end of
-//! a slip, a torque above what is held, a capacity that leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table,
+//! a slip, a torque above what is held, a capacity that leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table or of a drag's curve,
 //! the begin and end of contact in a shaft with backlash.
 //! It is located in the step, and what holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the power
 //! through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic impacts.
@@ -31,7 +32,7 @@
 //! stuck elements is open as between these; which of several holds longest may then depend on their order.
 //!
 //! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where capacities do and no shaft is between; losses of meshes in
-//! an impact; friction over temperature and pressure; the oil's inertia in a converter.
+//! an impact; friction and drags over temperature; friction over pressure; the oil's inertia in a converter.
 //!
 //! # Example
 //! A power shift of one set: a one-way brake holds the ring until the clutch between sun and ring has taken over.
@@ -77,6 +78,7 @@ mod converter;
 mod course;
 mod decide;
 mod dense;
+mod drag;
 mod error;
 mod field;
 mod mechanism;

@@ -3,12 +3,16 @@
 use crate::Error;
 use crate::converter::{Converter, Coupling};
 use crate::course::Course;
+use crate::dense::{dot, largest};
+use crate::drag::{Curve, Drag};
 use crate::mechanism::{Mechanism, Place, not_negative};
 use crate::shaft::{Joint, Shaft};
 use crate::table;
+use crate::tolerance::RANK;
 use crate::torque_law::{Law, TorqueLaw};
 use crate::units::{rad_per_s, seconds};
 use epicyclic_train::GROUND;
+use epicyclic_train::drag::DragCurve;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A mechanism with sources, loads, shift elements and thresholds.
@@ -27,7 +31,9 @@ use uom::si::f64::{AngularVelocity, Time, Torque};
 pub struct Model {
     pub(crate) mechanism: Mechanism,
     pub(crate) torques: Vec<Applied>,
+    /// Those with names of their own, then those that carry the dry friction of drags alone.
     pub(crate) elements: Vec<Element>,
+    pub(crate) drags: Vec<Drag>,
     pub(crate) thresholds: Vec<Threshold>,
     pub(crate) shafts: Vec<Joint>,
     pub(crate) converters: Vec<Coupling>,
@@ -51,6 +57,10 @@ pub(crate) struct Element {
     /// `ω_1 − ω_2` over the coordinates.
     pub(crate) slip: Vec<f64>,
     pub(crate) kind: Kind,
+    /// Dry friction of drags that it carries beside its own: `M_0` of all.
+    pub(crate) dry: f64,
+    /// A dog clutch between the same links: while it is engaged, drags do nothing.
+    pub(crate) beside: Option<usize>,
 }
 
 /// How an element carries torque.
@@ -68,6 +78,8 @@ pub(crate) enum Kind {
         program: Vec<(f64, bool)>,
         limit: f64,
     },
+    /// The dry friction of drags, and nothing else.
+    Drag,
 }
 
 impl Kind {
@@ -95,6 +107,7 @@ impl Model {
             mechanism,
             torques: vec![],
             elements: vec![],
+            drags: vec![],
             thresholds: vec![],
             shafts: vec![],
             converters: vec![],
@@ -294,6 +307,86 @@ impl Model {
         self.dog_clutch(name, [&links[0], &links[1]], program, limit)
     }
 
+    /// Lets two links, or a link and the housing, drag on each other by a curve over their relative speed. Where the torque at rest is not 0, it is dry
+    /// friction: what stands between the same links then holds so much more, else it sticks by itself. Links that never turn against each other do not
+    /// drag. To be given after elements between the same links.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a link that is not there.
+    ///
+    /// # Example
+    /// A flywheel that its seal brings to rest: `ω = ω_0 − M·t/J`.
+    ///
+    /// ```
+    /// use epicyclic_motion::{Mechanism, Model, Start};
+    /// use epicyclic_train::{GROUND, drag::{Beyond, DragCurve}};
+    /// use uom::si::f64::{AngularVelocity, MomentOfInertia, Time, Torque};
+    /// use uom::si::angular_velocity::radian_per_second;
+    /// use uom::si::moment_of_inertia::kilogram_square_meter;
+    /// use uom::si::{energy::joule, time::second, torque::newton_meter};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let omega = AngularVelocity::new::<radian_per_second>;
+    /// let wheel = [("wheel", MomentOfInertia::new::<kilogram_square_meter>(2.0))];
+    /// let mut model = Model::new(Mechanism::shafts(&wheel)?);
+    /// let curve = DragCurve::new(&[(omega(0.0), Torque::new::<newton_meter>(4.0))], Beyond::Constant)?;
+    /// model.drag("seal", ["wheel", GROUND], &curve)?;
+    /// let run = model.run(&Start::speeds(&[("wheel", omega(30.0))]), Time::new::<second>(20.0), None)?;
+    /// assert!((run.events[0].after.time.get::<second>() - 15.0).abs() < 1e-9);
+    /// assert!((run.audit.drags[0].get::<joule>() - 900.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn drag(&mut self, name: &str, links: [&str; 2], curve: &DragCurve) -> Result<(), Error> {
+        let places = [self.mechanism.place(links[0])?, self.mechanism.place(links[1])?];
+        let [first, second] =
+            [self.mechanism.speed_factors(links[0])?, self.mechanism.speed_factors(links[1])?];
+        let slip: Vec<f64> = first.iter().zip(&second).map(|(one, other)| one - other).collect();
+        let curve = Curve::new(curve);
+        let mut carrier = None;
+        if curve.dry > 0.0 && largest(&slip) > RANK {
+            carrier = Some(self.carrier(name, places, &slip));
+        }
+        if let Some((place, _)) = carrier {
+            self.elements[place].dry += curve.dry;
+        }
+        self.drags.push(Drag { name: name.to_owned(), places, slip, curve, carrier });
+        Ok(())
+    }
+
+    /// The drag of a shift element of the gearbox, which acts whenever its links turn against each other.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a shift element that is not there or is engaged for good.
+    pub fn shift_drag(&mut self, name: &str, curve: &DragCurve) -> Result<(), Error> {
+        let found = self.mechanism.elements.iter().find(|(id, ..)| id == name);
+        let unknown = || Error::Unknown { what: "shift element that may be open", name: name.to_owned() };
+        let [first, second] = found.ok_or_else(unknown)?.1.clone();
+        self.drag(name, [&first, &second], curve)
+    }
+
+    /// What carries dry friction of this slip, and the sign of its own where this is above 0: friction or a one-way clutch that has it already,
+    /// else an element for it.
+    fn carrier(&mut self, name: &str, places: [Place; 2], slip: &[f64]) -> (usize, f64) {
+        let size = largest(slip);
+        let sign_of = |one: &Element| {
+            let sign = dot(&one.slip, slip).signum();
+            let apart = one.slip.iter().zip(slip).map(|(one, other)| one - sign * other);
+            let are_one = one.places == places || one.places == [places[1], places[0]];
+            (are_one && apart.fold(0.0, |most: f64, one| most.max(one.abs())) <= RANK * size).then_some(sign)
+        };
+        let is_dog = |one: &Element| matches!(one.kind, Kind::Dog { .. });
+        let beside = self.elements.iter().position(|one| is_dog(one) && sign_of(one).is_some());
+        let with = self.elements.iter().enumerate().filter(|(_, one)| !is_dog(one));
+        let found = with.filter_map(|(place, one)| Some((place, sign_of(one)?))).next();
+        let (place, sign) = found.unwrap_or((self.elements.len(), 1.0));
+        if found.is_none() {
+            let (name, slip) = (name.to_owned(), slip.to_vec());
+            self.elements.push(Element { name, places, slip, kind: Kind::Drag, dry: 0.0, beside });
+        }
+        self.elements[place].beside = beside;
+        (place, sign)
+    }
+
     /// Makes the passing of a speed by a link an event.
     ///
     /// # Errors
@@ -316,8 +409,22 @@ impl Model {
     fn join(&mut self, name: &str, links: [&str; 2], kind: Kind) -> Result<(), Error> {
         let (places, [first, second]) = self.between(name, links)?;
         let slip = first.iter().zip(&second).map(|(one, other)| one - other).collect();
-        self.elements.push(Element { name: name.to_owned(), places, slip, kind });
+        self.insert(Element { name: name.to_owned(), places, slip, kind, dry: 0.0, beside: None });
         Ok(())
+    }
+
+    /// Puts an element before those of drags.
+    fn insert(&mut self, element: Element) {
+        let place = self.own_elements();
+        self.elements.insert(place, element);
+        for (carrier, _) in self.drags.iter_mut().filter_map(|drag| drag.carrier.as_mut()) {
+            *carrier += usize::from(*carrier >= place);
+        }
+    }
+
+    /// How many elements are not of drags alone.
+    pub(crate) fn own_elements(&self) -> usize {
+        self.elements.iter().take_while(|one| !matches!(one.kind, Kind::Drag)).count()
     }
 
     /// Places of two links that are to be joined, and their speeds over the coordinates.

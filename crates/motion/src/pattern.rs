@@ -55,6 +55,8 @@ pub(crate) struct Pattern {
     /// Segments of torques over speed, and of friction over slip speed.
     pub(crate) segments: Vec<usize>,
     pub(crate) curves: Vec<usize>,
+    /// Segments of the curves of drags.
+    pub(crate) drags: Vec<usize>,
     pub(crate) flanks: Vec<Flank>,
     pub(crate) drives: Vec<Drive>,
 }

@@ -31,10 +31,58 @@ impl From<Way> for State {
     }
 }
 
-/// What the elements do; one that yields has no slip.
+/// What an element does; one that yields has no slip.
+fn state(field: &Field, place: usize) -> State {
+    if field.yields[place] { State::Stuck } else { field.pattern.elements[place].into() }
+}
+
+/// What the elements do; one without capacity is open, whatever drags hold.
 pub(crate) fn states(field: &Field) -> Vec<State> {
-    let of = |(way, yields): (&Way, &bool)| if *yields { State::Stuck } else { (*way).into() };
-    field.pattern.elements.iter().zip(&field.yields).map(of).collect()
+    let of = |place: usize| if field.is_open[place] { State::Open } else { state(field, place) };
+    (0..field.model.own_elements()).map(of).collect()
+}
+
+/// What the drags do whose dry friction stands alone; none of the others.
+pub(crate) fn drag_states(field: &Field) -> Vec<Option<State>> {
+    let of = |(place, sign): (usize, f64)| {
+        let turned = |state| match state {
+            State::Forward if sign < 0.0 => State::Backward,
+            State::Backward if sign < 0.0 => State::Forward,
+            state => state,
+        };
+        (field.is_open[place] && !field.is_idle[place]).then(|| turned(state(field, place)))
+    };
+    field.model.drags.iter().map(|drag| drag.carrier.and_then(of)).collect()
+}
+
+/// Torques of elements without drags, and of drags, on their first links. What sticks is the element's up to what it holds.
+fn shared(field: &Field, t: f64) -> (Vec<f64>, Vec<f64>) {
+    let model = field.model;
+    let mut drags = field.drags.clone();
+    // What drags hold of the torque of each element.
+    let dry = |place: usize| {
+        let (one, torque) = (&model.elements[place], field.elements[place]);
+        match field.pattern.elements[place] {
+            _ if one.dry == 0.0 => 0.0,
+            Way::Open => 0.0,
+            way @ (Way::Forward | Way::Backward) => -way.sign() * one.dry,
+            Way::Stuck => {
+                torque
+                    - match field.own_capacity(place, t) {
+                        Some(own) => torque.clamp(-own, own),
+                        None => torque.max(0.0),
+                    }
+            }
+        }
+    };
+    for (drag, on) in model.drags.iter().zip(&mut drags) {
+        let Some((place, sign)) = drag.carrier else { continue };
+        if field.pattern.elements[place] == Way::Stuck {
+            *on += sign * dry(place) * drag.curve.dry / model.elements[place].dry;
+        }
+    }
+    let own = (0..model.own_elements()).map(|place| field.elements[place] - dry(place));
+    (own.collect(), drags)
 }
 
 /// Speeds, accelerations and torques at a time, in the order of [`Run`]'s names.
@@ -48,7 +96,7 @@ pub struct Sample {
     pub accelerations: Vec<AngularAcceleration>,
     /// Applied torques on their links.
     pub torques: Vec<Torque>,
-    /// Torque of each element on its first link.
+    /// Torque of each element on its first link, without drags.
     pub elements: Vec<Torque>,
     /// What each element does.
     pub states: Vec<State>,
@@ -68,6 +116,10 @@ pub struct Sample {
     pub contacts: Vec<Contact>,
     /// Torques of each converter on the links of its impeller and turbine.
     pub converters: Vec<[Torque; 2]>,
+    /// Torque of each drag on its first link.
+    pub drags: Vec<Torque>,
+    /// Loss of each drag from the start on.
+    pub drag_losses: Vec<Energy>,
 }
 
 impl Sample {
@@ -103,15 +155,17 @@ impl Sample {
         let mesh_power = |(mesh, one): (usize, &crate::mechanism::MeshForce)| {
             power(-field.meshes[mesh] * dot(&one.rolling, y))
         };
+        let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
+        let (elements, drags) = shared(field, t);
         let twists = &y[field.parts.twist..field.parts.size];
         Self {
             time: time(t),
             speeds: of_links(y).into_iter().map(angular_velocity).collect(),
             accelerations: of_links(&field.accelerations).into_iter().map(angular_acceleration).collect(),
             torques: torques(&field.applied),
-            elements: torques(&field.elements),
             states: states(field),
-            heats: y[field.parts.heat..field.parts.loss].iter().map(|&value| energy(value)).collect(),
+            heats: energies(field.parts.heat, field.parts.heat + elements.len()),
+            elements: torques(&elements),
             is_split_unique: field.system.independent.others.is_empty(),
             sets: sets.collect(),
             mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),
@@ -123,6 +177,8 @@ impl Sample {
                 .map(|(&twist, flank)| flank.contact(twist))
                 .collect(),
             converters: field.converters.iter().map(|on| on.map(torque)).collect(),
+            drags: torques(&drags),
+            drag_losses: energies(field.parts.drag, field.parts.twist),
         }
     }
 }
@@ -158,6 +214,15 @@ pub enum Change {
         /// What they do.
         to: Contact,
     },
+    /// Links that drag on each other by dry friction alone begin to turn against each other, or stop.
+    Drag {
+        /// Its name.
+        name: String,
+        /// What they did.
+        from: State,
+        /// What they do.
+        to: State,
+    },
     /// A threshold is passed.
     Threshold {
         /// Its name.
@@ -183,8 +248,10 @@ pub struct Event {
 pub struct Audit {
     /// Work of each applied torque; below 0 of a load.
     pub work: Vec<Energy>,
-    /// Heat of each element.
+    /// Heat of each element, without drags.
     pub heat: Vec<Energy>,
+    /// Loss of each drag.
+    pub drags: Vec<Energy>,
     /// Loss of each mesh.
     pub mesh_losses: Vec<Energy>,
     /// Loss within each source, beside its work: heat of the rotor of a Kloss motor.
@@ -206,21 +273,23 @@ pub struct Audit {
 }
 
 impl Audit {
-    /// `stored after − stored before − (work − heat − mesh losses − converters − damping − impacts)`, over the largest of these
+    /// `stored after − stored before − (work − heat − drags − mesh losses − converters − damping − impacts)`, over the largest of these
     /// energies; what is stored is kinetic and elastic.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let sum = |of: &[Energy]| of.iter().map(|one| joules(*one)).sum::<f64>();
         let stored = joules(self.after) - joules(self.before) + joules(self.elastic_after)
             - joules(self.elastic_before);
-        let lost = sum(&self.heat) + sum(&self.mesh_losses) + sum(&self.converters) + sum(&self.damping);
+        let of_joints = sum(&self.converters) + sum(&self.damping);
+        let lost = sum(&self.heat) + sum(&self.drags) + sum(&self.mesh_losses) + of_joints;
         let balance = sum(&self.work) - lost - joules(self.impacts);
         let single = [&self.before, &self.after, &self.elastic_before, &self.elastic_after, &self.impacts];
-        let largest = [&self.work, &self.heat, &self.mesh_losses, &self.converters, &self.damping]
-            .into_iter()
-            .flatten()
-            .chain(single)
-            .fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
+        let largest =
+            [&self.work, &self.heat, &self.drags, &self.mesh_losses, &self.converters, &self.damping]
+                .into_iter()
+                .flatten()
+                .chain(single)
+                .fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
         if largest == 0.0 { 0.0 } else { (stored - balance) / largest }
     }
 
@@ -229,11 +298,12 @@ impl Audit {
         let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
         Self {
             work: energies(parts.work, parts.heat),
-            heat: energies(parts.heat, parts.loss),
+            heat: energies(parts.heat, parts.heat + field.model.own_elements()),
+            drags: energies(parts.drag, parts.twist),
             mesh_losses: energies(parts.loss, parts.inner),
             inner_losses: energies(parts.inner, parts.oil),
             converters: energies(parts.oil, parts.damping),
-            damping: energies(parts.damping, parts.twist),
+            damping: energies(parts.damping, parts.drag),
             impacts: energy(impacts),
             before: energy(before),
             after: energy(field.model.mechanism.kinetic_energy(&y[..parts.work])),
@@ -258,6 +328,8 @@ pub struct Run {
     pub shafts: Vec<String>,
     /// Names of the converters.
     pub converters: Vec<String>,
+    /// Names of the drags.
+    pub drags: Vec<String>,
     /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia are one.
     pub meshes: Vec<(usize, [String; 2])>,
     /// At the start, at the times asked for, and at the end.

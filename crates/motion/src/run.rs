@@ -16,10 +16,12 @@ use crate::dense::{dot, largest};
 use crate::field::{Field, Trigger};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, Way};
-use crate::record::{Audit, Change, Event, Run, Sample, State, states};
+use crate::record::{Audit, Change, Event, Run, Sample, State, drag_states, states};
 use crate::start::Start;
 use crate::step::Stepper;
-use crate::tolerance::{ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, STEP_ERROR};
+use crate::tolerance::{
+    ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, SLIP, STEP_ERROR,
+};
 use crate::units::{seconds, time};
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -40,7 +42,7 @@ impl Model {
     /// # Errors
     /// [`Error::Value`] for an end or interval that is not finite and above 0; [`Error::InitialSpeeds`], [`Error::InitialOpen`],
     /// [`Error::InitialSlip`], [`Error::Unknown`] for a start that is none; [`Error::NotUnique`], [`Error::NoMotion`],
-    /// [`Error::TooManyMeshes`], [`Error::TooManyAtRest`] for a motion that does not follow; [`Error::Accumulating`],
+    /// [`Error::TooManyMeshes`], [`Error::TooManyAtRest`], [`Error::DragSpeed`] for a motion that does not follow; [`Error::Accumulating`],
     /// [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go on.
     pub fn run(&self, start: &Start, end: Time, sample_every: Option<Time>) -> Result<Run, Error> {
         self.run_watched(start, end, sample_every, &mut |_| ControlFlow::Continue(()))
@@ -79,10 +81,11 @@ impl Model {
         Ok(Run {
             links: mechanism.links.clone(),
             torques: self.torques.iter().map(|one| one.name.clone()).collect(),
-            elements: self.elements.iter().map(|one| one.name.clone()).collect(),
+            elements: self.elements[..self.own_elements()].iter().map(|one| one.name.clone()).collect(),
             sets: mechanism.sets.iter().map(|set| set.name.clone()).collect(),
             shafts: self.shafts.iter().map(|one| one.name.clone()).collect(),
             converters: self.converters.iter().map(|one| one.name.clone()).collect(),
+            drags: self.drags.iter().map(|one| one.name.clone()).collect(),
             meshes,
             audit: Audit::of(&runner.field, &runner.stepper.y, runner.impacts, before),
             samples: runner.samples,
@@ -97,7 +100,7 @@ impl Model {
         let of_torques = self.torques.iter().filter_map(|one| one.law.course()?.next_kink(t));
         let of_elements = self.elements.iter().filter_map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.next_kink(t),
-            Kind::OneWay => None,
+            Kind::OneWay | Kind::Drag => None,
             Kind::Dog { program, .. } => program.iter().map(|(time, _)| *time).find(|&time| time > t),
         });
         of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
@@ -108,7 +111,7 @@ impl Model {
         let of_torques = self.torques.iter().filter_map(|one| Some(one.law.course()?.longest_step()));
         let of_elements = self.elements.iter().map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.longest_step(),
-            Kind::OneWay | Kind::Dog { .. } => f64::INFINITY,
+            Kind::OneWay | Kind::Dog { .. } | Kind::Drag => f64::INFINITY,
         });
         of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
     }
@@ -145,6 +148,9 @@ struct Runner<'m> {
 
 /// What is told the time of every step.
 type Watch<'a> = dyn FnMut(Time) -> ControlFlow<()> + 'a;
+
+/// What was before a transition: the pattern, states of the elements and of the drags.
+struct Before(Pattern, Vec<State>, Vec<Option<State>>);
 
 /// How a stretch ends.
 enum Stretch {
@@ -190,6 +196,7 @@ impl<'m> Runner<'m> {
         made.speed_scale = largest_speed(&made.field, &made.stepper.y);
         made.field.place(&made.stepper.y);
         made.engage_at_start()?;
+        made.check_drags()?;
         made.project(&[]);
         made.impacts = 0.0;
         made.decide(&[])?;
@@ -308,7 +315,7 @@ impl<'m> Runner<'m> {
         let t = self.stepper.t;
         self.transitions += usize::from(!fired.is_empty());
         self.watch_accumulation(fired)?;
-        let before = (self.field.pattern.clone(), states(&self.field));
+        let before = Before(self.field.pattern.clone(), states(&self.field), drag_states(&self.field));
         let held = self.field.elements.clone();
         let just_before = self.now();
         let mut loosed: Vec<Loosed> = vec![];
@@ -323,6 +330,7 @@ impl<'m> Runner<'m> {
                 Trigger::Segment(place, false) => self.field.pattern.segments[place] -= 1,
                 Trigger::Curve(place, true) => self.field.pattern.curves[place] += 1,
                 Trigger::Curve(place, false) => self.field.pattern.curves[place] -= 1,
+                Trigger::Drag(place, is_upper) => self.pass_point(place, is_upper)?,
                 Trigger::Flank(place, is_second) => {
                     let twist = &mut self.stepper.y[self.field.parts.twist + place];
                     let flank = &mut self.field.pattern.flanks[place];
@@ -346,6 +354,7 @@ impl<'m> Runner<'m> {
         self.field.take_pieces(t);
         if self.engage(fired) {
             self.follow_jump(&mut changes);
+            self.check_drags()?;
         }
         self.project(fired);
         self.decide(&loosed)?;
@@ -359,13 +368,18 @@ impl<'m> Runner<'m> {
         Ok(())
     }
 
-    fn note_changes(&self, (before, was): &(Pattern, Vec<State>), changes: &mut Vec<Change>) {
-        let is = states(&self.field);
+    fn note_changes(&self, Before(before, was, did): &Before, changes: &mut Vec<Change>) {
         let after = &self.field.pattern;
-        for (place, one) in self.model.elements.iter().enumerate() {
-            let (from, to) = (was[place], is[place]);
+        for ((one, &from), to) in self.model.elements.iter().zip(was).zip(states(&self.field)) {
             if from != to {
                 changes.push(Change::Element { name: one.name.clone(), from, to });
+            }
+        }
+        for ((one, from), to) in self.model.drags.iter().zip(did).zip(drag_states(&self.field)) {
+            if let (Some(from), Some(to)) = (*from, to)
+                && from != to
+            {
+                changes.push(Change::Drag { name: one.name.clone(), from, to });
             }
         }
         for (place, one) in self.model.mechanism.sets.iter().enumerate() {
@@ -387,6 +401,7 @@ impl<'m> Runner<'m> {
 
     fn decide(&mut self, loosed: &[Loosed]) -> Result<(), Error> {
         let ahead = AHEAD * self.end;
+        self.field.find_idle();
         let moment = Moment {
             t: self.stepper.t,
             y: &self.stepper.y,
@@ -399,6 +414,42 @@ impl<'m> Runner<'m> {
         let Self { field, stepper, .. } = self;
         stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
         Ok(())
+    }
+
+    /// Takes the next segment of a drag's curve; refuses a speed of which it tells nothing.
+    fn pass_point(&mut self, place: usize, is_upper: bool) -> Result<(), Error> {
+        let curve = &self.model.drags[place].curve;
+        let segment = &mut self.field.pattern.drags[place];
+        let before = *segment;
+        *segment = if is_upper { before + 1 } else { before - 1 };
+        if curve.is_outside(before) || curve.is_outside(*segment) { Err(self.outside(place)) } else { Ok(()) }
+    }
+
+    /// Refuses speeds of which the curves of drags tell nothing, where the speeds are not those of a step.
+    fn check_drags(&self) -> Result<(), Error> {
+        let zero = SLIP * self.speed_scale;
+        let is_refused = |&place: &usize| {
+            let one = &self.model.drags[place];
+            one.curve.is_outside(self.field.pattern.drags[place])
+                && dot(&one.slip, &self.stepper.y).abs() > zero
+        };
+        match (0..self.model.drags.len()).find(is_refused) {
+            Some(place) => Err(self.outside(place)),
+            None => Ok(()),
+        }
+    }
+
+    fn outside(&self, place: usize) -> Error {
+        let one = &self.model.drags[place];
+        let [from_rad_s, to_rad_s] = one.curve.range();
+        Error::DragSpeed {
+            drag: one.name.clone(),
+            place,
+            slip_rad_s: dot(&one.slip, &self.stepper.y).abs(),
+            from_rad_s,
+            to_rad_s,
+            time_s: self.stepper.t,
+        }
     }
 
     /// Refuses events that accumulate.
@@ -433,6 +484,7 @@ impl<'m> Runner<'m> {
             | Trigger::LetsGo(place)
             | Trigger::Meshes(place)
             | Trigger::Curve(place, _) => model.elements[place].name.clone(),
+            Trigger::Drag(place, _) => model.drags[place].name.clone(),
             Trigger::Flank(place, _) => model.shafts[place].name.clone(),
             Trigger::Drive(place, _) => model.converters[place].name.clone(),
             Trigger::RollingEnds(set) => model.mechanism.sets[set].name.clone(),

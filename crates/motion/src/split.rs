@@ -4,14 +4,15 @@
 //! of torque open. What is taken is the split that uses the most used of them least,
 //!
 //! ```text
-//! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ 0 of one-way clutches
+//! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ −M_0 of one-way clutches
 //! ```
 //!
 //! so that they hold as long as any split holds: they slip when τ would exceed 1. Since there are only a few, the corners of this
-//! linear programme are tried all.
+//! linear programme are tried all. Splits that have no element in common are found each by itself: else the most used element of one would leave
+//! the others open.
 
 use crate::dense::{Matrix, Split};
-use crate::tolerance::TORQUE;
+use crate::tolerance::{RANK, TORQUE};
 
 /// Torque of an element as `λ_0 + n·y`.
 pub(crate) struct Share {
@@ -19,7 +20,8 @@ pub(crate) struct Share {
     pub(crate) factors: Vec<f64>,
     /// Its static capacity; none of a one-way or dog clutch.
     pub(crate) capacity: Option<f64>,
-    pub(crate) is_one_way: bool,
+    /// The least that a one-way clutch carries: what drags beside it hold against it.
+    pub(crate) least: Option<f64>,
 }
 
 impl Share {
@@ -32,23 +34,48 @@ impl Share {
 pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
     let most = shares.iter().fold(0.0_f64, |most, share| most.max(share.base.abs()));
     let largest = shares.iter().filter_map(|share| share.capacity).fold(most, f64::max);
+    let mut found = vec![0.0; count];
     if largest == 0.0 {
-        return Some(vec![0.0; count]);
+        return Some(found);
     }
+    let is_of = |share: &Share, place: usize| share.factors[place].abs() > RANK;
+    let mut left: Vec<usize> = (0..count).collect();
+    while let Some(first) = left.pop() {
+        let mut group = vec![first];
+        while let Some(next) = left.iter().position(|&place| {
+            shares.iter().any(|share| is_of(share, place) && group.iter().any(|&one| is_of(share, one)))
+        }) {
+            group.push(left.swap_remove(next));
+        }
+        group.sort_unstable();
+        let with = shares.iter().filter(|share| group.iter().any(|&place| is_of(share, place)));
+        let of_group = with.map(|share| Share {
+            factors: group.iter().map(|&place| share.factors[place]).collect(),
+            ..*share
+        });
+        let of_group: Vec<Share> = of_group.collect();
+        let split = even_of_group(&of_group, group.len(), largest)?;
+        group.iter().zip(split).for_each(|(&place, torque)| found[place] = torque);
+    }
+    Some(found)
+}
+
+/// The same of elements that are all joined by the splits.
+fn even_of_group(shares: &[Share], count: usize, largest: f64) -> Option<Vec<f64>> {
     // A one-way or dog clutch counts as if it had the largest capacity; one of none as if it had next to none.
     let scale = |share: &Share| share.capacity.unwrap_or(largest).max(TORQUE * largest);
     // Rows a·(y, τ) ≤ b.
     let mut rows: Vec<(Vec<f64>, f64)> = vec![];
-    for share in shares.iter().filter(|share| share.factors.iter().any(|factor| *factor != 0.0)) {
+    for share in shares {
         let by = scale(share);
         for sign in [1.0, -1.0] {
             let row = share.factors.iter().map(|factor| sign * factor / by).chain([-1.0]).collect();
             rows.push((row, -sign * share.base / by));
         }
-        if share.is_one_way {
+        if let Some(least) = share.least {
             rows.push((
                 share.factors.iter().map(|factor| -factor / by).chain([0.0]).collect(),
-                share.base / by,
+                (share.base - least) / by,
             ));
         }
     }
@@ -106,7 +133,7 @@ mod tests {
     use super::*;
 
     fn share(base: f64, factors: &[f64], capacity: Option<f64>) -> Share {
-        Share { base, factors: factors.to_vec(), capacity, is_one_way: capacity.is_none() }
+        Share { base, factors: factors.to_vec(), capacity, least: capacity.is_none().then_some(0.0) }
     }
 
     #[test]
@@ -114,6 +141,21 @@ mod tests {
         let shares = [share(100.0, &[-1.0], Some(100.0)), share(0.0, &[1.0], Some(1.0))];
         let found = torques(&shares, &even(&shares, 1).unwrap());
         assert!((found[0] - 1e4 / 101.0).abs() < 1e-9 && (found[1] - 100.0 / 101.0).abs() < 1e-9);
+    }
+
+    /// A brake that carries what it cannot leaves the split of the others as it is.
+    #[test]
+    fn splits_without_a_common_element_are_apart() {
+        let shares = [
+            share(50.0, &[0.0, 0.0], Some(0.0)),
+            share(12.0, &[-1.0, 1e-17], Some(30.0)),
+            share(20.0, &[0.0, -1.0], Some(10.0)),
+            share(0.0, &[1.0, 0.0], Some(10.0)),
+            share(0.0, &[0.0, 1.0], Some(30.0)),
+        ];
+        let found = torques(&shares, &even(&shares, 2).unwrap());
+        let due = [50.0, 9.0, 5.0, 3.0, 15.0];
+        assert!(found.iter().zip(due).all(|(one, due)| (one - due).abs() < 1e-9), "{found:?}");
     }
 
     #[test]

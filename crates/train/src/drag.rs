@@ -109,6 +109,18 @@ impl DragCurve {
         let last = self.points.len() - 1;
         [self.points[0][0], self.points[last][0]].map(angular_velocity)
     }
+
+    /// Its points, ascending.
+    #[must_use]
+    pub fn points(&self) -> impl DoubleEndedIterator<Item = (AngularVelocity, Torque)> + '_ {
+        self.points.iter().map(|&[speed, size]| (angular_velocity(speed), torque(size)))
+    }
+
+    /// What it says outside its points.
+    #[must_use]
+    pub fn beyond(&self) -> Beyond {
+        self.beyond
+    }
 }
 
 /// A drag between two links.

@@ -8,8 +8,8 @@ use crate::figure::{Figure, text};
 use crate::quantities::{column, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::simulate::{
-    ChangeKind, ChangeRecord, ConverterResult, ElementKind, ElementResult, ShaftResult, ShiftResult,
-    Simulation, State,
+    ChangeKind, ChangeRecord, ConverterResult, DragKind, DragResult, ElementKind, ElementResult, ShaftResult,
+    ShiftResult, Simulation, State,
 };
 use epicyclic_formats::Dimension::{
     self, AngularSpeed, Energy, EnergyPerArea, Power, PowerPerArea, TemperatureDifference, Time, Torque,
@@ -40,6 +40,9 @@ impl AsReport for Simulation {
         }
         if !self.elements.is_empty() {
             parts.push(Part::Records(elements(&self.elements)));
+        }
+        if !self.drags.is_empty() {
+            parts.push(Part::Records(drags(&self.drags)));
         }
         if !self.shafts.is_empty() {
             parts.push(Part::Records(shafts(&self.shafts)));
@@ -90,6 +93,9 @@ pub fn change(change: &ChangeRecord) -> String {
             let contact = |of| if of == State::Open { "free" } else { state(of) };
             format!("{}: {} → {}", change.id, contact(from), contact(to))
         }
+        (Some((from, to)), _) if change.kind == ChangeKind::Drag => {
+            format!("drag of {}: {} → {}", change.id, state(from), state(to))
+        }
         (Some((from, to)), _) => format!("{}: {} → {}", change.id, state(from), state(to)),
         (None, Some(true)) => format!("{}: passed upwards", change.id),
         (None, _) => format!("{}: passed downwards", change.id),
@@ -101,6 +107,7 @@ fn kind(kind: ChangeKind) -> &'static str {
         ChangeKind::Element => "element",
         ChangeKind::Set => "set",
         ChangeKind::Shaft => "shaft",
+        ChangeKind::Drag => "drag",
         ChangeKind::Threshold => "threshold",
     }
 }
@@ -283,6 +290,51 @@ fn elements(all: &[ElementResult]) -> Records {
     }
 }
 
+fn drags(all: &[DragResult]) -> Records {
+    let kind = |kind| match kind {
+        DragKind::Drag => "drag",
+        DragKind::OpenElement => "open",
+    };
+    let row = |one: &DragResult| {
+        vec![
+            Figure::choice(one.kind, kind(one.kind)),
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Energy, Some(one.loss_j)),
+            column(Power, Some(one.peak_power_w)),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(AngularSpeed, Some(one.end_slip_rad_s)),
+            column(Torque, Some(one.end_torque_n_m)),
+        ]
+    };
+    let columns = vec![
+        Column::words("kind", "kind"),
+        Column::words("id", "of"),
+        Column::words("links", "between"),
+        Column::headed("loss", "loss, J", Energy),
+        Column::headed("peak_power", "P, kW", Power),
+        Column::headed("peak_torque", "M, N·m", Torque),
+        Column::headed("end_slip", "n at the end", AngularSpeed),
+        Column::headed("end_torque", "M at the end", Torque),
+    ];
+    let view = View {
+        note: "open: a brake or clutch while it is open or slips. P, M: the greatest power and torque. At the end: speed of the first link relative \
+               to the second, and torque on the first."
+            .to_owned(),
+        ..View::new(
+            "Drags",
+            &["kind", "id", "links", "loss", "peak_power", "peak_torque", "end_slip", "end_torque"],
+        )
+    };
+    Records {
+        name: "drags",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
+        is_answer: false,
+    }
+}
+
 fn shafts(all: &[ShaftResult]) -> Records {
     let row = |one: &ShaftResult| {
         vec![
@@ -384,6 +436,7 @@ fn energies(simulation: &Simulation) -> Section {
         one("kinetic_after", "kinetic, at the end", energies.kinetic_after_j),
     ];
     let parts = [
+        (!simulation.drags.is_empty(), "drag_loss", "loss of drags", energies.drag_loss_j),
         (
             !simulation.shafts.is_empty(),
             "elastic_before",
@@ -449,6 +502,14 @@ pub fn samples(simulation: &Simulation) -> Report {
         lists.push((&converter.impeller_torques_n_m, Torque));
         columns.push(Column::quantity("turbine_torque", Torque).of(&converter.id));
         lists.push((&converter.turbine_torques_n_m, Torque));
+    }
+    for drag in &all.drags {
+        columns.push(Column::quantity("drag_slip", AngularSpeed).of(&drag.id));
+        lists.push((&drag.slips_rad_s, AngularSpeed));
+        columns.push(Column::quantity("drag_torque", Torque).of(&drag.id));
+        lists.push((&drag.torques_n_m, Torque));
+        columns.push(Column::quantity("drag_loss", Energy).of(&drag.id));
+        lists.push((&drag.losses_j, Energy));
     }
     columns.push(Column::quantity("output_torque", Torque));
     lists.push((&all.output_torques_n_m, Torque));

@@ -46,8 +46,9 @@ impl Scenario<'_> {
             let added = model.threshold(&threshold.id, &threshold.link, threshold.speed.0);
             added.map_err(|why| placed(self.document, &named(path, &why), why))?;
         }
-        let output = Output::of(self, &model, &elements);
-        Ok(Built { start: self.start()?, model, elements, shifts: program.shifts, output })
+        let drags = self.add_drags(&mut model)?;
+        let output = Output::of(self, &model, &elements, &drags);
+        Ok(Built { start: self.start()?, model, elements, drags, shifts: program.shifts, output })
     }
 
     fn mechanism(&self) -> Result<Mechanism, Error> {

@@ -20,11 +20,11 @@ pub struct ElementResult {
     pub at_end: super::State,
     /// How long it slips and carries; of a one-way clutch: how long it overruns.
     pub slip_time_s: f64,
-    /// Heat from start to end.
+    /// Heat from start to end, without what drags lose.
     pub heat_j: f64,
     /// Greatest power of friction.
     pub peak_power_w: f64,
-    /// Greatest torque that it carries, holding or slipping.
+    /// Greatest torque that it carries, holding or slipping, without drags.
     pub peak_torque_n_m: f64,
     /// Heat over the friction area, where one is given.
     pub heat_per_area_j_m2: Option<f64>,

@@ -23,6 +23,16 @@ pub enum ElementKind {
     Resistance,
 }
 
+/// What drags.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DragKind {
+    /// A drag that acts always.
+    Drag,
+    /// A brake or clutch while it is open or slips.
+    OpenElement,
+}
+
 /// A scenario and what it speaks of.
 pub(super) struct Scenario<'s> {
     pub(super) document: &'s Document,
@@ -36,6 +46,7 @@ pub(super) struct Built {
     pub(super) model: Model,
     pub(super) start: Start,
     pub(super) elements: Vec<Element>,
+    pub(super) drags: Vec<Drag>,
     pub(super) shifts: Vec<Ramps>,
     pub(super) output: Output,
 }
@@ -65,6 +76,16 @@ impl Element {
             conductance_w_per_k: 0.0,
         }
     }
+}
+
+/// A drag of the model, in its order.
+#[derive(Debug, Clone)]
+pub(super) struct Drag {
+    pub(super) id: String,
+    pub(super) kind: DragKind,
+    pub(super) links: [String; 2],
+    /// Its place among those of the gearbox.
+    pub(super) place: usize,
 }
 
 /// One shift.
@@ -102,11 +123,13 @@ pub(super) struct Output {
     shafts: Vec<(usize, f64)>,
     /// Places of converters on them, and whether it is the turbine.
     converters: Vec<(usize, usize)>,
+    /// Places of drags on them that are of no shift element, and the sign of their torque there.
+    drags: Vec<(usize, f64)>,
 }
 
 impl Output {
-    /// `elements` are those of the model, in its order.
-    pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element]) -> Self {
+    /// `elements` and `drags` are those of the model, in its order.
+    pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element], drags: &[Drag]) -> Self {
         let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
         let output = gearbox.link_name(gearbox.output());
         let is_it = |link: &str| model.mechanism().is_one_piece(output, link).unwrap_or(false);
@@ -120,7 +143,11 @@ impl Output {
         let of_shafts = file.shafts.iter().enumerate().flat_map(|(place, one)| ends(&one.links, place));
         let of_converters =
             file.converters.iter().enumerate().flat_map(|(place, one)| ends(&one.links, place));
+        let is_own = |one: &&(usize, &Drag)| one.1.kind == DragKind::Drag;
+        let of_drags: Vec<(usize, &Drag)> = drags.iter().enumerate().collect();
+        let of_drags = of_drags.iter().filter(is_own).flat_map(|(place, one)| ends(&one.links, *place));
         Self {
+            drags: of_drags.map(|(place, end)| (place, if end == 0 { 1.0 } else { -1.0 })).collect(),
             shafts: of_shafts.map(|(place, end)| (place, if end == 0 { -1.0 } else { 1.0 })).collect(),
             converters: of_converters.collect(),
             place: gearbox.output().index(),
@@ -142,6 +169,8 @@ impl Output {
         let twisting: f64 = self.shafts.iter().map(|&(place, sign)| sign * sample.shafts[place].si()).sum();
         let by_oil: f64 =
             self.converters.iter().map(|&(place, end)| sample.converters[place][end].si()).sum();
-        self.inertia_kg_m2 * sample.accelerations[self.place].si() - applied - resisting - twisting - by_oil
+        let dragging: f64 = self.drags.iter().map(|&(place, sign)| sign * sample.drags[place].si()).sum();
+        let outside = applied + resisting + twisting + by_oil + dragging;
+        self.inertia_kg_m2 * sample.accelerations[self.place].si() - outside
     }
 }

@@ -1,5 +1,6 @@
 //! Speeds and torques over time, as lists.
 
+use super::drags::{self, DragSamples};
 use super::elements::{slip, temperature_rises};
 use super::joints::{ConverterSamples, ShaftSamples};
 use super::parts::Built;
@@ -25,6 +26,8 @@ pub struct Samples {
     pub shafts: Vec<ShaftSamples>,
     /// Each converter.
     pub converters: Vec<ConverterSamples>,
+    /// Each drag.
+    pub drags: Vec<DragSamples>,
     /// Torque that sets and shift elements exert on the output.
     pub output_torques_n_m: Vec<f64>,
 }
@@ -57,7 +60,7 @@ pub struct ElementSamples {
     pub id: String,
     /// Speed of its first link less that of its second.
     pub slips_rad_s: Vec<f64>,
-    /// Torque on its first link.
+    /// Torque on its first link, without drags.
     pub torques_n_m: Vec<f64>,
     /// What it could carry while slipping; `null` of one-way and dog clutches.
     pub capacities_n_m: Option<Vec<f64>>,
@@ -118,6 +121,7 @@ pub(super) fn of(built: &Built, run: &Run, instants: &[&Sample], kept: usize) ->
         turbine_torques_n_m: list(&|sample| sample.converters[place][1].si()),
     });
     Samples {
+        drags: drags::samples(&built.drags, run, &samples),
         shafts: shafts.collect(),
         converters: converters.collect(),
         times_s: list(&|sample| sample.time.si()),

@@ -4,16 +4,16 @@ use super::parts::Scenario;
 use super::*;
 use epicyclic_formats::scenario;
 
-fn document(text: &str) -> Document {
+pub(super) fn document(text: &str) -> Document {
     Document::parse_one("scenario.yaml", text.as_bytes()).unwrap()
 }
 
-fn simulated(text: &str) -> Simulation {
+pub(super) fn simulated(text: &str) -> Simulation {
     let document = document(text);
     answer(&document, &scenario::read(&document).unwrap(), &Beside::default()).unwrap()
 }
 
-fn close(found: f64, due: f64, relative: f64) {
+pub(super) fn close(found: f64, due: f64, relative: f64) {
     assert!((found - due).abs() <= relative * due.abs(), "found {found:e}, due {due:e}");
 }
 

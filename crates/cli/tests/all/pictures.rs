@@ -65,12 +65,15 @@ fn written() -> Vec<(&'static str, String)> {
         "vibrate {} --gear slow --speeds 500rpm..9000rpm/100 --transmission-error 3um,1um --damping 2% --response forces.svg -o forces.csv",
         fan.display()
     ));
-    for file in ["shift-two-three.yaml", "real-transmissions.yaml", "tip-in.yaml"] {
+    for file in
+        ["shift-two-three.yaml", "real-transmissions.yaml", "tip-in.yaml", "run-down.yaml", "drags.yaml"]
+    {
         fs::copy(console::root().join("examples").join(file), folder.path().join(file)).unwrap();
     }
     run("simulate shift-two-three.yaml -o shift-speeds.svg");
     run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
     run("simulate tip-in.yaml --view torques -o tip-in.svg");
+    run("simulate run-down.yaml -o run-down.svg");
     let motor =
         "motor --stator 5 --rotor 3 --z3 55 --zs 10 --module 2mm --l 80mm --width 50mm --pressure 20MPa";
     run(&format!("{motor} --view forces --svg motor-forces.svg"));
@@ -83,6 +86,7 @@ fn written() -> Vec<(&'static str, String)> {
         "motor-chambers.svg",
         "motor-forces.svg",
         "motor-ports.svg",
+        "run-down.svg",
         "synthesized.svg",
         "shift-speeds.svg",
         "shift-torques.svg",

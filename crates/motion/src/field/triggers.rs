@@ -28,6 +28,8 @@ pub(crate) enum Trigger {
     Segment(usize, bool),
     /// Friction over slip speed does.
     Curve(usize, bool),
+    /// A drag comes to the lower or upper end of a segment of its curve.
+    Drag(usize, bool),
     /// A shaft comes to the first or second end of what its flanks do.
     Flank(usize, bool),
     /// A converter comes to the end of its segment.
@@ -64,7 +66,9 @@ impl Field<'_> {
                         }
                     }
                 }
-                (Way::Stuck, Kind::Friction { .. }) => self.triggers.push(Trigger::Exceeds(place)),
+                (Way::Stuck, Kind::Friction { .. } | Kind::Drag) => {
+                    self.triggers.push(Trigger::Exceeds(place))
+                }
                 (Way::Stuck, Kind::OneWay) => self.triggers.push(Trigger::LetsGo(place)),
             }
         }
@@ -83,6 +87,12 @@ impl Field<'_> {
             let ends = one.law.ends(self.pattern.segments[place]);
             for (is_upper, _) in [false, true].into_iter().zip(ends).filter(|(_, end)| end.is_some()) {
                 self.triggers.push(Trigger::Segment(place, is_upper));
+            }
+        }
+        for (place, one) in self.model.drags.iter().enumerate() {
+            let ends = one.curve.ends(self.pattern.drags[place]);
+            for (is_upper, _) in [false, true].into_iter().zip(ends).filter(|(_, end)| end.is_some()) {
+                self.triggers.push(Trigger::Drag(place, is_upper));
             }
         }
         for (place, one) in self.model.shafts.iter().enumerate() {
@@ -143,10 +153,10 @@ impl Field<'_> {
                 let most = self.static_capacity(place, t).unwrap_or(f64::INFINITY);
                 most - self.elements[place].abs() + guard
             }
-            Trigger::LetsGo(place) => self.elements[place] + guard,
+            Trigger::LetsGo(place) => self.elements[place] + self.model.elements[place].dry + guard,
             Trigger::Meshes(place) => match &self.model.elements[place].kind {
                 Kind::Dog { limit, .. } => self.waits[place] * self.slip(place, y) - limit,
-                Kind::Friction { .. } | Kind::OneWay => f64::MAX,
+                Kind::Friction { .. } | Kind::OneWay | Kind::Drag => f64::MAX,
             },
             Trigger::RollingEnds(set) => self.pattern.sets[set].sign() * dot(&mechanism.sets[set].rolling, y),
             Trigger::Reverses(place) => {
@@ -164,8 +174,12 @@ impl Field<'_> {
                     let slip = self.pattern.elements[place].sign() * self.slip(place, y);
                     between(table::ends(curve, self.pattern.curves[place]), is_upper, slip)
                 }
-                Kind::OneWay | Kind::Dog { .. } => f64::MAX,
+                Kind::OneWay | Kind::Dog { .. } | Kind::Drag => f64::MAX,
             },
+            Trigger::Drag(place, is_upper) => {
+                let one = &self.model.drags[place];
+                between(one.curve.ends(self.pattern.drags[place]), is_upper, dot(&one.slip, y))
+            }
             Trigger::Flank(place, is_second) => {
                 let one = &self.model.shafts[place];
                 let twist = y[self.parts.twist + place];

@@ -4,6 +4,7 @@
 mod common;
 mod cycle;
 mod dogs;
+mod drags;
 mod drives;
 mod exact;
 mod properties;

@@ -7,6 +7,7 @@ use common::{at, close, constant, eta, joules, kg_m2, level, n_m, omega, s, star
 use epicyclic_dynamics::equivalent_inertia::equivalent_inertia;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
 use epicyclic_motion::{Change, Mechanism, Model, Run, Shaft, State, TorqueLaw};
+use epicyclic_train::drag::{Beyond, DragCurve};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
 use proptest::prelude::*;
@@ -122,8 +123,21 @@ fn drive() -> impl Strategy<Value = Drive> {
         })
 }
 
+/// Drags of a train: torques at rest and at 100 rad/s, of two links and of two shift elements.
+type Drags = [[f64; 2]; 4];
+
+fn drags() -> impl Strategy<Value = Drags> {
+    let torque = || prop_oneof![1 => Just(0.0), 3 => 0.1..20.0_f64];
+    let curve = move || [torque(), torque()];
+    [curve(), curve(), curve(), curve()]
+}
+
 /// A run; nothing where its losses leave the motion open.
 fn run(train: &Train, drive: &Drive, is_other: bool) -> Option<Run> {
+    run_with(train, drive, is_other, None)
+}
+
+fn run_with(train: &Train, drive: &Drive, is_other: bool, drags: Option<&Drags>) -> Option<Run> {
     let name = |link: &str| named(link, is_other);
     let mechanism = Mechanism::of(&train.gearbox(is_other), &[], &train.masses(is_other)).unwrap();
     let mut model = Model::new(mechanism);
@@ -144,6 +158,16 @@ fn run(train: &Train, drive: &Drive, is_other: bool) -> Option<Run> {
         model
             .shift_element(["B1", "B2", "C"][element], ramp, 1.0 + 0.2 * f64::from(u8::from(element == 2)))
             .unwrap();
+    }
+    for (place, [at_rest, turning]) in drags.into_iter().flatten().enumerate() {
+        let points = [(omega(0.0), n_m(*at_rest)), (omega(100.0), n_m(*turning))];
+        let curve = DragCurve::new(&points, Beyond::Constant).unwrap();
+        match place {
+            0 => model.drag("seal", [&name("in"), GROUND], &curve).unwrap(),
+            1 => model.drag("bearing", [&name("out"), &name("middle")], &curve).unwrap(),
+            2 => model.shift_drag("B1", &curve).unwrap(),
+            _ => model.shift_drag("C", &curve).unwrap(),
+        }
     }
     let [first, second] = drive.speeds;
     let begin = [(name("in"), first), (name("middle"), second)];
@@ -166,6 +190,30 @@ proptest! {
             prop_assert!(run.audit.residual().abs() < 1e-9, "{}", run.audit.residual());
             for heat in run.audit.heat.iter().chain(&run.audit.mesh_losses) {
                 prop_assert!(joules(*heat) >= -1e-9 * joules(run.audit.before).max(joules(run.audit.after)));
+            }
+        }
+    }
+
+    /// Losses of drags are integrated by themselves, and are never below 0.
+    #[test]
+    fn energies_balance_with_drags(train in train(), drive in drive(), drags in drags(), rests in any::<bool>()) {
+        let drive = if rests { Drive { speeds: [0.0, 0.0], ..drive } } else { drive };
+        if let Some(run) = run_with(&train, &drive, false, Some(&drags)) {
+            let scale = joules(run.audit.before).max(joules(run.audit.after));
+            // Of what is held at rest there is nothing but rounding.
+            let is_held = run.audit.work.iter().all(|work| joules(*work).abs() < 1e-12) && scale < 1e-12;
+            prop_assert!(is_held || run.audit.residual().abs() < 1e-9, "{}", run.audit.residual());
+            prop_assert_eq!(run.audit.drags.len(), 4);
+            let scale = scale.max(1e-3);
+            for loss in run.audit.drags.iter().chain(&run.audit.heat).chain(&run.audit.mesh_losses) {
+                prop_assert!(joules(*loss) >= -1e-9 * scale);
+            }
+            // As much is lost by a drag up to each event as its torque took.
+            for pair in run.events.windows(2) {
+                for place in 0..4 {
+                    let [one, next] = [&pair[0].after, &pair[1].before].map(|sample| joules(sample.drag_losses[place]));
+                    prop_assert!(next >= one - 1e-9 * scale);
+                }
             }
         }
     }
@@ -428,4 +476,26 @@ proptest! {
             Err(error) => prop_assert!(matches!(error, epicyclic_motion::Error::NotUnique { .. }), "{error}"),
         }
     }
+}
+/// Two splits of stuck torques at once, one of them without spare capacity: the other is not to grow, for what is nothing is measured by the largest torque.
+#[test]
+fn a_drag_that_shares_at_rest_leaves_mesh_losses_as_they_are() {
+    let train = Train {
+        teeth: [[18, 12], [20, 8]],
+        efficiency: Some(0.95),
+        inertias: [0.893_384, 0.933_446, 0.01, 0.01],
+        planet: 0.0,
+    };
+    let drive = Drive {
+        capacities: [[118.777_544, 0.0], [1.0, 0.0], [120.713_364, 0.0]],
+        times: [0.491_136, 0.05, 0.795_774],
+        engine: 107.199_491,
+        load: 5.493_180,
+        drag: 0.001,
+        speeds: [0.0, 0.0],
+    };
+    let drags = [[0.0, 0.0], [12.052_444, 0.0], [0.0, 0.0], [0.0, 0.0]];
+    let run = run_with(&train, &drive, false, Some(&drags)).unwrap();
+    assert!(run.audit.mesh_losses.iter().all(|loss| joules(*loss) > 0.0), "{:?}", run.audit.mesh_losses);
+    assert!(run.audit.residual().abs() < 1e-9);
 }

@@ -55,7 +55,7 @@ pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
         } else {
             "Elasticity and backlash of all but the shafts named: elsewhere torques jump where capacities do."
         },
-        "Friction over temperature; drags without load.",
+        "Friction and drags over temperature.",
     ];
     sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
     Ok(Sheet {

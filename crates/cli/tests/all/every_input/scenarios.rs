@@ -16,6 +16,7 @@ const KEYS: &[Key] = &[
     after(BESIDE, "gearbox_file", "gearbox_file: box.yaml", "gearbox_file: other.yaml"),
     after(OF_LIST, "transmission", "transmission: small", "transmission: large"),
     key("efficiency", "efficiency: 97 %", "efficiency: 95 %"),
+    key("drags", "drags: true", "drags: false"),
     key("inertias", "fan: 0.3 kg·m²", "fan: 0.4 kg·m²"),
     after(
         &[(
