@@ -23,6 +23,7 @@
 //! | `NOISE` | a share in the exchange | the difference quotients' own noise |
 //! | `EXTREME` | the growth of a chamber, over the greatest among the chambers | what rounding leaves at an extreme |
 //! | `OPEN` | the area that a port and a chamber share, over the port's | the sums of both outlines leave less |
+//! | `LOWEST` | a radius | next to the axis nothing is said of a wall |
 //! | `INSTANT` | a stretch of rotation | a satellite that just covers a port touches its edge: opened and closed at once |
 //! | `SINGULAR` | a pivot | equations with it have no solution |
 
@@ -94,3 +95,6 @@ pub(crate) const OPEN: f64 = 1e-10;
 
 /// A shorter stretch of rotation is an instant.
 pub(crate) const INSTANT: f64 = 1e-5;
+
+/// A smaller radius is none.
+pub(crate) const LOWEST: f64 = 1e-9;

@@ -22,7 +22,7 @@ use crate::ports::LEAST_COSINE;
 use crate::ports::outline::{Piece, Port};
 use crate::ports::overlap::{Region, Wall};
 use crate::satellites::Place;
-use crate::tolerance::OPEN;
+use crate::tolerance::{LOWEST, OPEN};
 use std::f64::consts::{PI, TAU};
 
 /// What a port is to a chamber throughout a stretch.
@@ -133,9 +133,6 @@ impl Region<'_> {
 
 /// The part of the distance from a ray that counts as depth.
 const OF_RAY: f64 = 0.6;
-
-/// A radius that is none, in modules: next to the axis nothing is said of a wall.
-const LOWEST: f64 = 1e-9;
 
 /// `tan μ` of the steepest contact: that of [`LEAST_COSINE`].
 const STEEPEST: f64 = 1.170;

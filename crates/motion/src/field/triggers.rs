@@ -67,7 +67,7 @@ impl Field<'_> {
                     }
                 }
                 (Way::Stuck, Kind::Friction { .. } | Kind::Drag) => {
-                    self.triggers.push(Trigger::Exceeds(place))
+                    self.triggers.push(Trigger::Exceeds(place));
                 }
                 (Way::Stuck, Kind::OneWay) => self.triggers.push(Trigger::LetsGo(place)),
             }

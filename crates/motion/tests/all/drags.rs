@@ -1,5 +1,7 @@
 //! Drags against closed forms: how they slow down, stick and let go, and what each loses.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use crate::common;
 
 use common::{
