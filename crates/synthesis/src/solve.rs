@@ -6,7 +6,7 @@
 //! allows: each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so along an edge of the box it begins or
 //! ends at one point, and the hull of these points over all parallel edges holds every solution. Where several functions
 //! are left, each is tried. When all gears have theirs, a point is sought from the middle of the box; if none is
-//! found, and no [proof](point) that there is none, the box is halved.
+//! found, the box is halved.
 //!
 //! Where some `k` have to be equal, boxes have one range for them, and polynomials their [polar forms](crate::equal). Where gears with
 //! overlapping bounds have to fall, a box is given up in which the highest ratio of the one is not above the lowest of the next.
@@ -19,20 +19,23 @@
 //! beside `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to the last digit, so a point is taken where they are kept but for
 //! 10⁻⁸ of them. Else all of the line would be halved to the smallest boxes.
 
-mod point;
-
 use crate::class::MOST_SETS;
 use crate::equal::Equal;
 use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
-use crate::tolerance::{ACCEPTED, SMALLEST, WIDENING};
+use crate::tolerance::{ACCEPTED, DAMPING, SMALLEST, WIDENING};
 use crate::watch::Watch;
-use point::Sought;
 
 /// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
 /// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
 /// bound, with 0.005 thirty times as long as with 0.1.
 const NARROW: f64 = 0.1;
+
+/// The most Gauss-Newton steps towards a point, of each kind.
+const STEPS: usize = 6;
+
+/// The greatest deviation, by half the width of the bounds, from which steps towards the bounds are taken.
+const NEAR_BOUNDS: f64 = 1.1;
 
 /// What is left of the sum of a box's logarithmic widths at most for shrinking it once more.
 const WORTH_MORE: f64 = 0.8;
@@ -233,10 +236,8 @@ impl<'a> Solver<'a> {
                 if !self.may_fall(cuboid, &functions) || !(self.accept)(&functions) {
                     return None;
                 }
-                match self.point(cuboid, &functions) {
-                    Sought::Found(k) => return Some((k, functions)),
-                    Sought::Proof => return None,
-                    Sought::Open => {}
+                if let Some(k) = self.point(cuboid, &functions) {
+                    return Some((k, functions));
                 }
                 if width < SMALLEST {
                     self.undecided = true;
@@ -423,6 +424,71 @@ impl<'a> Solver<'a> {
         }
         Some(())
     }
+
+    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few Gauss-Newton steps from the middle lead
+    /// there: first towards the middles of all bounds, and from near the bounds towards those that are missed.
+    fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
+        let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
+        for to_bounds in [false, true] {
+            for _ in 0..STEPS {
+                let ratios: Vec<f64> =
+                    functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
+                let within = ratios.iter().zip(&self.accepted).all(|(ratio, gear)| gear.contain(*ratio));
+                if within && self.falling.iter().all(|[higher, lower]| ratios[*higher] > ratios[*lower]) {
+                    return Some(k);
+                }
+                let misses: Vec<f64> =
+                    ratios.iter().zip(&self.gears).map(|(ratio, gear)| gear.deviation(*ratio)).collect();
+                if to_bounds && misses.iter().any(|miss| miss.abs() > NEAR_BOUNDS) {
+                    return None;
+                }
+                let step = self.step(&k, functions, &misses, to_bounds)?;
+                for ((k, step), [least, most]) in k.iter_mut().zip(step).zip(cuboid) {
+                    *k = (*k + step).clamp(*least, *most);
+                }
+                self.equal.spread(&mut k);
+            }
+        }
+        None
+    }
+
+    /// The step that least squares of the deviations, each by half the width of its bounds, ask for; `to_bounds` of what exceeds the bounds
+    /// alone.
+    fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
+        let sets = k.len();
+        let mut normal = vec![vec![0.0; sets + 1]; sets];
+        for ((function, deviation), gear) in functions.iter().zip(deviations).zip(&self.gears) {
+            let to_go = if to_bounds { deviation - deviation.clamp(-1.0, 1.0) } else { *deviation };
+            if to_bounds && to_go == 0.0 {
+                continue;
+            }
+            let half = 0.5 * (gear.most - gear.least);
+            let mut slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
+            self.equal.gather(&mut slopes);
+            for row in 0..sets {
+                for column in 0..sets {
+                    normal[row][column] += slopes[row] * slopes[column];
+                }
+                normal[row][sets] -= slopes[row] * to_go;
+            }
+        }
+        // A little damping: a `k` that moves nothing stays.
+        for (set, row) in normal.iter_mut().enumerate() {
+            row[set] = row[set] * (1.0 + DAMPING) + DAMPING;
+        }
+        solve_linear(normal)
+    }
+
+    /// The slope of a ratio along one `k`, by the quotient rule on its two polynomials.
+    fn slope(&self, function: usize, k: &[f64], set: usize) -> f64 {
+        let ratio = self.functions[function].ratio;
+        // Of the first degree in `k_set`: the difference over a step of 1 is the slope.
+        let mut next = k.to_vec();
+        next[set] += 1.0;
+        let (above, below) = (ratio.numerator.value(k), ratio.denominator.value(k));
+        let (up, down) = (ratio.numerator.value(&next) - above, ratio.denominator.value(&next) - below);
+        (up * below - above * down) / (below * below)
+    }
 }
 
 /// [`extremes_of`] with a number of corners that is known beforehand, so that several are worked out at a time.
@@ -482,6 +548,33 @@ pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
         missing -= usize::from(augment(function, reaches, &mut owners, &mut 0));
     }
     missing == 0
+}
+
+/// Solves rows of coefficients and right side by elimination with pivots.
+fn solve_linear(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let size = rows.len();
+    for column in 0..size {
+        let pivot = (column..size)
+            .max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
+        rows.swap(column, pivot);
+        if rows[column][column].is_nan() || rows[column][column] == 0.0 {
+            return None;
+        }
+        let (above, below) = rows.split_at_mut(column + 1);
+        let pivot = &above[column];
+        for row in below {
+            let factor = row[column] / pivot[column];
+            for (entry, pivot) in row.iter_mut().zip(pivot).skip(column) {
+                *entry -= factor * pivot;
+            }
+        }
+    }
+    let mut solution = vec![0.0; size];
+    for row in (0..size).rev() {
+        let known: f64 = (row + 1..size).map(|column| rows[row][column] * solution[column]).sum();
+        solution[row] = (rows[row][size] - known) / rows[row][row];
+    }
+    solution.iter().all(|value| value.is_finite()).then_some(solution)
 }
 
 #[cfg(test)]
