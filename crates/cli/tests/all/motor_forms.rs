@@ -226,7 +226,7 @@ fn saved_as_told(folder: &std::path::Path, line: &[&str], design: &str) {
     assert!(done.status.success(), "{}", text(&done.stderr));
     let found: Value = serde_json::from_slice(&done.stdout).unwrap();
     let designs = found["designs"].as_array().unwrap();
-    let design = designs.iter().find(|one| one["design"].to_string() == design).unwrap();
+    let design = designs.iter().find(|one| one["design"].as_u64() == design.parse().ok()).unwrap();
     let done = output(folder, &["motor", "saved.yaml", "--format", "json"]);
     let saved = std::fs::read_to_string(folder.join("saved.yaml")).unwrap();
     assert!(done.status.success(), "{}\n{saved}", text(&done.stderr));
