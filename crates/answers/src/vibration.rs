@@ -40,7 +40,7 @@ use branches::Branches;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Physical};
 use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
-use epicyclic_vibration::{BodyId, Group, Model, SetParts, SpringId};
+use epicyclic_vibration::{Group, Model, SetParts, SpringId};
 use links::{Train, TrainSet};
 use prepared::{Of, Prepared};
 use records::{
@@ -367,21 +367,14 @@ impl Found {
         let mode = |(index, group): (usize, &Group)| {
             let energy =
                 self.model.modal_energy(group).map_err(|error| of.refused(&["vibration"], &error))?;
-            let of_body = |body: BodyId| {
-                let own = energy.kinetic.iter().filter(|share| share.body == body);
-                rounded(own.map(|share| share.translation + share.rotation).sum::<f64>())
-            };
-            let of_springs = |springs: &mut dyn Iterator<Item = SpringId>| {
-                let own =
-                    springs.flat_map(|spring| energy.strain.iter().filter(move |one| one.spring == spring));
-                rounded(own.map(|one| one.share).sum())
-            };
+            let of_body = |body| rounded(energy.kinetic_of(body));
+            let of_springs = |springs: &[SpringId]| rounded(energy.strain_of(springs));
             let parts = &self.parts;
             let strain = || StrainShares {
-                sun_meshes: of_springs(&mut parts.sun_meshes.iter().copied()),
-                ring_meshes: of_springs(&mut parts.ring_meshes.iter().copied()),
-                planet_bearings: of_springs(&mut parts.bearings.iter().flatten().copied()),
-                supports: of_springs(&mut parts.supports.iter().flatten().copied()),
+                sun_meshes: of_springs(&parts.sun_meshes),
+                ring_meshes: of_springs(&parts.ring_meshes),
+                planet_bearings: of_springs(&parts.bearings.concat()),
+                supports: of_springs(&parts.supports.concat()),
             };
             Ok(Mode {
                 mode: number(index),

@@ -46,6 +46,22 @@ pub struct ModalEnergy {
     pub strain: Vec<StrainShare>,
 }
 
+impl ModalEnergy {
+    /// Share of a body in the kinetic energy, by its translation and rotation together.
+    #[must_use]
+    pub fn kinetic_of(&self, body: BodyId) -> f64 {
+        let own = self.kinetic.iter().filter(|share| share.body == body);
+        own.map(|share| share.translation + share.rotation).sum()
+    }
+
+    /// Share of some springs in the strain energy.
+    #[must_use]
+    pub fn strain_of(&self, springs: &[SpringId]) -> f64 {
+        let own = self.strain.iter().filter(|share| springs.contains(&share.spring));
+        own.map(|share| share.share).sum()
+    }
+}
+
 /// Which inertia of a body changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InertiaKind {

@@ -114,12 +114,16 @@ impl Centres {
                 all.of_sets[set][member] = place;
             }
         }
-        for (centre, members) in all.centres.iter_mut().zip(&all.members) {
-            let names =
-                members.iter().map(|(set, member)| format!("{} of {}", NAMES[*member], all.ids[*set]));
-            centre.name = names.collect::<Vec<String>>().join("+");
+        for place in 0..all.centres.len() {
+            all.centres[place].name = all.names(place).join("+");
         }
         all
+    }
+
+    /// Names of the members of a centre.
+    fn names(&self, place: usize) -> Vec<String> {
+        let members = self.members[place].iter();
+        members.map(|(set, member)| format!("{} of {}", NAMES[*member], self.ids[*set])).collect()
     }
 
     fn add(&mut self, root: Option<usize>) -> usize {
@@ -193,12 +197,12 @@ impl Whole<'_> {
         let energy = self.model.modal_energy(group)?;
         let parts = self.parts;
         let sets = self.places.iter().enumerate().map(|(place, placed)| {
-            let sum = |bodies: &[BodyId]| bodies.iter().map(|body| kinetic(&energy, *body)).sum::<f64>();
+            let sum = |bodies: &[BodyId]| bodies.iter().map(|body| energy.kinetic_of(*body)).sum::<f64>();
             let planets = rounded(sum(&parts.planets[place]));
             let once = |mut all: [usize; 3], of: &[BodyId]| {
                 all.sort_unstable();
                 let apart = all.iter().enumerate().filter(|(at, one)| *at == 0 || all[at - 1] != **one);
-                rounded(apart.map(|(_, one)| kinetic(&energy, of[*one])).sum())
+                rounded(apart.map(|(_, one)| energy.kinetic_of(of[*one])).sum())
             };
             let (turns, moves) = (once(placed.links, &parts.links), once(placed.centres, &parts.centres));
             let kind = match (moves > 0.0, turns > 0.0) {
@@ -227,16 +231,15 @@ impl Whole<'_> {
         };
         for (place, body) in self.parts.links.iter().enumerate().filter(|(place, _)| !self.links[*place].held)
         {
-            add(KineticPart::Rotation, self.names[place].clone(), kinetic(energy, *body));
+            add(KineticPart::Rotation, self.names[place].clone(), energy.kinetic_of(*body));
         }
-        for (centre, body) in self.centres.centres.iter().zip(&self.parts.centres) {
+        for (place, (centre, body)) in self.centres.centres.iter().zip(&self.parts.centres).enumerate() {
             if !centre.held {
-                let of = centre.name.split('+').map(str::to_owned).collect();
-                add(KineticPart::Translation, of, kinetic(energy, *body));
+                add(KineticPart::Translation, self.centres.names(place), energy.kinetic_of(*body));
             }
         }
         for (set, planets) in self.sets.iter().zip(&self.parts.planets) {
-            let share = planets.iter().map(|planet| kinetic(energy, *planet)).sum();
+            let share = planets.iter().map(|planet| energy.kinetic_of(*planet)).sum();
             add(KineticPart::Planets, vec![set.of.entry.id.clone()], share);
         }
         all
@@ -249,9 +252,7 @@ impl Whole<'_> {
             if springs.is_empty() {
                 return;
             }
-            let own = energy.strain.iter().filter(|share| springs.contains(&share.spring));
-            let share = rounded(own.map(|share| share.share).sum());
-            all.push(TorsionalStrain { part, of: of.to_owned(), share });
+            all.push(TorsionalStrain { part, of: of.to_owned(), share: rounded(energy.strain_of(springs)) });
         };
         for (place, set) in self.sets.iter().enumerate() {
             let id = &set.of.entry.id;
@@ -271,10 +272,4 @@ impl Whole<'_> {
         }
         all
     }
-}
-
-/// The kinetic energy of a body, over that of the mode.
-fn kinetic(energy: &ModalEnergy, body: BodyId) -> f64 {
-    let own = energy.kinetic.iter().filter(|share| share.body == body);
-    own.map(|share| share.translation + share.rotation).sum()
 }

@@ -17,7 +17,7 @@ use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, Gear};
 use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
-use epicyclic_vibration::{BodyId, Group, Model, SpringId, phasing};
+use epicyclic_vibration::{Group, Model, SpringId, phasing};
 use std::f64::consts::TAU;
 
 /// The torsional modes in a gear with what excites them, or which set lacks what.
@@ -162,31 +162,23 @@ fn mode(
     shafts: &[Shaft],
 ) -> Result<TorsionalMode, epicyclic_vibration::Error> {
     let energy = model.modal_energy(group)?;
-    let of_body = |body: &BodyId| {
-        let own = energy.kinetic.iter().filter(|share| share.body == *body);
-        own.map(|share| share.rotation).sum::<f64>()
-    };
-    let of_springs = |springs: &[SpringId]| {
-        let own = energy.strain.iter().filter(|share| springs.contains(&share.spring));
-        rounded(own.map(|share| share.share).sum())
-    };
     let links = parts.links.iter().zip(&bodies.names).zip(&bodies.links).filter(|(_, link)| !link.held);
     let mut kinetic: Vec<TorsionalKinetic> = links
         .map(|((body, names), _)| TorsionalKinetic {
             links: names.clone(),
             planets_of: None,
-            share: rounded(of_body(body)),
+            share: rounded(energy.kinetic_of(*body)),
         })
         .collect();
     kinetic.extend(parts.planets.iter().zip(sets).map(|(planets, set)| TorsionalKinetic {
         links: vec![],
         planets_of: Some(set.of.entry.id.clone()),
-        share: rounded(planets.iter().map(of_body).sum()),
+        share: rounded(planets.iter().map(|planet| energy.kinetic_of(*planet)).sum()),
     }));
     let mut strain: Vec<TorsionalStrain> = vec![];
     if !group.is_zero() {
         let mut add = |part, of: String, springs: &[SpringId]| {
-            strain.push(TorsionalStrain { part, of, share: of_springs(springs) });
+            strain.push(TorsionalStrain { part, of, share: rounded(energy.strain_of(springs)) });
         };
         for (place, set) in sets.iter().enumerate() {
             add(StrainPart::SunMeshes, set.of.entry.id.clone(), &parts.sun_meshes[place]);
