@@ -200,7 +200,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
-    let helical = to_size.iter().filter(|set| set.profile.helix_angle.si() != 0.0);
+    let helical = to_size.iter().filter(|set| set.profile.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let mut sets = vec![];
     for set in &to_size {

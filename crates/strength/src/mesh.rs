@@ -5,8 +5,9 @@ use crate::load::Dynamics;
 use crate::material::Material;
 use crate::root::factors::Bending;
 use crate::root::section::Shaper;
+use crate::units::{force, mm, n_m};
 use epicyclic_gears::involute::Pair;
-use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Time, Torque};
+use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
 
 /// A gear of the mesh beyond its geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +47,14 @@ pub struct Mesh {
     pub gears: [Gear; 2],
     /// Viscosity of the oil at 40 °C, `ν_40`.
     pub viscosity: KinematicViscosity,
+}
+
+impl Mesh {
+    /// `F_t = 2·T/d_1` at the reference cylinders, of a torque on the first gear.
+    #[must_use]
+    pub fn tangential_force(&self, torque: Torque) -> Force {
+        force(2000.0 * n_m(torque) / (self.pair.gears()[0].reference_diameter() * mm(self.module)))
+    }
 }
 
 /// One load of a mesh, for the whole required life.

@@ -18,22 +18,22 @@
 //! Helical teeth also push along the axis, sun and ring on a planet against each other at both ends of a diameter: the planet tilts.
 //!
 //! ```text
-//! F_a = 2·T·tan β/d_s = F_t·tan β        M = F_a·(d_w1 + d_w2)/2
+//! F_a = F_t·tan β        M = (F_a1·d_w1 + F_a2·d_w2)/2
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `F_a` | axial force of one mesh, of both meshes the same without losses; on the sun and on the ring `p·F_a` | N |
-//! | `T` | torque of one mesh on the sun | N·m |
-//! | `β`, `d_s` | helix angle and diameter of the sun's reference cylinder | °, m |
+//! | `F_t`, `β` | tangential force and helix angle at the reference cylinders | N, ° |
 //! | `d_w1`, `d_w2` | working diameters of a planet in the mesh with the sun and with the ring | m |
 //! | `M` | moment that tilts one planet, about the tangent of its orbit | N·m |
 
-use crate::mesh::{Load, Mesh};
-use crate::units::{force, mm, n_m, radians, torque};
+use crate::mesh::Load;
+use crate::units::{mm, newtons, radians, torque};
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
-use uom::si::f64::{AngularVelocity, Force, Time, Torque};
+use epicyclic_gears::involute::Pair;
+use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 
 /// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without their signs.
 ///
@@ -81,19 +81,23 @@ pub fn loads(
 /// What helical teeth do to a planet along the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxialForces {
-    /// `F_a` of one mesh.
-    pub force: Force,
+    /// `F_a` of the meshes with sun and ring.
+    pub forces: [Force; 2],
     /// `M`, which tilts a planet.
     pub tilting_moment: Torque,
 }
 
-/// Axial force of each mesh of a planet, and the moment of both; 0 of spur teeth. The meshes are those of sun and planet and of planet and ring, the load that of the first.
+/// Axial forces of the meshes of a planet with sun and ring, and the moment of both; 0 of spur teeth. `module` is the normal one, the tangential forces are those of
+/// each mesh at the reference cylinders.
 #[must_use]
-pub fn axial_forces([sun_mesh, ring_mesh]: [&Mesh; 2], load: &Load) -> AxialForces {
-    let module_mm = mm(sun_mesh.module);
-    let sun = &sun_mesh.pair.gears()[0];
-    let tan = libm::tan(radians(sun.profile().helix_angle));
-    let axial = 2000.0 * n_m(load.torque) * tan / (module_mm * sun.reference_diameter());
-    let arm = f64::midpoint(sun_mesh.pair.working_diameters()[1], ring_mesh.pair.working_diameters()[0]);
-    AxialForces { force: force(axial), tilting_moment: torque(axial * arm * module_mm / 1000.0) }
+pub fn axial_forces(
+    [sun_mesh, ring_mesh]: [&Pair; 2],
+    module: Length,
+    tangential: [Force; 2],
+) -> AxialForces {
+    let tan = libm::tan(radians(sun_mesh.gears()[0].profile().helix_angle));
+    let forces = tangential.map(|force| force * tan);
+    let diameters = [sun_mesh.working_diameters()[1], ring_mesh.working_diameters()[0]];
+    let moments = [0, 1].map(|mesh| newtons(forces[mesh]) * diameters[mesh] / 2.0);
+    AxialForces { forces, tilting_moment: torque((moments[0] + moments[1]) * mm(module) / 1000.0) }
 }

@@ -6,7 +6,7 @@ use crate::load::{self, Dynamics, LoadFactors, Swinging};
 use crate::mesh::{Mesh, Method};
 use crate::root::factors;
 use crate::root::section::{RootSection, section_of};
-use crate::units::{mm, mm2_s, mpa, positive, radians, um, within};
+use crate::units::{self, mm, mm2_s, mpa, newtons, positive, radians, um, within};
 use crate::{Error, Quantity, contact};
 use epicyclic_gears::geometry::GearKind;
 use std::f64::consts::PI;
@@ -108,7 +108,7 @@ impl<'a> Prepared<'a> {
 
     /// `F_t`, N, of the torque in N·m.
     pub(crate) fn force(&self, torque: f64) -> f64 {
-        2000.0 * torque / self.reference_mm()
+        newtons(self.mesh.tangential_force(units::torque(torque)))
     }
 
     /// `v`, m/s, of the first gear's speed in rpm.

@@ -415,13 +415,9 @@ fn axial_forces_are_those_of_normal_forces_on_helical_flanks() {
     use epicyclic_strength::planets::axial_forces;
     use uom::si::{force::newton, torque::newton_meter};
     let [outer, inner] = [mesh(18, 36, false, 12.0), mesh(36, 90, true, 12.0)];
-    let load = Load {
-        torque: Torque::new::<newton_meter>(800.0),
-        speed: AngularVelocity::new::<revolution_per_minute>(100.0),
-        life: Time::new::<hour>(1.0),
-        contacts: [1.0, 1.0],
-    };
-    let told = axial_forces([&outer, &inner], &load);
+    let load = Torque::new::<newton_meter>(800.0);
+    let tangential = [outer.tangential_force(load), inner.tangential_force(load * 36.0 / 18.0)];
+    let told = axial_forces([&outer.pair, &inner.pair], outer.module, tangential);
     let module_m = outer.module.get::<millimeter>() / 1e3;
     let planet = outer.pair.gears()[1];
     // Torque on the planet by either mesh.
@@ -443,7 +439,7 @@ fn axial_forces_are_those_of_normal_forces_on_helical_flanks() {
     assert!(force[2].abs() < 1e-9 && moment[2].abs() < 1e-9, "{force:?} {moment:?}");
     let by_vectors = moment[1].abs();
     assert!((told.tilting_moment.get::<newton_meter>() / by_vectors - 1.0).abs() < 1e-12);
-    let axial = told.force.get::<newton>();
+    let axial = told.forces[0].get::<newton>();
     let one = torque * 2.0 / (module_m * planet.reference_diameter()) * libm::tan(12_f64.to_radians());
     assert!((axial / one - 1.0).abs() < 1e-12, "{axial} {one}");
 }

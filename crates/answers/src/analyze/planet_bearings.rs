@@ -6,7 +6,7 @@ use crate::Error;
 use crate::gearbox::Subject;
 use crate::tolerance::rounded;
 use epicyclic_formats::Physical;
-use epicyclic_gears::involute::InvoluteGear;
+use epicyclic_strength::planets::{AxialForces, axial_forces};
 use epicyclic_train::planet_bearings as train;
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
 use schemars::JsonSchema;
@@ -208,8 +208,8 @@ fn one(
         radial_force_n: si(forces.radial),
         centrifugal_force_n: si(forces.centrifugal),
         force_n: si(forces.total),
-        axial_forces_n: axial.map(|(forces, _)| forces),
-        tilting_moment_n_m: axial.map(|(_, moment)| moment),
+        axial_forces_n: axial.map(|axial| axial.forces.map(Physical::si)),
+        tilting_moment_n_m: axial.map(|axial| axial.tilting_moment.si()),
         bearing_load_rating_n: bearing.load_rating.map(|(rating, _)| rating.si()),
         bearing_speed_rad_s: si(turning),
         bearing_life_s: si(life),
@@ -217,32 +217,23 @@ fn one(
     })
 }
 
-/// Axial forces of the meshes of a helical set on one planet, and their moment.
-///
-/// ```text
-/// F_a,s = 2·|T_s|·tan β/(N·d_s)    F_a,r = 2·|T_r|·tan β/(N·d_r)    M = (F_a,s·d_w1 + F_a,r·d_w2)/2
-/// ```
+/// Axial forces of the meshes of a helical set on one planet, and their moment, of the torques on sun and ring.
 fn axial(
     subject: &Subject<'_>,
     set: &PlanetSet,
     bearing: &train::PlanetBearing,
     torques: &[Torque],
-) -> Option<([f64; 2], f64)> {
+) -> Option<AxialForces> {
     let spec = set.short().filter(|spec| spec.is_helical())?;
     let toothed = spec.involute_set(&subject.rack)?.ok()?;
-    let [sun, ring] = [torques.first()?, torques.get(1)?].map(|torque| torque.si().abs());
+    let (sun, ring) = (torques.first()?.abs(), torques.get(1)?.abs());
     let planets = f64::from(bearing.planets?);
     // Where a carrier radius is given beside the module, the teeth stand on it.
-    let module = bearing.radius?.si() / toothed.centre_distance();
-    let tan = libm::tan(spec.helix_angle.si());
+    let module = bearing.radius? / toothed.centre_distance();
     let [of_sun, _, of_ring] = toothed.gears();
-    let force = |torque: f64, gear: &InvoluteGear| {
-        2.0 * torque * tan / (planets * module * gear.reference_diameter())
-    };
-    let forces = [force(sun, of_sun), force(ring, of_ring)];
-    let arms = [toothed.sun_mesh().working_diameters()[1], toothed.ring_mesh().working_diameters()[0]];
-    let moment = module * (forces[0] * arms[0] + forces[1] * arms[1]) / 2.0;
-    Some((forces, moment))
+    let tangential = [(sun, of_sun), (ring, of_ring)]
+        .map(|(torque, gear)| 2.0 * torque / (planets * module * gear.reference_diameter()));
+    Some(axial_forces([toothed.sun_mesh(), toothed.ring_mesh()], module, tangential.map(Into::into)))
 }
 
 fn si<T: Physical>(value: Option<T>) -> Option<f64> {

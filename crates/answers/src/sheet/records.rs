@@ -275,7 +275,7 @@ impl GearSheet {
     ) -> Result<Self, Error> {
         let spanned = gear.spanned_teeth();
         let helix_angle = gear.profile().helix_angle.si();
-        let is_helical = helix_angle != 0.0;
+        let is_helical = gear.profile().is_helical();
         let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
         let base_helix = gear.profile().base_helix_rad();
         let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;

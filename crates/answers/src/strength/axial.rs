@@ -16,14 +16,16 @@ pub(super) fn of(
     (torque, speed): (Torque, AngularVelocity),
     life: Time,
 ) -> Option<AxialForce> {
-    let [load, _] = both_loads(set, torque, speed, life).ok().filter(|_| set.is_helical())?;
-    let forces = axial_forces(set.meshes.each_ref(), &load);
+    let loads = both_loads(set, torque, speed, life).ok().filter(|_| set.is_helical())?;
+    let tangential = [0, 1].map(|mesh| set.meshes[mesh].tangential_force(loads[mesh].torque));
+    let pairs = set.meshes.each_ref().map(|mesh| &mesh.pair);
+    let found = axial_forces(pairs, set.meshes[0].module, tangential);
     Some(AxialForce {
         set: set.id.to_owned(),
         gear: gear.to_owned(),
         step,
-        axial_force_n: forces.force.si(),
-        tilting_moment_n_m: forces.tilting_moment.si(),
+        axial_force_n: found.forces[0].si(),
+        tilting_moment_n_m: found.tilting_moment.si(),
     })
 }
 

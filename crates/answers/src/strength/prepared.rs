@@ -8,7 +8,7 @@ use crate::toothed;
 use epicyclic_formats::gearbox::{
     AccuracyEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
 };
-use epicyclic_formats::{Document, Number, Path, Physical};
+use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
 use epicyclic_gears::mesh::coaxial_planet;
@@ -43,7 +43,7 @@ pub(crate) struct RatedSet<'g> {
 impl RatedSet<'_> {
     /// Whether its teeth are helical.
     pub(crate) fn is_helical(&self) -> bool {
-        self.meshes[0].pair.gears()[0].profile().helix_angle.si() != 0.0
+        self.meshes[0].pair.gears()[0].profile().is_helical()
     }
 }
 

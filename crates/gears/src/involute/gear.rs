@@ -91,6 +91,12 @@ impl Profile {
         libm::atan(libm::tan(radians(self.rack.pressure_angle)) / libm::cos(radians(self.helix_angle)))
     }
 
+    /// Whether its teeth are helical.
+    #[must_use]
+    pub fn is_helical(&self) -> bool {
+        radians(self.helix_angle) != 0.0
+    }
+
     /// Helix angle at the base cylinder `β_b`, rad: `tan β_b = tan β·cos α_t`.
     #[must_use]
     pub fn base_helix_rad(&self) -> f64 {
