@@ -60,6 +60,20 @@ fn strained(one: &TorsionalStrain) -> (f64, String) {
     (one.share, name)
 }
 
+/// Columns of a mode of the whole gearbox, then one given, then where its energy is.
+fn mode_columns(given: Option<Column>) -> Vec<Column> {
+    let mut all = vec![
+        Column::words("gear", "gear"),
+        Column::number("mode", "mode"),
+        Column::words("kind", "kind"),
+        Column::number("multiplicity", "×"),
+        Column::headed("frequency", "f, Hz", Frequency),
+    ];
+    all.extend(given);
+    all.extend([Column::words("moves", "moves most, %"), Column::words("strained", "strained most, %")]);
+    all
+}
+
 pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
     let rows = all.iter().flat_map(|gear| {
         gear.modes.iter().map(move |mode| {
@@ -80,15 +94,7 @@ pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
     });
     Records {
         name: "torsional",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("mode", "mode"),
-            Column::words("kind", "kind"),
-            Column::number("multiplicity", "×"),
-            Column::headed("frequency", "f, Hz", Frequency),
-            Column::words("moves", "moves most, %"),
-            Column::words("strained", "strained most, %"),
-        ],
+        columns: mode_columns(None),
         rows: rows.collect(),
         views: vec![View {
             note: "The whole gearbox with centres at rest: links as inertias, meshes and shafts as springs. Rotational: links rotate; planet: they are at rest. At 0 Hz as many motions as the gear has \
@@ -206,16 +212,7 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
     });
     Records {
         name: "coupled",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("mode", "mode"),
-            Column::words("kind", "kind"),
-            Column::number("multiplicity", "×"),
-            Column::headed("frequency", "f, Hz", Frequency),
-            Column::words("sets", "sets"),
-            Column::words("moves", "moves most, %"),
-            Column::words("strained", "strained most, %"),
-        ],
+        columns: mode_columns(Some(Column::words("sets", "sets"))),
         rows: rows.collect(),
         views: vec![
             View {
