@@ -85,6 +85,7 @@ export class GearboxPage {
       spellcheck: 'false',
       autocomplete: 'off',
       'aria-describedby': 'refused',
+      onfocus: () => this.write(),
       oninput: () => {
         Object.assign(this.state, { file: file.value, name: '' });
         this.another();
@@ -232,9 +233,10 @@ export class GearboxPage {
         const first = look.analyze?.gears.find((gear) => gear.state === 'driven');
         if (first) return this.gear(first.gear);
       }
-      // Outlines of gears and long tables follow when the numbers stand still.
+      // The text, outlines of gears and long tables follow when the numbers stand still.
       clearTimeout(this.tableTimer);
       this.tableTimer = setTimeout(() => {
+        this.write();
         void this.turning.show(this.state.file, question);
         if (this.tablesSeen.all || this.tablesSeen.gear) void this.tabulate();
       }, 80);
@@ -256,7 +258,6 @@ export class GearboxPage {
       const adjusted = await core.adjusted(this.answered.file, question, changes.map(([place, to]) => ({ number: numbers[place]!, to })));
       if (opened !== this.opened) throw new Overtaken();
       this.state.file = file = adjusted.file;
-      at<HTMLTextAreaElement>('text').value = file;
       look = taken(adjusted.look);
     }
     if (opened === this.opened) {
@@ -264,6 +265,12 @@ export class GearboxPage {
       for (const [place, to] of changes) if (this.changes.get(place) === to) this.changes.delete(place);
     }
     return look;
+  }
+
+  /** The text with the numbers that were changed. */
+  private write(): void {
+    const text = at<HTMLTextAreaElement>('text');
+    if (text.value !== this.state.file) text.value = this.state.file;
   }
 
   private async tabulate(): Promise<void> {

@@ -16,8 +16,8 @@ const degrees = (radians: number) => (radians * 180) / Math.PI;
 /** The card of the turning gears. */
 export class Turning {
   readonly element: HTMLElement;
-  /** Whether it is on the screen. */
-  isSeen = false;
+  private isOnScreen = false;
+  private frame: number | null = null;
   private sets = h('div', { class: 'turning' });
   private note = h('p', { class: 'note' });
   private play: HTMLButtonElement;
@@ -39,20 +39,34 @@ export class Turning {
       this.sets,
       this.note,
     );
+  }
+
+  /** Whether it is on the screen. */
+  set isSeen(isSeen: boolean) {
+    this.isOnScreen = isSeen;
+    this.turn();
+  }
+
+  /** Frames are asked for only while something turns in sight. */
+  private turn(): void {
+    if (this.frame !== null || !this.isPlaying || !this.isOnScreen) return;
     const step = (now: number) => {
-      if (this.isPlaying && this.isSeen && this.last !== null) {
+      this.frame = null;
+      if (this.last !== null) {
         this.input += ((now - this.last) / 1000) * Number(this.speed.value) * 2 * Math.PI;
         this.place();
       }
       this.last = now;
-      requestAnimationFrame(step);
+      this.turn();
+      if (this.frame === null) this.last = null;
     };
-    requestAnimationFrame(step);
+    this.frame = requestAnimationFrame(step);
   }
 
   private toggle(): void {
     this.isPlaying = !this.isPlaying;
     this.play.textContent = this.isPlaying ? 'Pause' : 'Play';
+    this.turn();
   }
 
   private stand(): void {
@@ -68,7 +82,7 @@ export class Turning {
 
   /** The gears of a file in a gear. */
   async show(file: string, question: Question): Promise<void> {
-    if (!this.isSeen) return;
+    if (!this.isOnScreen) return;
     try {
       const { transmission, gear, efficiency } = question;
       const front = await core.front(file, { transmission, gear, efficiency, speed: null, torque: null });

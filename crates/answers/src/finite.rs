@@ -36,9 +36,10 @@ impl ser::Error for Found {
 }
 
 impl Walk {
-    /// A value one step down.
-    fn down<T: Serialize + ?Sized>(&mut self, step: &str, value: &T) -> Result<(), Found> {
+    /// A value one step down: `before` and `step` together are the step.
+    fn down<T: Serialize + ?Sized>(&mut self, before: &str, step: &str, value: &T) -> Result<(), Found> {
         let length = self.path.len();
+        self.path += before;
         self.path += step;
         value.serialize(&mut *self)?;
         self.path.truncate(length);
@@ -47,7 +48,7 @@ impl Walk {
 
     fn key<T: Serialize + ?Sized>(&mut self, key: &str, value: &T) -> Result<(), Found> {
         let dot = if self.path.is_empty() { "" } else { "." };
-        self.down(&format!("{dot}{key}"), value)
+        self.down(dot, key, value)
     }
 }
 
@@ -61,7 +62,7 @@ struct Entries<'a> {
 impl Entries<'_> {
     fn entry<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
         self.count += 1;
-        self.walk.down(&format!("[{}]", self.count - 1), value)
+        self.walk.down("", &format!("[{}]", self.count - 1), value)
     }
 }
 

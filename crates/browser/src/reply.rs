@@ -25,7 +25,7 @@ pub(crate) fn object(parts: &[(&str, String)]) -> String {
 
 /// A text in JSON.
 pub(crate) fn text(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
+    serde_json::to_string(text).unwrap_or_default()
 }
 
 /// A refusal of the answers.

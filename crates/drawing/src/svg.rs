@@ -1,11 +1,12 @@
 //! The scene as an SVG image, one user unit a millimetre.
 //!
 //! A layer is a group with the layer's name as its `id` and `class`, so that a page can restyle or hide it. Shapes keep their order
-//! across layers: a layer whose shapes are drawn in several goes appears as several groups, of which the first has the `id`.
+//! across layers: a layer whose shapes are drawn in several goes appears as several groups, of which the first has the `id`. Shapes that follow
+//! each other in one style of their own share a group.
 
-use svg::Document;
-use svg::node::Node;
-use svg::node::element::{Circle, Group, Path, Rectangle, Text as TextElement, Title};
+use quick_xml::Writer;
+use quick_xml::escape::partial_escape;
+use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
 use crate::bounds::Bounds;
 use crate::error::Error;
@@ -21,7 +22,7 @@ pub const MARGIN_MM: f64 = 4.0;
 /// # Errors
 /// As [`Scene::check`].
 pub fn write(scene: &Scene) -> Result<String, Error> {
-    image(scene, true, &element)
+    image(scene, true, &letters)
 }
 
 /// The same to stand among others in one page: its groups have no `id`, and the page sets its size.
@@ -29,7 +30,7 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
 /// # Errors
 /// As [`Scene::check`].
 pub fn embed(scene: &Scene) -> Result<String, Error> {
-    image(scene, false, &element)
+    image(scene, false, &letters)
 }
 
 /// The same with text as outlines, for which no font is needed.
@@ -38,7 +39,7 @@ pub fn embed(scene: &Scene) -> Result<String, Error> {
 /// As [`Scene::check`].
 #[cfg(feature = "print")]
 pub fn outlined(scene: &Scene) -> Result<String, Error> {
-    image(scene, true, &|text: &Text, style: Style| {
+    image(scene, true, &|image: &mut Image, text: &Text, style: Style| {
         let outline = crate::glyphs::outline(text);
         let data = outline.iter().map(|step| match step {
             crate::glyphs::Step::Move(to) => format!("M{}", place(*to)),
@@ -48,7 +49,8 @@ pub fn outlined(scene: &Scene) -> Result<String, Error> {
             }
             crate::glyphs::Step::Close => "Z".to_owned(),
         });
-        Path::new().set("d", data.collect::<String>()).set("fill", style.color.hex()).set("stroke", "none")
+        let data = data.collect::<String>();
+        image.empty("path", &[("d", &data), ("fill", &style.color.hex()), ("stroke", "none")]);
     })
 }
 
@@ -59,103 +61,164 @@ pub(crate) fn page(scene: &Scene) -> Bounds {
     bounds.grown(MARGIN_MM)
 }
 
-/// The scene, its text as the elements that a function makes.
-fn image<T: Node>(scene: &Scene, alone: bool, text: &impl Fn(&Text, Style) -> T) -> Result<String, Error> {
+/// The elements of an image as they are written, each on its line; attributes in the order of their names.
+struct Image(Writer<Vec<u8>>);
+
+impl Image {
+    fn new() -> Self {
+        Self(Writer::new_with_indent(vec![], b' ', 0))
+    }
+
+    fn event(&mut self, event: Event<'_>) {
+        let written = self.0.write_event(event);
+        debug_assert!(written.is_ok(), "a vector takes all that is written");
+    }
+
+    fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.event(Event::Start(element(name, attributes)));
+    }
+
+    fn close(&mut self, name: &str) {
+        self.event(Event::End(BytesEnd::new(name)));
+    }
+
+    fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+        self.event(Event::Empty(element(name, attributes)));
+    }
+
+    fn words(&mut self, name: &str, attributes: &[(&str, &str)], words: &str) {
+        self.open(name, attributes);
+        self.event(Event::Text(BytesText::from_escaped(partial_escape(words))));
+        self.close(name);
+    }
+
+    fn text(self) -> String {
+        String::from_utf8_lossy(&self.0.into_inner()).into_owned()
+    }
+}
+
+fn element<'a>(name: &'a str, attributes: &[(&str, &str)]) -> BytesStart<'a> {
+    BytesStart::new(name).with_attributes(attributes.iter().copied())
+}
+
+/// The scene, its text as a function writes it.
+fn image(scene: &Scene, alone: bool, letters: &impl Fn(&mut Image, &Text, Style)) -> Result<String, Error> {
     scene.check()?;
     let bounds = page(scene);
-    let (left, top) = (bounds.left, -bounds.top);
-    let (width, height) = (bounds.width(), bounds.height());
-    let paper = Rectangle::new()
-        .set("x", number(left))
-        .set("y", number(top))
-        .set("width", number(width))
-        .set("height", number(height))
-        .set("fill", "#ffffff");
-    let mut document = Document::new();
-    if alone {
-        document = document
-            .set("width", format!("{}mm", number(width)))
-            .set("height", format!("{}mm", number(height)));
-    }
-    document = document
-        .set("viewBox", [left, top, width, height].map(number).join(" "))
-        .set("role", "img")
-        .set("aria-label", one_line(scene.title()))
-        .add(Title::new(one_line(scene.title())))
-        .add(paper);
+    let [left, top, width, height] = [bounds.left, -bounds.top, bounds.width(), bounds.height()].map(number);
+    let title = one_line(scene.title());
+    let size = [&height, &width].map(|size| format!("{size}mm"));
+    let frame = [&*left, &top, &width, &height].join(" ");
+    let mut attributes = vec![
+        ("aria-label", &*title),
+        ("font-family", FONTS),
+        ("height", &size[0]),
+        ("role", "img"),
+        ("viewBox", &frame),
+        ("width", &size[1]),
+        ("xmlns", "http://www.w3.org/2000/svg"),
+    ];
+    let has_text = scene.items().iter().any(|item| matches!(item.shape, Shape::Text(_)));
+    attributes.retain(|(name, _)| match *name {
+        "font-family" => has_text,
+        "height" | "width" => alone,
+        _ => true,
+    });
+    let mut image = Image::new();
+    image.open("svg", &attributes);
+    image.words("title", &[], &title);
+    let paper = [("fill", "#ffffff"), ("height", &height), ("width", &width), ("x", &left), ("y", &top)];
+    image.empty("rect", &paper);
     let mut seen = vec![false; scene.layers().len()];
     for run in scene.items().chunk_by(|one, next| one.layer == next.layer) {
         let Some(first) = run.first() else { continue };
         let layer = &scene.layers()[first.layer.0];
-        let mut group = style_group(layer.style).set("class", class(&layer.name));
-        if alone && !std::mem::replace(&mut seen[first.layer.0], true) {
-            group = group.set("id", class(&layer.name));
+        let class = class(&layer.name);
+        let is_first = !std::mem::replace(&mut seen[first.layer.0], true);
+        group(&mut image, layer.style, Some((&class, alone && is_first)));
+        for alike in run.chunk_by(|one, next| one.style == next.style) {
+            let own = alike[0].style;
+            if let Some(style) = own {
+                group(&mut image, style, None);
+            }
+            for item in alike {
+                add(&mut image, scene, item, letters);
+            }
+            if own.is_some() {
+                image.close("g");
+            }
         }
-        document = document.add(run.iter().fold(group, |group, item| add(group, scene, item, text)));
+        image.close("g");
     }
-    Ok(document.to_string())
+    image.close("svg");
+    Ok(image.text())
 }
 
-fn add<T: Node>(group: Group, scene: &Scene, item: &Item, element: &impl Fn(&Text, Style) -> T) -> Group {
-    let shape = |group: Group| match &item.shape {
-        Shape::Circle { centre, radius } => group.add(
-            Circle::new().set("cx", number(centre.x)).set("cy", number(-centre.y)).set("r", number(*radius)),
-        ),
-        Shape::Text(text) => group.add(element(text, scene.style(item))),
-        other => group.add(Path::new().set("d", path(other))),
-    };
-    match item.style {
-        None => shape(group),
-        Some(style) => group.add(shape(style_group(style))),
+fn add(image: &mut Image, scene: &Scene, item: &Item, letters: &impl Fn(&mut Image, &Text, Style)) {
+    match &item.shape {
+        Shape::Circle { centre, radius } => {
+            let [x, y, r] = [centre.x, -centre.y, *radius].map(number);
+            image.empty("circle", &[("cx", &x), ("cy", &y), ("r", &r)]);
+        }
+        Shape::Text(text) => letters(image, text, scene.style(item)),
+        other => image.empty("path", &[("d", &path(other))]),
     }
 }
 
-fn style_group(style: Style) -> Group {
+/// Opens the group of a style; that of a layer has its class, and its identifier where so asked.
+fn group(image: &mut Image, style: Style, layer: Option<(&str, bool)>) {
     let Style { color, width_mm, dash, fill } = style;
-    let mut group = Group::new().set("fill", fill.map_or("none".into(), Color::hex));
-    if width_mm > 0.0 {
-        group = group
-            .set("stroke", color.hex())
-            .set("stroke-width", number(width_mm))
-            .set("stroke-linecap", "round")
-            .set("stroke-linejoin", "round");
-        if !dash.pattern_mm().is_empty() {
-            let pattern: Vec<String> = dash.pattern_mm().iter().map(|length| number(*length)).collect();
-            group = group.set("stroke-dasharray", pattern.join(" ")).set("stroke-linecap", "butt");
-        }
-    } else {
-        group = group.set("stroke", "none");
+    let fill = fill.map_or("none".into(), Color::hex);
+    let (stroke, width) = (color.hex(), number(width_mm));
+    let pattern: Vec<String> = dash.pattern_mm().iter().map(|length| number(*length)).collect();
+    let pattern = pattern.join(" ");
+    let mut attributes = vec![];
+    if let Some((class, _)) = layer {
+        attributes.push(("class", class));
     }
-    group
+    attributes.push(("fill", &fill));
+    if let Some((class, true)) = layer {
+        attributes.push(("id", class));
+    }
+    if width_mm > 0.0 {
+        attributes.push(("stroke", &stroke));
+        if !pattern.is_empty() {
+            attributes.push(("stroke-dasharray", &pattern));
+        }
+        attributes.push(("stroke-linecap", if pattern.is_empty() { "round" } else { "butt" }));
+        attributes.extend([("stroke-linejoin", "round"), ("stroke-width", &width)]);
+    } else {
+        attributes.push(("stroke", "none"));
+    }
+    image.open("g", &attributes);
 }
 
-fn element(text: &Text, style: Style) -> TextElement {
+fn letters(image: &mut Image, text: &Text, style: Style) {
     let anchor = match text.align {
         Align::Left => "start",
         Align::Middle => "middle",
         Align::Right => "end",
     };
-    let (x, y) = (text.at.x, -text.at.y);
-    let mut element = TextElement::new(one_line(&text.content))
-        .set("x", number(x))
-        .set("y", number(y))
-        // Capitals centred on the point: the base line is half their height lower.
-        .set("dy", number(0.5 * text.height_mm))
-        .set("font-family", FONTS)
-        .set("font-size", number(text.font_size_mm()))
-        .set("text-anchor", anchor)
-        .set("fill", style.color.hex())
-        .set("stroke", "none");
+    let [x, y] = [text.at.x, -text.at.y].map(number);
+    // Capitals centred on the point: the base line is half their height lower.
+    let [lower, size] = [0.5 * text.height_mm, text.font_size_mm()].map(number);
+    let fill = style.color.hex();
+    let mut attributes = vec![("dy", &*lower), ("fill", &fill), ("font-size", &size)];
     // Where none of the fonts is there, another is drawn together to the width that was counted on.
-    if let Some(width) = text.fixed_width_mm() {
-        element = element.set("textLength", number(width)).set("lengthAdjust", "spacingAndGlyphs");
+    let width = text.fixed_width_mm().map(number);
+    if width.is_some() {
+        attributes.push(("lengthAdjust", "spacingAndGlyphs"));
     }
+    attributes.extend([("stroke", "none"), ("text-anchor", anchor)]);
+    if let Some(width) = &width {
+        attributes.push(("textLength", width));
+    }
+    let turn = format!("rotate({} {x} {y})", number(-text.rotation_rad.to_degrees()));
     if text.rotation_rad != 0.0 {
-        let degrees = -text.rotation_rad.to_degrees();
-        element =
-            element.set("transform", format!("rotate({} {} {})", number(degrees), number(x), number(y)));
+        attributes.push(("transform", &turn));
     }
-    element
+    attributes.extend([("x", &*x), ("y", &y)]);
+    image.words("text", &attributes, &one_line(&text.content));
 }
 
 /// Path data of a line, an arc or a polyline.

@@ -74,12 +74,12 @@ pub fn line_meets(shape: &Shape, bounds: Bounds) -> bool {
 #[must_use]
 pub fn distance(from: Point, to: Point, shape: &Shape) -> f64 {
     let mut least = f64::INFINITY;
-    pieces(shape, |start, end| least = least.min(apart([from, to], [start, end])));
-    least
+    pieces(shape, |start, end| least = least.min(square_apart([from, to], [start, end])));
+    least.sqrt()
 }
 
-/// Distance of two straight lines: 0 where they cross, else that of an end from the other line.
-fn apart(one: [Point; 2], other: [Point; 2]) -> f64 {
+/// The square of the distance of two straight lines: 0 where they cross, else that of an end from the other line.
+fn square_apart(one: [Point; 2], other: [Point; 2]) -> f64 {
     let aside = |[a, b]: [Point; 2], p: Point| (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     let parted = |line: [Point; 2], ends: [Point; 2]| aside(line, ends[0]) * aside(line, ends[1]) < 0.0;
     if parted(one, other) && parted(other, one) {
@@ -90,7 +90,8 @@ fn apart(one: [Point; 2], other: [Point; 2]) -> f64 {
         let square = dx * dx + dy * dy;
         let along = if square == 0.0 { 0.0 } else { ((p.x - a.x) * dx + (p.y - a.y) * dy) / square };
         let along = along.clamp(0.0, 1.0);
-        libm::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy)
+        let (x, y) = (p.x - a.x - along * dx, p.y - a.y - along * dy);
+        x * x + y * y
     };
     let ends = one.map(|end| to_line(other, end)).into_iter().chain(other.map(|end| to_line(one, end)));
     ends.fold(f64::INFINITY, f64::min)
