@@ -289,6 +289,7 @@ export class GearboxPage {
 
   private refuse(error: unknown): void {
     if (error instanceof Overtaken) return;
+    this.write();
     const place = error instanceof Failure ? error.refused.place : null;
     at('refused').textContent = (place ? `Line ${place.line}, column ${place.column}${place.path ? `, ${place.path}` : ''}: ` : '') + (error instanceof Error ? error.message : String(error));
     for (const view of this.views) view.picture.classList.add('waiting');

@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { call, initSync as beginCalls } from '../src/generated/calls.js';
-import { initSync as beginCore, look, motor } from '../src/generated/core.js';
+import { adjusted, initSync as beginCore, look, motor } from '../src/generated/core.js';
 
 const examples = new URL('../../examples/', import.meta.url);
 globalThis.epicyclicProgress = () => {};
@@ -75,6 +75,27 @@ for (const line of cases()) {
     }
   });
 }
+
+test('a file with other numbers is looked at as if it were read anew', () => {
+  let count = 0;
+  for (const [command, file, , transmission = null] of cases()) {
+    if (command !== 'analyze') continue;
+    const question = JSON.stringify({ transmission, gear: null, speed: null, torque: null, efficiency: null, pictures: ['scheme', 'levers', 'ladder'], list: true });
+    const old = text(file);
+    const { numbers } = JSON.parse(look(old, question)).adjust ?? { numbers: [] };
+    const changes = numbers.flatMap((number) => ['7', '112', '3.25', '2.0', '1e1', 'none', ''].map((to) => [{ number, to }]));
+    if (numbers.length > 1) changes.push(numbers.slice(0, 2).map((number) => ({ number, to: number.of === 'k' ? '2.125' : '101' })));
+    for (const change of changes) {
+      look(old, question);
+      const reply = JSON.parse(adjusted(old, question, JSON.stringify(change)));
+      // Another file between, so that nothing is kept of this one.
+      look('', question);
+      assert.equal(JSON.stringify(reply.look), JSON.stringify(JSON.parse(look(reply.file, question))), `${file}: ${JSON.stringify(change)}`);
+      count++;
+    }
+  }
+  assert.ok(count > 300, `${count}`);
+});
 
 test('pictures are the same to the letter', () => {
   const of = ['real-transmissions.yaml', '--transmission', '8HP'];

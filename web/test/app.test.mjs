@@ -40,6 +40,12 @@ const option = (page, id, value) => page.selectOption(`#${id}`, value);
 const refused = (page) => page.textContent('#refused');
 const isDrawn = (page, view) => page.waitForSelector(`[data-view=${view}] .picture svg`);
 
+/** Waits until the text of the file is this, or like this; it follows when the numbers stand still. */
+const isText = (page, text) => page.waitForFunction(({ source, is }) => {
+  const { value } = document.querySelector('#text');
+  return is === undefined ? new RegExp(source).test(value) : value === is;
+}, text instanceof RegExp ? { source: text.source } : { is: text });
+
 /** Waits until a change is calculated and drawn. */
 async function change(page, act) {
   await page.evaluate(() => delete document.body.dataset.change);
@@ -65,7 +71,7 @@ on('teeth of a set change ratio, scheme, tables and the gears from the front', a
   const slider = page.getByLabel('P4: teeth of the ring, slider');
   await change(page, () => slider.fill('112'));
   assert.notEqual(await ratio(), before);
-  assert.match(await page.inputValue('#text'), /z_s: 28, z_r: 112/);
+  await isText(page, /z_s: 28, z_r: 112/);
   assert.match(await page.textContent('[data-view=scheme]'), /28\/112/);
   await change(page, () => page.getByLabel('P4: teeth of the ring', { exact: true }).fill('104'));
   assert.equal(await ratio(), before);
@@ -79,7 +85,7 @@ on('a number is typed digit by digit, though what is half typed is no gearbox', 
   assert.match(await page.inputValue('#text'), /z_s: 28, z_r: 2[ ,}]/);
   await field.fill('');
   await change(page, () => field.pressSequentially('112'));
-  await page.waitForFunction(() => /z_s: 28, z_r: 112/.test(document.querySelector('#text').value));
+  await isText(page, /z_s: 28, z_r: 112/);
   assert.equal(await refused(page), '');
   // Two numbers at once, one after the other in one line.
   await change(page, () => page.evaluate(() => {
@@ -92,21 +98,45 @@ on('a number is typed digit by digit, though what is half typed is no gearbox', 
     set('P4: teeth of the ring', '104');
     set('P4: teeth of the sun', '28');
   }));
-  assert.equal(await page.inputValue('#text'), file);
+  await isText(page, file);
+  // Whoever goes to the text at once finds it as it is.
+  await page.evaluate(() => {
+    const input = document.querySelector('[aria-label="P4: teeth of the ring"]');
+    input.value = '110';
+    input.dispatchEvent(new Event('input'));
+  });
+  await page.waitForSelector('text=28/110');
+  await page.focus('#text');
+  assert.match(await page.inputValue('#text'), /z_s: 28, z_r: 110/);
 });
 
 on('a change of four sets takes less than a frame', async (page) => {
-  const times = [];
-  const slider = page.getByLabel('P4: teeth of the ring, slider');
-  for (let teeth = 90; teeth < 120; teeth++) {
-    await change(page, () => slider.fill(String(teeth)));
-    times.push(Number(await page.getAttribute('body', 'data-change')));
-    // Past the tables, which follow when the numbers stand still.
-    await page.waitForTimeout(150);
-  }
+  // From within the page: whoever asks it from outside while it works keeps it from its work.
+  const times = await page.evaluate(async () => {
+    const slider = document.querySelector('[aria-label="P4: teeth of the ring, slider"]');
+    const times = [];
+    for (let teeth = 90; teeth < 121; teeth++) {
+      await new Promise((done) => {
+        delete document.body.dataset.change;
+        const seen = new MutationObserver(() => {
+          if (!document.body.dataset.change) return;
+          seen.disconnect();
+          done();
+        });
+        seen.observe(document.body, { attributes: true, attributeFilter: ['data-change'] });
+        slider.value = String(teeth);
+        slider.dispatchEvent(new Event('input'));
+      });
+      times.push(Number(document.body.dataset.change));
+      // Past the tables, which follow when the numbers stand still.
+      await new Promise((done) => setTimeout(done, 150));
+    }
+    return times;
+  });
+  const first = times.shift();
   times.sort((a, b) => a - b);
   const at = (part) => times[Math.floor(part * times.length)];
-  console.log(`    a change of the 8HP: quickest tenth ${at(0.1)} ms, median ${at(0.5)} ms, nine tenths within ${at(0.9)} ms, most ${times.at(-1)} ms`);
+  console.log(`    a change of the 8HP: the first ${first} ms; of 30 more the quickest tenth ${at(0.1)} ms, the median ${at(0.5)} ms, nine of ten within ${at(0.9)} ms, the longest ${times.at(-1)} ms`);
   // The quickest tenth: what the app takes while nothing else keeps the machine busy.
   assert.ok(at(0.1) < 16, `quickest tenth ${at(0.1)} ms`);
 });

@@ -1,7 +1,7 @@
 //! The file that was read last: the next question is mostly about the same text.
 
 use crate::reply::{Failure, refused};
-use epicyclic_formats::Document;
+use epicyclic_formats::{Document, Position};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -21,4 +21,16 @@ pub(crate) fn of(name: &str, file: &str) -> Result<Rc<Document>, Failure> {
         let (_, document) = last.insert(([name, file].map(str::to_owned), Rc::new(document)));
         Ok(Rc::clone(document))
     })
+}
+
+/// What was read of a text is taken over for the text with other numbers, from the last to the first, where that is all that changes.
+pub(crate) fn take_over(name: &str, file: &str, changed: &str, numbers: &[(Position, &str)]) {
+    LAST.with_borrow_mut(|last| {
+        // Half changed it would be of no text: then the next question reads it anew.
+        *last = last.take().filter(|(known, _)| *known == [name, file]).and_then(|(_, document)| {
+            let mut document = Rc::try_unwrap(document).ok()?;
+            let are_all = numbers.iter().all(|(at, to)| document.renumber(*at, to));
+            are_all.then(|| ([name, changed].map(str::to_owned), Rc::new(document)))
+        });
+    });
 }

@@ -7,8 +7,8 @@ use epicyclic_answers::analyze::{self, Input};
 use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
 use epicyclic_answers::{adjust, front as from_the_front, transmissions};
 use epicyclic_drawing::{Scene, svg};
-use epicyclic_formats::Quantity;
 use epicyclic_formats::gearbox::written;
+use epicyclic_formats::{Position, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
@@ -18,6 +18,9 @@ use epicyclic_views::{AsReport as _, drawability};
 use serde::Deserialize;
 use std::cmp::Reverse;
 use uom::si::f64::{AngularVelocity, Ratio, Torque};
+
+/// What messages call the file.
+const NAME: &str = "gearbox.yaml";
 
 /// What is asked of a file.
 #[derive(Debug, Deserialize)]
@@ -94,7 +97,7 @@ fn with<T>(
     done: impl FnOnce(&Subject<'_>) -> Result<T, Failure>,
     several: impl FnOnce(&transmissions::Transmissions) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
-    let document = documents::of("gearbox.yaml", file)?;
+    let document = documents::of(NAME, file)?;
     match read(&document, &question.choice()?).map_err(refused)? {
         Content::One(subject) => done(&subject),
         Content::Several(all) => several(&transmissions::answer(&all)),
@@ -226,11 +229,14 @@ pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<Stri
         serde_json::from_str(changes).map_err(|error| refuse("changes", error.to_string()))?;
     // From the end of the file: those before keep their places.
     changes.sort_by_key(|Change { number, .. }| Reverse((number.line, number.column)));
-    let mut file = file.to_owned();
-    for Change { number, to } in changes {
-        file = adjust::changed(&file, &number, &to).ok_or_else(|| refuse("place", "it stands elsewhere"))?;
+    let mut new = file.to_owned();
+    for Change { number, to } in &changes {
+        new = adjust::changed(&new, number, to).ok_or_else(|| refuse("place", "it stands elsewhere"))?;
     }
-    Ok(object(&[("file", text(&file)), ("look", told(look(&file, question)))]))
+    let place = |number: &AdjustableNumber| Position { line: number.line, column: number.column };
+    let numbers: Vec<_> = changes.iter().map(|Change { number, to }| (place(number), &**to)).collect();
+    documents::take_over(NAME, file, &new, &numbers);
+    Ok(object(&[("file", text(&new)), ("look", told(look(&new, question)))]))
 }
 
 fn several() -> Failure {

@@ -21,13 +21,13 @@ pub(super) const VALUE_LIMIT: usize = 200_000;
 pub(super) type Found = (Position, Path, Problem);
 
 /// A node of the text.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) at: Position,
     pub(super) content: Content,
 }
 
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) enum Content {
     /// The text of it, unescaped.
     Scalar(String),
@@ -35,13 +35,13 @@ pub(super) enum Content {
     Map(Map),
 }
 
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub(super) struct Map {
     entries: Vec<Entry>,
     by_key: HashMap<String, usize>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub(super) key: String,
     pub(super) key_at: Position,
@@ -51,6 +51,10 @@ pub(super) struct Entry {
 impl Map {
     pub(super) fn get(&self, key: &str) -> Option<&Entry> {
         self.by_key.get(key).and_then(|index| self.entries.get(*index))
+    }
+
+    fn get_mut(&mut self, key: &str) -> Option<&mut Entry> {
+        self.by_key.get(key).and_then(|index| self.entries.get_mut(*index))
     }
 
     /// In the order of the text.
@@ -65,6 +69,29 @@ impl Node {
             (Content::Map(map), Segment::Key(key)) => map.get(key).map(|entry| &entry.value),
             (Content::Sequence(items), Segment::Index(index)) => items.get(*index),
             _ => None,
+        }
+    }
+
+    pub(super) fn step_mut(&mut self, segment: &Segment) -> Option<&mut Self> {
+        match (&mut self.content, segment) {
+            (Content::Map(map), Segment::Key(key)) => map.get_mut(key).map(|entry| &mut entry.value),
+            (Content::Sequence(items), Segment::Index(index)) => items.get_mut(*index),
+            _ => None,
+        }
+    }
+
+    /// Every position here and below, of keys too.
+    pub(super) fn each_position(&mut self, change: &impl Fn(&mut Position)) {
+        change(&mut self.at);
+        match &mut self.content {
+            Content::Scalar(_) => {}
+            Content::Sequence(items) => items.iter_mut().for_each(|item| item.each_position(change)),
+            Content::Map(map) => {
+                for entry in &mut map.entries {
+                    change(&mut entry.key_at);
+                    entry.value.each_position(change);
+                }
+            }
         }
     }
 }

@@ -9,6 +9,7 @@ pub(crate) mod path;
 pub(crate) mod position;
 mod reader;
 mod renamed;
+mod renumbered;
 mod words;
 
 use std::borrow::Cow;
@@ -35,7 +36,7 @@ pub use renamed::RENAMED;
 pub const SIZE_LIMIT: u64 = 4 << 20;
 
 /// A YAML document: its value, and the position of each key and value in it.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub struct Document {
     file: Arc<str>,
     value: Value,

@@ -452,3 +452,48 @@ fn json_is_read_with_pairs_of_surrogates() {
     let plain = Document::parse_one("a.yaml", b"a: \\ud83d\\ude00\n").unwrap();
     assert_eq!(plain.value()["a"], "\\ud83d\\ude00");
 }
+
+proptest! {
+    /// A number that is changed in place leaves the document that the changed text is read to.
+    #[test]
+    fn another_number_is_as_if_read_anew(
+        old in number(), to in prop_oneof![4 => number(), 1 => "[-a-z0-9. ]{0,6}"], which in 0..6_usize, is_flow: bool,
+    ) {
+        let text = |third: &str| match is_flow {
+            true => format!("a: {{ ü: 1, k: {third}, z: [1.5, 20], n: '3', \"7\": 2 }}\nb: [2, {{c: 3}}]\n"),
+            false => format!("a:\n  ü: 1\n  k: {third}\n  z: [1.5, 20]\n  n: '3'\n  \"7\": 2\nb: [2, {{c: 3}}]\n"),
+        };
+        let mut document = one(&text(&old));
+        let a = Path::root().key("a");
+        let paths = [a.clone().key("k"), a.clone().key("z").index(0), a.clone().key("n"), a.clone().key("7"), a.clone(), Path::root().key("b").index(0)];
+        let at = document.position(&paths[which]);
+        let unchanged = one(&text(&old));
+        if !document.renumber(at, &to) {
+            prop_assert_eq!(&document, &unchanged);
+            // Numbers in plain decimals are taken.
+            prop_assert!(which == 2 || which == 4 || to.parse::<f64>().is_err() || !is_plain(&to));
+            return Ok(());
+        }
+        let before = unchanged.text_at(&paths[which]).unwrap();
+        let lines = text(&old);
+        let mut lines: Vec<String> = lines.split_inclusive('\n').map(str::to_owned).collect();
+        let line = &mut lines[at.line - 1];
+        let start = line.char_indices().nth(at.column - 1).unwrap().0;
+        line.replace_range(start..start + before.len(), &to);
+        prop_assert_eq!(document, one(&lines.concat()));
+    }
+}
+
+fn one(text: &str) -> Document {
+    Document::parse_one("g.yaml", text.as_bytes()).unwrap()
+}
+
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof!["(0|[1-9][0-9]{0,8})", "(0|[1-9][0-9]{0,5})\\.[0-9]{1,9}"]
+}
+
+fn is_plain(text: &str) -> bool {
+    text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.')
+        && !text.starts_with(['0', '.'])
+        && !text.ends_with('.')
+}
