@@ -104,8 +104,8 @@ impl Motor {
 
     /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which one pair has it.
     ///
-    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and refined by golden
-    /// section.
+    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and where a satellite passes a
+    /// jump of the curvature; every minimum that may be the least is refined by golden section.
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
         let (distance, phase) = self.least_neighbour_kernel();
@@ -122,36 +122,61 @@ impl Motor {
     pub(crate) fn least_neighbour_kernel(&self) -> (f64, f64) {
         let distance = |phase: f64| self.neighbour_distance(phase);
         // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half a period.
-        let (start, width) = (-0.5 * self.chamber_phase(), self.shape.trough().phase);
-        let at = |i: u32| start + width * f64::from(i) / f64::from(ROTATIONS);
-        let (least, i) = (0..=ROTATIONS)
-            .map(|i| (distance(at(i)), i))
-            .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
-        let (mut low, mut high) = (at(i.saturating_sub(1)), at((i + 1).min(ROTATIONS)));
-        // Most pairs are nearest at an end, where the distance is flat: it then rises at once.
-        if i == 0 || i == ROTATIONS {
-            let inward = |part: f64| at(i) + part * (low + high - 2.0 * at(i));
-            if [0.1, 0.3, 0.6].into_iter().all(|part| distance(inward(part)) >= least) {
-                return (least, at(i));
-            }
+        let (chamber, half) = (self.chamber_phase(), self.shape.trough().phase);
+        let start = -0.5 * chamber;
+        let even = (0..=ROTATIONS).map(|i| start + half * f64::from(i) / f64::from(ROTATIONS));
+        let mut phases: Vec<f64> = even.collect();
+        // Where one of the two passes a jump of the curvature the distance turns sharply, however narrow an arc is.
+        for at in
+            self.shape.kink().into_iter().flat_map(|kink| [kink, -kink, kink - chamber, -kink - chamber])
+        {
+            let within = start + (at - start).rem_euclid(2.0 * half);
+            phases.extend([within].into_iter().filter(|within| *within < start + half));
         }
-        let golden = 0.381_966_011_250_105;
-        let (mut left, mut right) = (low + golden * (high - low), high - golden * (high - low));
-        let (mut at_left, mut at_right) = (distance(left), distance(right));
-        for _ in 0..36 {
-            if at_left < at_right {
-                (high, right, at_right) = (right, left, at_left);
-                left = low + golden * (high - low);
-                at_left = distance(left);
-            } else {
-                (low, left, at_left) = (left, right, at_right);
-                right = high - golden * (high - low);
-                at_right = distance(right);
-            }
+        phases.sort_by(f64::total_cmp);
+        let distances: Vec<f64> = phases.iter().map(|&phase| distance(phase)).collect();
+        let mut best = (f64::INFINITY, start);
+        for (&at, &phase) in distances.iter().zip(&phases) {
+            best = if at < best.0 { (at, phase) } else { best };
         }
-        let refined = if at_left < at_right { (at_left, left) } else { (at_right, right) };
-        if refined.0 < least { refined } else { (least, at(i)) }
+        let last = phases.len() - 1;
+        for i in 0..=last {
+            let (here, before, after) = (distances[i], i.saturating_sub(1), (i + 1).min(last));
+            let [one, other] = [distances[before], distances[after]];
+            // No minimum, or one far from the least: between three of its points a smooth curve falls by less than it rises.
+            if here > one.min(other) || here - (one.max(other) - here) > best.0 {
+                continue;
+            }
+            // Most pairs are nearest at an end, where the distance is flat: it then rises at once.
+            let inward = |part: f64| phases[i] + part * (phases[before] + phases[after] - 2.0 * phases[i]);
+            let is_end = i == 0 || i == last;
+            if is_end && [0.1, 0.3, 0.6].into_iter().all(|part| distance(inward(part)) >= here) {
+                continue;
+            }
+            let found = least_between(distance, phases[before], phases[after]);
+            best = if found.0 < best.0 { found } else { best };
+        }
+        best
     }
+}
+
+/// The least of a function with one minimum between two places, by golden section, and its place.
+fn least_between(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
+    let golden = 0.381_966_011_250_105;
+    let (mut left, mut right) = (low + golden * (high - low), high - golden * (high - low));
+    let (mut at_left, mut at_right) = (function(left), function(right));
+    for _ in 0..36 {
+        if at_left < at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = low + golden * (high - low);
+            at_left = function(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = high - golden * (high - low);
+            at_right = function(right);
+        }
+    }
+    if at_left < at_right { (at_left, left) } else { (at_right, right) }
 }
 
 /// Rotations at which the distance of neighbours is looked at before it is refined.
@@ -240,6 +265,24 @@ mod tests {
             let satellites = motor.satellites(angle(rotation)).unwrap();
             for (one, other) in satellites.iter().zip(satellites.iter().skip(1).chain(&satellites[..1])) {
                 prop_assert!(distance(xy(one.centre), xy(other.centre)) >= least - 1e-9);
+            }
+        }
+
+        /// At ever closer places around every crest and jump, too.
+        #[test]
+        fn the_least_distance_is_that_of_a_close_look(motor in any_motor()) {
+            let (least, at) = motor.least_neighbour_kernel();
+            prop_assert_eq!(motor.neighbour_distance(at), least);
+            let (chamber, half) = (motor.chamber_phase(), motor.shape.trough().phase);
+            let kinks = motor.shape.kink().into_iter().flat_map(|kink| [kink, -kink]);
+            let near = kinks.chain([0.0, half, 0.5 * chamber]).flat_map(|place| [place, place - chamber]);
+            let near = near.flat_map(|place| {
+                (2..40).flat_map(move |k| [-1.0, 1.0].map(|side| place + side * half * 0.5_f64.powi(k)))
+            });
+            let even = (0..4000).map(|i| half * f64::from(i) / 2000.0);
+            for phase in even.chain(near) {
+                let distance = motor.neighbour_distance(phase);
+                prop_assert!(distance >= least - 1e-9, "{distance} at {phase} for {least} at {at}");
             }
         }
     }
