@@ -154,7 +154,10 @@ export function taken<T>(data: T | Refused): T {
 }
 
 const live = new Worked();
+let slow: Worked | null = null;
 let searching: Worked | null = null;
+/** For outlines, tables and motions, which take longer than a change: none waits for them. */
+const beside = () => (slow ??= new Worked());
 const kinds = new Map<string, Newest>();
 
 function newest<T>(kind: string, ask: () => Promise<T>): Promise<T> {
@@ -164,10 +167,11 @@ function newest<T>(kind: string, ask: () => Promise<T>): Promise<T> {
 }
 
 export const core = {
-  look: (file: string, question: Question, kind = 'look') =>
-    newest(kind, () => live.ask<string>('look', [file, JSON.stringify(question)])).then(read<Look>),
+  look: (file: string, question: Question) => newest('look', () => live.ask<string>('look', [file, JSON.stringify(question)])).then(read<Look>),
+  tables: (file: string, question: Question) =>
+    newest('tables', () => beside().ask<string>('look', [file, JSON.stringify(question)])).then(read<Look>),
   front: (file: string, question: Question) =>
-    newest('front', () => live.ask<string>('front', [file, JSON.stringify(question)])).then(read<Front>),
+    newest('front', () => beside().ask<string>('front', [file, JSON.stringify(question)])).then(read<Front>),
   /** `look` at the file with other numbers at places that it has named. What is refused is refused of the file then. */
   adjusted: (file: string, question: Question, changes: { number: AdjustableNumber; to: string }[]) =>
     newest('look', () => live.ask<string>('adjusted', [file, JSON.stringify(question), JSON.stringify(changes)])).then(read<Adjusted>),
@@ -175,7 +179,7 @@ export const core = {
     live.ask<string>('scheme', [name, k1, k2]).then(read<{ file: string }>),
   motor: (file: string) => newest('motor', () => live.ask<string>('motor', [file])).then(read<LookedMotor>),
   moving: (file: string, frames: number) =>
-    newest('moving', () => live.ask<string>('moving', [file, frames])).then(read<MotorMoving>),
+    newest('moving', () => beside().ask<string>('moving', [file, frames])).then(read<MotorMoving>),
   /** A command line, in a worker of its own that `cancel` ends. */
   call: (line: string[], files: Record<string, string>, progress?: Progress) =>
     (searching ??= new Worked()).ask<Called>('call', [line, files], progress),

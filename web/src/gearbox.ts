@@ -277,7 +277,7 @@ export class GearboxPage {
     const opened = this.opened;
     try {
       const { all, gear } = this.tablesSeen;
-      const look = await core.look(this.state.file, { ...this.question(), tables: all, gear_tables: gear }, 'tables');
+      const look = await core.tables(this.state.file, { ...this.question(), tables: all, gear_tables: gear });
       if (opened !== this.opened) return;
       if (look.tables !== undefined) tabled(this.tables, look.tables);
       if (gear) tabled(this.gearTables, look.gear_tables ?? '<p class="note">Choose a gear.</p>');
