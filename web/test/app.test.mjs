@@ -330,8 +330,12 @@ for (const scheme of ['light', 'dark']) {
             scrollTo(0, y);
             await new Promise((next) => setTimeout(next, 60));
           }
-          scrollTo(0, 0);
         });
+        if (name === 'gearbox') {
+          await page.locator('[data-view=turning]').scrollIntoViewIfNeeded();
+          await page.waitForSelector('.turning svg');
+        }
+        await page.evaluate(() => scrollTo(0, 0));
         await page.waitForTimeout(300);
         const width = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.equal(width, viewport.width, `${name}: as wide as the window`);
