@@ -256,8 +256,9 @@ fn tried(
     Some((objectives, teeth_hold && bearing_holds))
 }
 
+/// The trial writes centre distances in another way, and shifts that are searched for follow the last bit of one by more than that.
 fn is_near(one: f64, other: f64) -> bool {
-    (one - other).abs() <= 1e-12 * one.abs().max(1.0)
+    (one - other).abs() <= 1e-8 * one.abs().max(1.0)
 }
 
 /// An overload of so many N·m with required safeties of flanks and roots.
@@ -284,7 +285,12 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
             Objective::Mass => tried.key.0,
             Objective::Ring => [tried.key.0[1], tried.key.0[0]],
         };
-        prop_assert!(is_near(objectives[0], mass) && is_near(objectives[1], ring), "{:?}", objectives);
+        prop_assert!(
+            is_near(objectives[0], mass) && is_near(objectives[1], ring),
+            "{:?} for {:?}",
+            objectives,
+            [mass, ring]
+        );
     }
     // The first alone is the first of all, and what is not reached completes the space.
     let first = size(task, 1).unwrap();
