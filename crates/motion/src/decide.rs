@@ -1,7 +1,8 @@
 //! What holds and what slips from here on.
 //!
 //! Elements and lossy sets whose slip is not 0 go on as they do. The others have three ways each: stuck, forwards, backwards; a one-way clutch
-//! two. Every combination is tried, those with the most stuck elements first, and is consistent where
+//! two. Every combination is tried, those first that let go of the fewest elements that were stuck, then those with the most stuck elements, and is
+//! consistent where
 //!
 //! ```text
 //! stuck        |λ| ≤ κ·C, and λ ≥ 0 of a one-way clutch
@@ -10,7 +11,8 @@
 //! ```
 //!
 //! Without losses and with `κ = 1` the accelerations minimize the strictly convex `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one
-//! motion is consistent. With `κ > 1` several may be: an element then holds where it can, which is the hysteresis of static friction.
+//! motion is consistent. With `κ > 1` several may be: what is stuck then lets go only where nothing else is consistent, and an element that comes to rest
+//! holds where it can, which is the hysteresis of static friction.
 //! An element that has just exceeded its capacity does not hold again at that moment. Where several that share their torque reach their capacities at once, it
 //! is not said which of them slip: at that moment all accelerations are still 0. Then the torques and capacities a little later tell; what holds less
 //! than it can goes on to hold, if that is consistent.
@@ -89,6 +91,8 @@ impl Field<'_> {
         for (way, set) in base.sets.iter_mut().zip(&self.model.mechanism.sets) {
             *way = if set.is_lossy { Way::of(dot(&set.rolling, moment.y)) } else { Way::Open };
         }
+        let was_stuck: Vec<bool> =
+            open.elements.iter().map(|&place| self.pattern.elements[place] == Way::Stuck).collect();
         let mut refused = None;
         let mut best: Option<(f64, Pattern)> = None;
         let (later, held, firm) = match moment.loosed {
@@ -107,7 +111,7 @@ impl Field<'_> {
         };
         for &(seen, loosed, firm) in passes {
             let is_ahead = seen.t != moment.t;
-            for ways in self.combinations(&open, loosed, firm) {
+            for ways in self.combinations(&open, loosed, firm, &was_stuck) {
                 let mut candidate = base.clone();
                 for (&place, &way) in open.elements.iter().zip(&ways) {
                     candidate.elements[place] = way;
@@ -170,8 +174,14 @@ impl Field<'_> {
         if remains { later } else { moment.y.to_vec() }
     }
 
-    /// Ways of the open elements, those with the most stuck first.
-    fn combinations(&self, open: &Open, loosed: &[Loosed], firm: &[usize]) -> Vec<Vec<Way>> {
+    /// Ways of the open elements: first those that let go of the fewest that were stuck, then those with the most stuck.
+    fn combinations(
+        &self,
+        open: &Open,
+        loosed: &[Loosed],
+        firm: &[usize],
+        was_stuck: &[bool],
+    ) -> Vec<Vec<Way>> {
         let options = |&place: &usize| match loosed.iter().find(|(one, _)| *one == place) {
             Some((_, way)) => vec![*way],
             None if firm.contains(&place) => vec![Way::Stuck],
@@ -181,7 +191,10 @@ impl Field<'_> {
             None => vec![Way::Stuck, Way::Forward, Way::Backward],
         };
         let mut all = product(&open.elements.iter().map(options).collect::<Vec<_>>());
-        all.sort_by_key(|ways| ways.iter().filter(|way| **way != Way::Stuck).count());
+        all.sort_by_key(|ways| {
+            let moving = || ways.iter().zip(was_stuck).filter(|(way, _)| **way != Way::Stuck);
+            (moving().filter(|(_, was_stuck)| **was_stuck).count(), moving().count())
+        });
         all
     }
 

@@ -94,10 +94,12 @@ impl Stepper {
             fifth += (five / scale) * (five / scale);
             third += (three / scale) * (three / scale);
         }
-        if fifth == 0.0 && third == 0.0 {
+        // Squares of what hardly moves may be too small for a number.
+        let both = fifth + 0.01 * third;
+        if both == 0.0 {
             return 0.0;
         }
-        self.h.abs() * fifth / ((fifth + 0.01 * third) * scales.len() as f64).sqrt()
+        self.h.abs() * fifth / (both * scales.len() as f64).sqrt()
     }
 
     /// Goes to the end of the step tried.
@@ -186,6 +188,20 @@ mod tests {
         // Local error of an output of order 7.
         let order = libm::log2(error(1.0) / error(0.5));
         assert!(order > 8.0, "{order}");
+    }
+
+    /// Down to speeds whose squares are no longer numbers, as rounding leaves them in what stands still.
+    #[test]
+    fn the_estimate_of_what_hardly_moves_is_a_number() {
+        for exponent in -323..0 {
+            let mut stepper = Stepper::new(2);
+            let size = libm::pow(10.0, f64::from(exponent));
+            let field = |t: f64, _: &[f64], dy: &mut [f64]| dy.fill(size * (1.0 + libm::sin(9.0 * t)));
+            stepper.begin(field);
+            stepper.attempt(1.0, field);
+            let error = stepper.error(&[1.0, 1e-9]);
+            assert!(error.is_finite() && error >= 0.0, "{size:e}: {error}");
+        }
     }
 
     #[test]
