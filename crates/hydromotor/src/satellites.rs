@@ -13,6 +13,7 @@ use uom::si::f64::{Angle, Length};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
+use crate::roots::golden;
 use crate::units::{angle, finite_angle};
 
 /// A point of the stator's frame.
@@ -153,30 +154,11 @@ impl Motor {
             if is_end && [0.1, 0.3, 0.6].into_iter().all(|part| distance(inward(part)) >= here) {
                 continue;
             }
-            let found = least_between(distance, phases[before], phases[after]);
-            best = if found.0 < best.0 { found } else { best };
+            let (phase, least) = golden(phases[before], phases[after], 36, distance);
+            best = if least < best.0 { (least, phase) } else { best };
         }
         best
     }
-}
-
-/// The least of a function with one minimum between two places, by golden section, and its place.
-fn least_between(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
-    let golden = 0.381_966_011_250_105;
-    let (mut left, mut right) = (low + golden * (high - low), high - golden * (high - low));
-    let (mut at_left, mut at_right) = (function(left), function(right));
-    for _ in 0..36 {
-        if at_left < at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = low + golden * (high - low);
-            at_left = function(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = high - golden * (high - low);
-            at_right = function(right);
-        }
-    }
-    if at_left < at_right { (at_left, left) } else { (at_right, right) }
 }
 
 /// Rotations at which the distance of neighbours is looked at before it is refined.

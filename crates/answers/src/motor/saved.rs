@@ -2,12 +2,11 @@
 
 use super::Designed;
 use crate::Error;
-use crate::motor_forms::Crest;
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_formats::{Physical, Quantity};
-use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::profile::{Crest, ToothForm};
 use uom::si::f64::Pressure;
 
 /// Digits that a quantity keeps: those of its rounding in binary fractions are left out.
@@ -52,6 +51,10 @@ pub(crate) fn file(
 }
 
 fn teeth(form: &ToothForm) -> Value {
+    let crest = match form.crest {
+        Crest::Space => "space",
+        Crest::Tooth => "tooth",
+    };
     mapping(vec![
         ("pressure_angle", quantity(form.pressure_angle)),
         ("addendum", number(form.addendum)),
@@ -59,7 +62,7 @@ fn teeth(form: &ToothForm) -> Value {
         ("shift", number(form.shift)),
         ("backlash", number(form.backlash)),
         ("fillet", number(form.fillet)),
-        ("crest", Value::from(Crest::of(form.crest).to_string())),
+        ("crest", Value::from(crest)),
     ])
 }
 

@@ -147,7 +147,7 @@ impl Family {
 }
 
 impl Crest {
-    pub(crate) const fn of(crest: profile::Crest) -> Self {
+    pub(super) const fn of(crest: profile::Crest) -> Self {
         match crest {
             profile::Crest::Space => Self::Space,
             profile::Crest::Tooth => Self::Tooth,
