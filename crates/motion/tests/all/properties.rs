@@ -322,6 +322,30 @@ struct Plain {
     torque: [f64; 3],
 }
 
+/// Changes of an element that begins as `first`, without what lasts less than `brief`.
+///
+/// To a fixed step a short stop is a passage through 0, and a short slip between two stops may be nothing.
+fn lasting(first: i8, changes: &[(f64, i8)], brief: f64) -> Vec<(f64, i8)> {
+    let mut kept: Vec<(f64, i8)> = vec![];
+    for &(t, way) in changes {
+        let begins = match kept.last() {
+            Some(&(last, _)) if t - last < brief => kept.pop().map_or(t, |(last, _)| last),
+            _ => t,
+        };
+        if kept.last().map_or(first, |&(_, way)| way) != way {
+            kept.push((begins, way));
+        }
+    }
+    kept
+}
+
+#[test]
+fn what_is_short_is_left_out_and_what_remains_alternates() {
+    let all = [(1.0, 0), (1.001, -1), (1.5, 0), (2.0, 1), (2.001, 0), (3.0, 1)];
+    assert_eq!(lasting(1, &all, 0.01), [(1.0, -1), (1.5, 0), (3.0, 1)]);
+    assert_eq!(lasting(-1, &all, 0.01), [(1.5, 0), (3.0, 1)]);
+}
+
 /// Slips: 0–1, 1–2, 2–housing.
 const ENDS: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 3]];
 
@@ -380,6 +404,95 @@ impl Plain {
         }
         (best.1, best.2)
     }
+
+    /// The exact run has the events of steps of a fixed length, and its speeds at the end.
+    fn compare(&self, speeds: [f64; 3]) -> Result<(), TestCaseError> {
+        let names = ["a", "b", "c"];
+        let bodies: Vec<_> =
+            names.iter().zip(self.inertias).map(|(name, inertia)| (*name, kg_m2(inertia))).collect();
+        let mut model = Model::new(Mechanism::shafts(&bodies).unwrap());
+        for (element, ends) in ENDS.iter().enumerate() {
+            let second = names.get(ends[1]).copied().unwrap_or(GROUND);
+            let name = ["ab", "bc", "c"][element];
+            model.friction(name, [names[ends[0]], second], level(self.capacities[element]), 1.0).unwrap();
+        }
+        let sine = epicyclic_motion::Course::harmonic(
+            n_m(self.torque[0]),
+            n_m(self.torque[1]),
+            omega(self.torque[2]),
+            Angle::new::<radian>(0.0),
+        );
+        model.torque("drive", "a", TorqueLaw::over_time(sine.unwrap())).unwrap();
+        let begin: Vec<_> = names.iter().zip(speeds).map(|(name, speed)| (*name, speed)).collect();
+        let end = 3.0;
+        let run = model.run(&start(&begin), s(end), None).unwrap();
+        prop_assert!(run.audit.residual().abs() < 1e-9);
+
+        let h = 2e-5;
+        let begins = self.step(speeds, 0.0, h).1;
+        let mut ways = begins;
+        let mut now = speeds;
+        let mut changes: Vec<(f64, usize, i8)> = vec![];
+        for step in 0..(end / h) as usize {
+            let t = step as f64 * h;
+            let (next, found) = self.step(now, t, h);
+            for element in 0..3 {
+                if found[element] != ways[element] {
+                    changes.push((t, element, found[element]));
+                }
+            }
+            (now, ways) = (next, found);
+        }
+        // What happens in its first steps and its last it need not tell.
+        let inside = |t: f64| t > 3.0 * h && t < end - 3.0 * h;
+        for (element, &begin) in begins.iter().enumerate() {
+            let first =
+                changes.iter().rfind(|one| one.1 == element && one.0 <= 3.0 * h).map_or(begin, |one| one.2);
+            let plain: Vec<(f64, i8)> = changes
+                .iter()
+                .filter(|one| one.1 == element && inside(one.0))
+                .map(|one| (one.0, one.2))
+                .collect();
+            let exact: Vec<(f64, i8)> = run
+                .events
+                .iter()
+                .flat_map(|event| event.changes.iter().map(move |change| (at(event), change)))
+                .filter_map(|(t, change)| match change {
+                    Change::Element { name, to, .. } if run.element(name) == Some(element) => {
+                        let way = match to {
+                            State::Forward => 1,
+                            State::Backward => -1,
+                            State::Stuck | State::Open => 0,
+                        };
+                        Some((t, way))
+                    }
+                    _ => None,
+                })
+                .filter(|one| inside(one.0))
+                .collect();
+            let (plain, exact) = (lasting(first, &plain, 3.0 * h), lasting(first, &exact, 3.0 * h));
+            prop_assert_eq!(plain.len(), exact.len(), "{:?}\n{:?}", plain, exact);
+            for (plain, exact) in plain.iter().zip(&exact) {
+                prop_assert_eq!(plain.1, exact.1);
+                prop_assert!((plain.0 - exact.0).abs() < 1e-3, "{plain:?} {exact:?}");
+            }
+        }
+        for (body, name) in names.iter().enumerate() {
+            prop_assert!((common::end_speed(&run, name) - now[body]).abs() < 1e-2);
+        }
+        Ok(())
+    }
+}
+
+/// `ab` slips for 8 µs between two stops.
+#[test]
+fn a_short_slip_is_no_fault() {
+    let plain = Plain {
+        inertias: [0.8564547106707396, 0.42244580127808756, 1.2220908790303864],
+        capacities: [13.460181635118028, 7.243501164831747, 5.407074828438725],
+        torque: [2.6328137508129568, 32.52793212957558, 7.487401305069891],
+    };
+    plain.compare([3.371830228147468, -6.0500691623740686, -0.6260557833906225]).unwrap();
 }
 
 proptest! {
@@ -392,82 +505,7 @@ proptest! {
         torque in [-6.0..6.0_f64, 5.0..40.0_f64, 2.0..9.0_f64],
         speeds in [-10.0..10.0_f64, -10.0..10.0_f64, -10.0..10.0_f64],
     ) {
-        let names = ["a", "b", "c"];
-        let bodies: Vec<_> = names.iter().zip(inertias).map(|(name, inertia)| (*name, kg_m2(inertia))).collect();
-        let mut model = Model::new(Mechanism::shafts(&bodies).unwrap());
-        for (element, ends) in ENDS.iter().enumerate() {
-            let second = names.get(ends[1]).copied().unwrap_or(GROUND);
-            let name = ["ab", "bc", "c"][element];
-            model.friction(name, [names[ends[0]], second], level(capacities[element]), 1.0).unwrap();
-        }
-        let sine = epicyclic_motion::Course::harmonic(n_m(torque[0]), n_m(torque[1]), omega(torque[2]), Angle::new::<radian>(0.0));
-        model.torque("drive", "a", TorqueLaw::over_time(sine.unwrap())).unwrap();
-        let begin: Vec<_> = names.iter().zip(speeds).map(|(name, speed)| (*name, speed)).collect();
-        let end = 3.0;
-        let run = model.run(&start(&begin), s(end), None).unwrap();
-        prop_assert!(run.audit.residual().abs() < 1e-9);
-
-        let plain = Plain { inertias, capacities, torque };
-        let h = 2e-5;
-        let mut ways = [2_i8; 3];
-        let mut now = speeds;
-        let mut changes: Vec<(f64, usize, i8)> = vec![];
-        for step in 0..(end / h) as usize {
-            let t = step as f64 * h;
-            let (next, found) = plain.step(now, t, h);
-            for element in 0..3 {
-                if ways[element] != 2 && found[element] != ways[element] {
-                    changes.push((t, element, found[element]));
-                }
-            }
-            (now, ways) = (next, found);
-        }
-        // A stop of less than two steps is a passage through 0 for a fixed step, and the other way round.
-        let is_brief = |pair: &[(f64, usize, i8)]| pair[1].0 - pair[0].0 < 3.0 * h;
-        // What happens in its first steps and its last it need not tell.
-        let inside = |t: f64| t > 3.0 * h && t < end - 3.0 * h;
-        for element in 0..3 {
-            let plain: Vec<(f64, usize, i8)> = changes.iter().copied().filter(|one| one.1 == element && inside(one.0)).collect();
-            let exact: Vec<(f64, usize, i8)> = run
-                .events
-                .iter()
-                .flat_map(|event| event.changes.iter().map(move |change| (at(event), change)))
-                .filter_map(|(t, change)| match change {
-                    Change::Element { name, to, .. } if run.element(name) == Some(element) => {
-                        let way = match to {
-                            State::Forward => 1,
-                            State::Backward => -1,
-                            State::Stuck | State::Open => 0,
-                        };
-                        Some((t, element, way))
-                    }
-                    _ => None,
-                })
-                .filter(|one| inside(one.0))
-                .collect();
-            let without = |all: &[(f64, usize, i8)]| -> Vec<(f64, usize, i8)> {
-                let mut kept: Vec<(f64, usize, i8)> = vec![];
-                for &one in all {
-                    match kept.last() {
-                        Some(&last) if is_brief(&[last, one]) => {
-                            kept.pop();
-                            kept.push((last.0, one.1, one.2));
-                        }
-                        _ => kept.push(one),
-                    }
-                }
-                kept
-            };
-            let (plain, exact) = (without(&plain), without(&exact));
-            prop_assert_eq!(plain.len(), exact.len(), "{:?}\n{:?}", plain, exact);
-            for (plain, exact) in plain.iter().zip(&exact) {
-                prop_assert_eq!(plain.2, exact.2);
-                prop_assert!((plain.0 - exact.0).abs() < 1e-3, "{plain:?} {exact:?}");
-            }
-        }
-        for (body, name) in names.iter().enumerate() {
-            prop_assert!((common::end_speed(&run, name) - now[body]).abs() < 1e-2);
-        }
+        Plain { inertias, capacities, torque }.compare(speeds)?;
     }
 
     #[test]
