@@ -2,7 +2,6 @@
 
 use crate::plot::{Axis, LETTERS_MM};
 use epicyclic_drawing::{Align, Bounds, Color, Error, Point, Scene, Shape, Style, Text};
-use std::collections::HashMap;
 
 /// Room around the value of a line.
 const ROOM_MM: f64 = 0.7;
@@ -157,58 +156,66 @@ impl Contours {
     fn lines(&self, value: f64, [across, up]: [&Axis; 2]) -> Vec<Line> {
         let (columns, rows) = (self.columns.len(), self.rows.len());
         let at = |[x, y]: [usize; 2]| self.values.get(x * rows + y).copied().flatten();
-        let mut joints: HashMap<[[usize; 2]; 2], [f64; 2]> = HashMap::new();
-        let mut next: HashMap<[[usize; 2]; 2], Vec<[[usize; 2]; 2]>> = HashMap::new();
+        // Of each corner's edge to the right, upwards and across: where the line crosses it, and the crossings beside that.
+        let mut places = vec![[0.0; 2]; 3 * columns * rows];
+        let mut beside: Vec<[Option<usize>; 2]> = vec![[None; 2]; places.len()];
         let mut order = vec![];
+        let edge =
+            |way: usize, [x, y]: [usize; 2], end: [usize; 2]| (3 * (x * rows + y) + way, [[x, y], end]);
         for x in 1..columns {
             for y in 1..rows {
                 let [a, b, c, d] = [[x - 1, y - 1], [x, y - 1], [x, y], [x - 1, y]];
-                for corners in [[a, b, c], [a, c, d]] {
+                let diagonal = edge(2, a, c);
+                for (corners, edges) in [
+                    ([a, b, c], [edge(0, a, b), edge(1, b, c), diagonal]),
+                    ([a, c, d], [diagonal, edge(0, d, c), edge(1, a, d)]),
+                ] {
                     let [Some(_), Some(_), Some(_)] = corners.map(at) else { continue };
                     let mut ends = vec![];
-                    for (one, other) in [(0, 1), (1, 2), (0, 2)] {
-                        let edge = [corners[one].min(corners[other]), corners[one].max(corners[other])];
-                        let [low, high] = edge.map(|corner| at(corner).unwrap_or(f64::NAN));
+                    for (number, corners) in edges {
+                        let [low, high] = corners.map(|corner| at(corner).unwrap_or(f64::NAN));
                         if (low < value) != (high < value) {
                             let part = (value - low) / (high - low);
                             let place = |axis: &Axis, ticks: &[f64], way: usize| {
-                                let [from, to] = edge.map(|corner| axis.place(ticks[corner[way]]));
+                                let [from, to] = corners.map(|corner| axis.place(ticks[corner[way]]));
                                 from + (to - from) * part
                             };
-                            joints.insert(edge, [place(across, &self.columns, 0), place(up, &self.rows, 1)]);
-                            ends.push(edge);
+                            places[number] = [place(across, &self.columns, 0), place(up, &self.rows, 1)];
+                            ends.push(number);
                         }
                     }
                     if let [one, other] = ends[..] {
                         for (from, to) in [(one, other), (other, one)] {
-                            let all = next.entry(from).or_default();
-                            if all.is_empty() {
-                                order.push(from);
+                            match &mut beside[from] {
+                                [first @ None, _] => {
+                                    order.push(from);
+                                    *first = Some(to);
+                                }
+                                [_, second] => *second = Some(to),
                             }
-                            all.push(to);
                         }
                     }
                 }
             }
         }
         // Open lines from their ends, then closed ones from anywhere.
-        let is_end = |edge: &&[[usize; 2]; 2]| next[*edge].len() == 1;
-        let mut done: std::collections::HashSet<[[usize; 2]; 2]> = std::collections::HashSet::new();
+        let is_end = |edge: &&usize| beside[**edge][1].is_none();
+        let mut is_done = vec![false; places.len()];
         let mut all = vec![];
-        for start in order.iter().filter(is_end).chain(&order) {
-            if done.contains(start) {
+        for &start in order.iter().filter(is_end).chain(&order) {
+            if is_done[start] {
                 continue;
             }
-            let mut line = vec![joints[start]];
-            let mut last = *start;
-            done.insert(last);
-            while let Some(edge) = next[&last].iter().find(|edge| !done.contains(*edge)) {
-                last = *edge;
-                done.insert(last);
-                line.push(joints[&last]);
+            let mut line = vec![places[start]];
+            let mut last = start;
+            is_done[last] = true;
+            while let Some(&edge) = beside[last].iter().flatten().find(|edge| !is_done[**edge]) {
+                last = edge;
+                is_done[last] = true;
+                line.push(places[last]);
             }
-            if next[&last].contains(start) && line.len() > 2 {
-                line.push(joints[start]);
+            if beside[last].contains(&Some(start)) && line.len() > 2 {
+                line.push(places[start]);
             }
             all.push(line);
         }
