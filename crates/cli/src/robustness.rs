@@ -497,7 +497,7 @@ fn whatever_files_are_named_none_is_lost() {
         ("sub/b", "sub/b"),
     ];
     let name = || prop::sample::select(&NAMES[..]);
-    let mut runner = TestRunner::new(ProptestConfig { cases: 200, ..ProptestConfig::default() });
+    let mut runner = TestRunner::new(ProptestConfig::default());
     let done = runner.run(&(name(), name(), 0..4_usize, any::<bool>()), |(svg, dxf, input, there)| {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
