@@ -109,6 +109,13 @@ impl Motor {
         ends
     }
 
+    /// Whether the curvature jumps at a phase.
+    pub(super) fn is_kink(&self, phase: f64) -> bool {
+        let period = 2.0 * self.shape.trough().phase;
+        let rest = (phase - (phase / period).round() * period).abs();
+        self.shape.kink_contact().is_some_and(|kink| (rest - kink.phase).abs() < WITHIN * period)
+    }
+
     /// The period of everything that depends on the pressures of ideal ports: `2π/lcm(N, n)`.
     pub(crate) fn period(&self) -> f64 {
         let numbers = self.numbers();

@@ -39,7 +39,7 @@ use crate::motor::Motor;
 use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
 use crate::roots::bracketed;
-use crate::tolerance::WITHIN;
+use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use crate::units::{angle, area, finite_angle, finite_modules};
 use std::f64::consts::PI;
 
@@ -228,23 +228,34 @@ impl Piece<'_> {
 
     /// `Q′/b` and its slope.
     fn at(&self, rotation: f64) -> (f64, f64) {
-        self.with(|j| self.motor.shape.at(By::Phase, self.motor.phase(rotation, j)))
+        self.with(|j| (self.motor.shape.at(By::Phase, self.motor.phase(rotation, j)), None))
     }
 
-    /// The same with contacts that the neighbouring piece, or the choice of its own seals, knows already.
+    /// The same with contacts that the choice of its seals knows already.
     fn known(&self, rotation: f64, known: &mut Known) -> (f64, f64) {
-        self.with(|j| *contact_of(self.motor, known, rotation, j))
+        self.with(|j| (*contact_of(self.motor, known, rotation, j), None))
     }
 
-    fn with(&self, mut contact: impl FnMut(u32) -> Contact) -> (f64, f64) {
+    /// The same at an end, with contacts that the neighbouring piece may know already; what jumps there is taken at a place within.
+    fn at_end(&self, end: f64, within: f64, known: &mut Known) -> (f64, f64) {
+        self.with(|j| {
+            let motor = self.motor;
+            let jumps = motor.is_kink(motor.phase(end, j));
+            let inner = jumps.then(|| motor.shape.at(By::Phase, motor.phase(within, j)));
+            (*contact_of(motor, known, end, j), inner)
+        })
+    }
+
+    /// With the contact of each satellite, and another for its curvatures.
+    fn with(&self, mut contact: impl FnMut(u32) -> (Contact, Option<Contact>)) -> (f64, f64) {
         let r = self.motor.shape.satellite_radius();
         let (mut flow, mut slope) = (0.0, 0.0);
         for &(j, sigma, seals) in &self.loaded {
-            let contact = contact(j);
+            let (contact, inner) = contact(j);
             let offsets = [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)];
             let rates = seals.map(|seal| seal.sign * self.cos);
             flow += sigma * sealed(&contact, offsets);
-            slope += sigma * sealed_slope(&contact, r, offsets, rates);
+            slope += sigma * sealed_slope(&inner.unwrap_or(contact), r, offsets, rates);
         }
         (self.times * flow, self.times * slope)
     }
@@ -337,9 +348,11 @@ impl<'a> Flow<'a> {
         for pair in self.ends.windows(2) {
             let [from, to] = [pair[0], pair[1]];
             let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
+            let hair = BESIDE_JUMP * (to - from);
+            let within = |i: u32| place(i).clamp(from + hair, to - hair);
             middle.fill(None);
             let piece = self.piece(place(PARTS / 2), &mut middle);
-            let mut before = piece.known(from, &mut at_end);
+            let mut before = piece.at_end(from, within(0), &mut at_end);
             found.meet(from, before.0);
             let mut integral = BOOLE[0] * before.0;
             for i in 1..=PARTS {
@@ -347,14 +360,14 @@ impl<'a> Flow<'a> {
                     piece.known(place(i), &mut middle)
                 } else if i == PARTS {
                     at_end.fill(None);
-                    piece.known(to, &mut at_end)
+                    piece.at_end(to, within(PARTS), &mut at_end)
                 } else {
                     piece.at(place(i))
                 };
                 found.meet(place(i), here.0);
                 integral += BOOLE[i as usize] * here.0;
                 if before.1 * here.1 < 0.0 {
-                    flat.push((pieces.len(), [place(i - 1), place(i)], [before, here]));
+                    flat.push((pieces.len(), [within(i - 1), within(i)], [before, here]));
                 }
                 before = here;
             }

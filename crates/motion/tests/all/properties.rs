@@ -196,14 +196,8 @@ fn run_with(train: &Train, drive: &Drive, is_other: bool, drags: Option<&Drags>)
     }
 }
 
-/// A part of the usual number of cases, which `PROPTEST_CASES` changes.
-fn cases(part: u32, of: u32) -> ProptestConfig {
-    let usual = ProptestConfig::default();
-    ProptestConfig { cases: (usual.cases * part / of).max(1), ..usual }
-}
-
 proptest! {
-    #![proptest_config(cases(3, 8))]
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 
     #[test]
     fn energies_balance(train in train(), drive in drive()) {
@@ -502,7 +496,7 @@ fn a_short_slip_is_no_fault() {
 }
 
 proptest! {
-    #![proptest_config(cases(1, 32))]
+    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
     fn stick_and_slip_have_as_many_events_as_a_fine_fixed_step(

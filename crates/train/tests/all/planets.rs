@@ -370,7 +370,7 @@ fn random_sets_of_every_form_meet_both_answers() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12 * ProptestConfig::default().cases, max_global_rejects: 12 * ProptestConfig::default().cases, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 3000, max_global_rejects: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Without losses the forces are those of the vectors, and all planets together carry the carrier's torque; with
     /// any torques they carry it still.

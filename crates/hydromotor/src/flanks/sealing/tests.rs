@@ -108,15 +108,19 @@ fn plain_extremes(flow: &Flow<'_>) -> Extremes {
     let mut found = Extremes { least: (f64::INFINITY, 0.0), greatest: (f64::NEG_INFINITY, 0.0), volume: 0.0 };
     for ([from, to], piece) in plain_pieces(flow) {
         let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
-        let mut before = piece.at(from);
+        let hair = BESIDE_JUMP * (to - from);
+        let within = |i: u32| place(i).clamp(from + hair, to - hair);
+        // The value at an end, the slope beside it.
+        let at = |i: u32| (piece.at(place(i)).0, piece.at(within(i)).1);
+        let mut before = at(0);
         found.meet(from, before.0);
         let mut integral = BOOLE[0] * before.0;
         for i in 1..=PARTS {
-            let here = piece.at(place(i));
+            let here = at(i);
             found.meet(place(i), here.0);
             integral += BOOLE[i as usize] * here.0;
             if before.1 * here.1 < 0.0 {
-                let flat = bracketed(place(i - 1), place(i), |place| piece.at(place).1);
+                let flat = bracketed(within(i - 1), within(i), |place| piece.at(place).1);
                 found.meet(flat, piece.at(flat).0);
             }
             before = here;
