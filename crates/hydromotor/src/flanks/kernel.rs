@@ -77,7 +77,7 @@ impl Motor {
     pub(super) fn pushed(&self, phase: f64, pressure_drop: f64) -> Option<f64> {
         let end = self.shape.trough().phase;
         let half = PI / f64::from(self.numbers().stator_lobes());
-        let rest = (phase - 2.0 * (phase / (2.0 * end)).round() * end).abs();
+        let rest = self.beside_crest(phase);
         if rest < half {
             Some(Self::push(true, pressure_drop))
         } else {
@@ -109,11 +109,17 @@ impl Motor {
         ends
     }
 
+    /// How far a phase is from that of the nearest crest.
+    fn beside_crest(&self, phase: f64) -> f64 {
+        let cycle = 2.0 * self.shape.trough().phase;
+        (phase - (phase / cycle).round() * cycle).abs()
+    }
+
     /// Whether the curvature jumps at a phase.
     pub(super) fn is_kink(&self, phase: f64) -> bool {
-        let period = 2.0 * self.shape.trough().phase;
-        let rest = (phase - (phase / period).round() * period).abs();
-        self.shape.kink_contact().is_some_and(|kink| (rest - kink.phase).abs() < WITHIN * period)
+        let cycle = 2.0 * self.shape.trough().phase;
+        let is_at = |kink: &Contact| (self.beside_crest(phase) - kink.phase).abs() < WITHIN * cycle;
+        self.shape.kink_contact().is_some_and(is_at)
     }
 
     /// The period of everything that depends on the pressures of ideal ports: `2π/lcm(N, n)`.
