@@ -91,6 +91,7 @@ pub mod sweep;
 pub mod synthesize;
 pub mod teeth;
 mod tolerance;
+pub mod tool;
 mod toothed;
 pub mod transmissions;
 mod units;

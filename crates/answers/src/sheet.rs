@@ -92,7 +92,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
             left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
             continue;
         };
-        let toothed = gears(subject, &path, spec, entry)?;
+        let toothed = gears(subject, &path, spec)?;
         let place = Place { document: subject.document, path };
         match (toothed, entry.module) {
             (Some(toothed), Some(module)) => {

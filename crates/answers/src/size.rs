@@ -200,7 +200,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
-    let helical = to_size.iter().filter(|set| set.profile.is_helical());
+    let helical = to_size.iter().filter(|set| set.profiles.shared().is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let mut sets = vec![];
     for set in &to_size {
@@ -310,8 +310,7 @@ fn task(
     }
     let task = Sizing {
         teeth: set.teeth,
-        profile: set.profile,
-        ring_fillet: set.ring_fillet,
+        profiles: set.profiles,
         aim: wanted.aim.into(),
         held_shifts: set.shifts.map(|shifts| HeldShifts { profile: shifts.profile, tips: shifts.tips }),
         limits: wanted.limits(),

@@ -2,43 +2,24 @@
 
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
-use epicyclic_formats::{Number, Path};
-use epicyclic_gears::Error;
-use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
+use epicyclic_gears::involute::PlanetSet;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
 
-/// Sun, planets and ring of a set at a place of the file, in mesh, the ring with the fillet of the rack that stands for its shaper; `None` where the file
-/// does not say enough of them.
+/// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where the file does not say enough of them.
 ///
 /// # Errors
-/// [`Error::Document`](crate::Error::Document) at the shifts or the fillet.
+/// [`Error::Document`](crate::Error::Document) at the shifts.
 pub(crate) fn gears(
     subject: &Subject<'_>,
     path: &Path,
     spec: &SetSpec,
-    entry: &SetEntry,
 ) -> Result<Option<PlanetSet>, crate::Error> {
-    let at =
-        |keys: &'static [&str]| move |error: Error| refused(subject.document, path, keys, &error.to_string());
-    let set = spec.toothed_set(&subject.rack).transpose().map_err(at(&["profile_shifts"]))?;
-    let Some(set) = set else { return Ok(None) };
-    let shaper = entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
-    match shaper.and_then(|shaper| shaper.fillet) {
-        None => Ok(Some(set)),
-        Some(fillet) => with_ring_fillet(&set, Number::get(fillet))
-            .map(Some)
-            .map_err(at(&["strength", "shaper", "fillet"])),
-    }
-}
-
-fn with_ring_fillet(set: &PlanetSet, fillet: f64) -> Result<PlanetSet, Error> {
-    let [sun, planet, ring] = set.gears();
-    let profile = Profile { fillet, ..*ring.profile() };
-    let ring = InvoluteGear::new(ring.kind(), ring.teeth(), profile, ring.shift())?
-        .with_tip_alteration(ring.tip_alteration())?;
-    PlanetSet::new([*sun, *planet, ring], set.planets(), set.centre_distance())
+    spec.toothed_set(&subject.rack)
+        .transpose()
+        .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error.to_string()))
 }
 
 /// A simple set of a file: where it stands, its entry, its short description.

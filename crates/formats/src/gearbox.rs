@@ -67,6 +67,7 @@ mod losses;
 mod place;
 mod size;
 mod strength;
+mod tools;
 mod transmissions;
 mod vibration;
 mod written;
@@ -80,6 +81,7 @@ pub use strength::{
     AccuracyEntry, DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry,
     ShaperEntry, StrengthEntry,
 };
+pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit, ToolsEntry};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use vibration::{
     CarrierEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry, VibrationEntry, VibrationOfGearbox,
@@ -136,6 +138,20 @@ pub enum DescriptionError {
         set: String,
         /// How many were given.
         given: usize,
+    },
+    /// Tools of a set that is not simple.
+    #[error("set `{set}`: `tools` are of simple sets")]
+    ToolsOfKind {
+        /// The set.
+        set: String,
+    },
+    /// Tools that cannot be.
+    #[error("set `{set}`: {source}")]
+    Tools {
+        /// The set.
+        set: String,
+        /// Why.
+        source: ToolMisfit,
     },
     /// Profile shifts of a set that is not simple, or whose teeth are not all given; tip alterations without shifts.
     #[error(
@@ -218,6 +234,8 @@ impl DescriptionError {
             Self::Friction { .. } => "friction",
             Self::Rack(source) => source.name(),
             Self::PlanetTeeth { .. } => "planet-teeth",
+            Self::ToolsOfKind { .. } => "tools-of-kind",
+            Self::Tools { .. } => "tools",
             Self::Shifts { .. } => "shifts",
             Self::HelixAngle { .. } => "helix-angle",
             Self::Missing { .. } => "missing",
@@ -341,9 +359,13 @@ pub struct SetEntry {
     /// ring inwards.
     #[serde(default)]
     pub profile_shifts: Option<[Number; 3]>,
-    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default 0.
+    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default: sun and planets as they
+    /// come, the ring shortened to stay out of the fillets of the planets.
     #[serde(default)]
     pub tip_alterations: Option<[Number; 3]>,
+    /// What cuts the gears of a simple set.
+    #[serde(default)]
+    pub tools: Option<ToolsEntry>,
     /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is then the normal module, the
     /// pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
     #[serde(default)]
@@ -554,7 +576,10 @@ impl SetEntry {
         if self.profile_shifts.is_some() || self.tip_alterations.is_some() {
             spec = self.with_shifts(spec)?;
         }
-        self.with_helix_angle(spec)
+        if self.tools.is_some() && spec.kind != SetKind::Simple {
+            return Err(DescriptionError::ToolsOfKind { set: set() });
+        }
+        self.with_helix_angle(spec.cut(self.cutting()?))
     }
 
     fn with_shifts(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
@@ -563,7 +588,7 @@ impl SetEntry {
         let Some(profile) = self.profile_shifts.filter(|_| spec.kind == SetKind::Simple && is_known) else {
             return Err(DescriptionError::Shifts { set: set() });
         };
-        let tips = self.tip_alterations.map_or([0.0; 3], |tips| tips.map(Number::get));
+        let tips = self.tip_alterations.map(|tips| tips.map(Number::get));
         Ok(spec.shifted(Shifts { profile: profile.map(Number::get), tips }))
     }
 

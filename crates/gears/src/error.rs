@@ -1,7 +1,9 @@
 //! What this crate refuses.
 
 use crate::gear_kind::GearKind;
-use crate::involute::fault::{SetFault, ShiftFault};
+use crate::involute::check::Check;
+use crate::involute::fault::ShiftFault;
+use crate::involute::tool::ToolFault;
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
@@ -283,6 +285,17 @@ pub enum Error {
         limit: f64,
     },
 
+    /// A tool that does not cut its gear.
+    #[error("{kind} gear of {teeth} teeth: {}", fault.map_or_else(|| "no tool cuts it".to_owned(), |fault| fault.to_string()))]
+    Uncut {
+        /// Teeth of the gear.
+        teeth: u32,
+        /// External or internal.
+        kind: GearKind,
+        /// Why.
+        fault: Option<ToolFault>,
+    },
+
     /// Teeth of a set for which no profile shifts keep the limits at a centre distance.
     #[error(
         "{sun}/{planet}/{ring} at a centre distance of {centre_distance:.4} modules: no profile shifts let the gears run together; {fault}"
@@ -297,7 +310,7 @@ pub enum Error {
         /// Centre distance, modules.
         centre_distance: f64,
         /// What the set nearest to the aim lacks.
-        fault: SetFault,
+        fault: Check,
     },
 
     /// Offsets of the ring that hold none, or go too far.
@@ -420,6 +433,7 @@ impl Error {
             Self::HelixAnglesDiffer { .. } => "helix-angles-differ",
             Self::ShiftOutOfRange { .. } => "shift-out-of-range",
             Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
+            Self::Uncut { .. } => "uncut",
             Self::NoShifts { .. } => "no-shifts",
             Self::RingOffset { .. } => "ring-offset",
             Self::Deviation { .. } => "deviation",

@@ -4,7 +4,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::Profile;
 use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::tool::{Shaper as GearShaper, Tool};
 use epicyclic_strength::factor::{Given, Symbol};
 use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Method};
@@ -17,6 +19,12 @@ use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Time, Torque};
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
 use uom::si::length::{micrometer, millimeter};
 use uom::si::{time::hour, torque::newton_meter};
+
+/// A shaper of 30 teeth with rounded tips of 0.3.
+fn shaped() -> Cutting {
+    let shaper = GearShaper::of_teeth(ToothCount::new(30).expect("teeth"));
+    Cutting { fillet: Some(0.3), tool: Some(Tool::Shaper(shaper)), ..Cutting::default() }
+}
 
 fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
     let gear = |designation, bending, shaper| Gear {
@@ -33,8 +41,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
     let mm = |value: f64| Length::new::<millimeter>(value);
     Sizing {
         teeth: teeth.map(|count| ToothCount::new(count).expect("teeth")),
-        profile: Profile::default(),
-        ring_fillet: 0.3,
+        profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped()]),
         aim: Aim::BalancedSliding,
         held_shifts: None,
         limits: Limits::default(),

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
+use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::tool::{Shaper as GearShaper, Tool};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::life::basic_rating_life;
 use epicyclic_gears::spacing::PlanetSpacing;
@@ -28,6 +29,12 @@ use uom::si::length::{micrometer, millimeter};
 use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::{time::hour, torque::newton_meter};
+
+/// A shaper of 30 teeth with rounded tips of 0.3.
+fn shaped() -> Cutting {
+    let shaper = GearShaper::of_teeth(ToothCount::new(30).expect("teeth"));
+    Cutting { fillet: Some(0.3), tool: Some(Tool::Shaper(shaper)), ..Cutting::default() }
+}
 
 fn mm(value: f64) -> Length {
     Length::new::<millimeter>(value)
@@ -64,8 +71,7 @@ fn hoist() -> Sizing {
     let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
     Sizing {
         teeth: [24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap()),
-        profile: Profile::default(),
-        ring_fillet: 0.3,
+        profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped()]),
         aim: Aim::BalancedSliding,
         held_shifts: None,
         limits: Limits::default(),
@@ -117,7 +123,7 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
         0 => none.to_vec(),
         _ => task.space.bearings.iter().map(Some).collect(),
     };
-    let natural = natural_centre_distance(task.teeth, task.profile).unwrap();
+    let natural = natural_centre_distance(task.teeth, *task.profiles.shared()).unwrap();
     for &planets in &task.space.planets {
         for (module_place, &module) in task.space.modules.iter().enumerate() {
             let module = in_mm(module);
@@ -129,7 +135,7 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
                 }
                 count += (task.space.face_widths.len() * bearings.len()) as u64;
                 let equal = PlanetSpacing::least_unequal(task.teeth[0], task.teeth[2], planets).is_equal();
-                let family = Family::new(task.teeth, planets, task.profile, centre / module);
+                let family = Family::new(task.teeth, planets, task.profiles, centre / module);
                 let Ok(choice) = family.and_then(|family| family.choose(task.aim, &task.limits)) else {
                     continue;
                 };
@@ -187,10 +193,7 @@ fn tried(
     };
     let own = Gear { rim: bearing.map(|_| mm(rim)), ..task.gears[1] };
     let ring_gear = Gear { rim: Some(mm(task.ring_rim * module)), ..task.gears[2] };
-    let cut = Profile { fillet: task.ring_fillet, ..*ring.profile() };
-    let cut = InvoluteGear::new(GearKind::Internal, ring.teeth(), cut, ring.shift()).unwrap();
-    let cut = cut.with_tip_alteration(ring.tip_alteration()).unwrap();
-    let inner = Pair::at_centre_distance(*planet, cut, set.centre_distance()).unwrap();
+    let inner = Pair::at_centre_distance(*planet, *ring, set.centre_distance()).unwrap();
     let [zs, zp, zr] = task.teeth.map(ToothCount::as_f64);
     let p = f64::from(planets);
     let mesh = |pair, gears| Mesh {
@@ -330,12 +333,12 @@ fn an_overload_asks_for_more() {
 #[test]
 fn shifts_that_are_held_fix_the_centre_distance() {
     let mut task = hoist();
-    let natural = natural_centre_distance(task.teeth, task.profile).unwrap();
-    let family = Family::new(task.teeth, 3, task.profile, natural + 0.1).unwrap();
+    let natural = natural_centre_distance(task.teeth, *task.profiles.shared()).unwrap();
+    let family = Family::new(task.teeth, 3, task.profiles, natural + 0.1).unwrap();
     let set = family.choose(task.aim, &task.limits).unwrap().set;
     task.held_shifts = Some(HeldShifts {
         profile: set.gears().map(InvoluteGear::shift),
-        tips: set.gears().map(InvoluteGear::tip_alteration),
+        tips: Some(set.gears().map(InvoluteGear::tip_alteration)),
     });
     let found = size(&task, 1).unwrap();
     let best = &found.found[0];

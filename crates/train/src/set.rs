@@ -11,6 +11,7 @@ use crate::Error;
 use crate::tolerance::BASIC_RATIO;
 use crate::units::degrees;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
 use uom::si::f64::Angle;
@@ -66,8 +67,8 @@ impl MeshLoss {
 pub struct Shifts {
     /// Profile shift coefficients `x`, modules.
     pub profile: [f64; 3],
-    /// Tip alterations `k`, below 0 shorter, modules.
-    pub tips: [f64; 3],
+    /// Tip alterations `k`, below 0 shorter, modules; where none are given the tips of the ring are shortened to stay out of the fillets of the planets.
+    pub tips: Option<[f64; 3]>,
 }
 
 /// Description of one set, by name; [`GearboxBuilder`](crate::GearboxBuilder) turns it into a
@@ -103,6 +104,8 @@ pub struct SetSpec {
     pub shifts: Option<Shifts>,
     /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
     pub helix_angle: Angle,
+    /// How sun, planets and ring of a simple set are cut.
+    pub cutting: [Cutting; 3],
 }
 
 impl SetSpec {
@@ -120,6 +123,7 @@ impl SetSpec {
             planet_count: None,
             shifts: None,
             helix_angle: degrees(0.0),
+            cutting: [Cutting::default(); 3],
         }
     }
 

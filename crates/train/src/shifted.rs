@@ -3,6 +3,7 @@
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use crate::units::radians;
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
@@ -21,6 +22,12 @@ impl SetSpec {
     #[must_use]
     pub fn helical(self, helix_angle: Angle) -> Self {
         Self { helix_angle, ..self }
+    }
+
+    /// The same set with sun, planets and ring cut so; of a simple set.
+    #[must_use]
+    pub fn cut(self, cutting: [Cutting; 3]) -> Self {
+        Self { cutting, ..self }
     }
 
     /// The transverse module of a normal one, `m_t = m_n/cos β`.
@@ -88,6 +95,13 @@ impl SetSpec {
         Some(self.toothed_set(rack)?.and_then(losses))
     }
 
+    /// Basic racks and tools of sun, planets and ring.
+    #[must_use]
+    pub fn profiles(&self, rack: &BasicRack) -> Profiles {
+        let profile = Profile { helix_angle: self.helix_angle, ..Profile::of_rack(*rack) };
+        Profiles::cut(profile, self.cutting)
+    }
+
     fn with_shifts(
         &self,
         shifts: Shifts,
@@ -95,17 +109,19 @@ impl SetSpec {
         rack: &BasicRack,
     ) -> Option<Result<PlanetSet, Error>> {
         let (Gearing::Teeth(sun, ring), SetKind::Simple) = (self.gearing, self.kind) else { return None };
-        let profile = Profile { helix_angle: self.helix_angle, ..Profile::of_rack(*rack) };
+        let Profiles(profiles) = self.profiles(rack);
+        let tips = shifts.tips.unwrap_or_default();
         let gear = |kind, teeth, place: usize| {
-            InvoluteGear::new(kind, teeth, profile, shifts.profile[place])?
-                .with_tip_alteration(shifts.tips[place])
+            InvoluteGear::new(kind, teeth, profiles[place], shifts.profile[place])?
+                .with_tip_alteration(tips[place])
         };
         let set = || {
             let sun = gear(GearKind::External, sun, 0)?;
             let planet = gear(GearKind::External, planet, 1)?;
             let ring = gear(GearKind::Internal, ring, 2)?;
             let centre_distance = Pair::without_backlash(sun, planet)?.centre_distance();
-            PlanetSet::new([sun, planet, ring], self.planet_count.unwrap_or(1), centre_distance)
+            let set = PlanetSet::new([sun, planet, ring], self.planet_count.unwrap_or(1), centre_distance)?;
+            if shifts.tips.is_some() { Ok(set) } else { set.with_clear_ring_tips() }
         };
         Some(set())
     }

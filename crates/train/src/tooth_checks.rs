@@ -57,7 +57,7 @@ use crate::tolerance::{MOST_ALIKE, PRINTED_SHIFTS, TOUCH};
 use assembly::slots;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
 use epicyclic_gears::mesh::{Gear, TipCircle};
@@ -132,9 +132,9 @@ impl PlanetSet {
             return PlanetFit { assembles: None, clears: None };
         };
         let clears = match self.short().and_then(|spec| spec.involute_set(rack)) {
-            Some(Ok(set)) => Some(
-                !set.faults(&Limits::default()).iter().any(|fault| matches!(fault, SetFault::Planets { .. })),
-            ),
+            Some(Ok(set)) => {
+                Some(!set.faults(&Limits::default()).iter().any(|fault| fault.rule == Rule::PlanetGap))
+            }
             Some(Err(_)) => None,
             None if self.short().is_some_and(SetSpec::is_helical) => None,
             None => Checks::new(self, *rack).do_clear(planets),
@@ -204,7 +204,7 @@ impl<'a> Checks<'a> {
     }
 
     fn shift_faults(&self, set: &InvoluteSet) -> impl Iterator<Item = ToothWarning> + use<'_> {
-        let is_rounding = |fault: &SetFault| matches!(fault, SetFault::Pressed { backlash, .. } if *backlash >= -PRINTED_SHIFTS);
+        let is_rounding = |fault: &Check| fault.rule == Rule::Backlash && fault.value >= -PRINTED_SHIFTS;
         let faults = set.faults(&Limits::default()).into_iter().filter(move |fault| !is_rounding(fault));
         faults.map(|fault| ToothWarning::ShiftFault { set: self.name(), fault })
     }

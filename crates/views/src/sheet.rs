@@ -5,8 +5,9 @@ use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::sheet::records::{
-    AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet, Tool,
+    AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet,
 };
+use epicyclic_answers::tool::ToolKind;
 use epicyclic_formats::Dimension;
 
 /// An end of limits.
@@ -182,6 +183,8 @@ fn gears(set: &SetSheet) -> Records {
         set.thickness_allowances_m.as_ref().map_or_else(Vec::new, of)
     };
     let shaper_teeth = each(&|gear| gear.shaper_teeth.map_or(Figure::None, Figure::Count));
+    let shaper_addendum =
+        each(&|gear| gear.shaper_addendum.map_or(Figure::None, |addendum| Figure::Printed(addendum, 4)));
     let shaper_shift =
         each(&|gear| gear.shaper_shift.map_or(Figure::None, |shift| Figure::Printed(shift, 4)));
     let lines = vec![
@@ -246,13 +249,14 @@ fn gears(set: &SetSheet) -> Records {
             limit(|gear| gear.over_balls_limits_m, LOWER),
         ),
         Line("material", "material", "", each(&|gear| gear.material.as_ref().map_or(Figure::None, text))),
-        Line("tool", "cut by", "", each(&|gear| gear.tool.map_or(Figure::None, tool))),
+        Line("tool", "cut by", "", each(&tool)),
         Line("shaper_teeth", "teeth of the shaper", "z_0", shaper_teeth),
         Line("shaper_shift", "its profile shift coefficient", "x_0", shaper_shift),
+        Line("shaper_addendum", "its addendum, modules", "h_aP0*", shaper_addendum),
         Line(
             "fillet",
-            "root fillet of the rack, modules",
-            "ρ_fP*",
+            "corner radius of the tool, modules",
+            "ρ*",
             each(&|gear| Figure::Printed(gear.fillet, 2)),
         ),
     ];
@@ -260,7 +264,7 @@ fn gears(set: &SetSheet) -> Records {
         "gears",
         &set.set,
         &format!("Gears of set {}, lengths in mm", set.set),
-        "Root and form circles as a rack leaves them: a shaper's are a little deeper. Spans and measures over balls without allowances but where limits are \
+        "Root and form circles are those that the tools leave; (usual): the file states no tool. Spans and measures over balls without allowances but where limits are \
          told; over two balls, of a ring between them.",
         &["sun", "planet", "ring"],
         lines,
@@ -277,14 +281,16 @@ fn hand(hand: Hand) -> Figure {
     )
 }
 
-fn tool(tool: Tool) -> Figure {
-    Figure::choice(
-        tool,
-        match tool {
-            Tool::Rack => "rack",
-            Tool::Shaper => "shaper",
-        },
-    )
+fn tool(gear: &GearSheet) -> Figure {
+    let words = match (gear.tool, gear.tool_stated) {
+        (ToolKind::Rack, true) => "hob",
+        (ToolKind::Rack, false) => "hob (usual)",
+        (ToolKind::Shaper, true) => "shaper",
+        (ToolKind::Shaper, false) => "shaper (usual)",
+        (ToolKind::Form, true) => "form tool",
+        (ToolKind::Form, false) => "form tool (usual)",
+    };
+    Figure::choice(gear.tool, words)
 }
 
 fn meshes(set: &SetSheet) -> Records {

@@ -14,8 +14,8 @@ use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape};
 use crate::Error;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::PlanetSet as ShiftedSet;
-use epicyclic_gears::involute::curve::{Shaper, ToothCurve};
-use epicyclic_gears::involute::gear::{InvoluteGear, Profile};
+use epicyclic_gears::involute::curve::ToothCurve;
+use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::CentralKind;
@@ -58,7 +58,7 @@ pub(super) fn of(set: &PlanetSet, rack: &BasicRack) -> Result<Option<Shape>, Err
             return Ok(None);
         };
         let kind = if part(set, of) == Part::Ring { GearKind::Internal } else { GearKind::External };
-        let curve = curve(InvoluteGear::new(kind, teeth, profile, 0.0)?)?;
+        let curve = ToothCurve::new(InvoluteGear::new(kind, teeth, profile, 0.0)?)?;
         gears.push(placed(set, of, &curve, along.modules[mesh], curve.gear().reference_diameter())?);
     }
     let places: Vec<[f64; 2]> = along.planets;
@@ -107,14 +107,6 @@ fn part(set: &PlanetSet, of: GearOf) -> Part {
         GearOf::Central(central) if set.centrals()[central].kind == CentralKind::Ring => Part::Ring,
         GearOf::Central(_) => Part::Sun,
     }
-}
-
-/// The teeth as hob and shaper leave them.
-fn curve(gear: InvoluteGear) -> Result<ToothCurve, Error> {
-    Ok(match gear.kind() {
-        GearKind::External => ToothCurve::by_rack(gear)?,
-        GearKind::Internal => ToothCurve::by_shaper(gear, Shaper::usual(gear.teeth())?)?,
-    })
 }
 
 fn placed(

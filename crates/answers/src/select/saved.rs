@@ -3,10 +3,11 @@
 use crate::Error;
 use crate::number::short;
 use crate::saved::names;
+use crate::teeth::shifted::SetShifts;
 use epicyclic_formats::gearbox::{NotWritable, WrittenSize, written_with_sizes};
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_selection::{Candidate, Requirements};
-use epicyclic_train::set::{Gearing, SetSpec, Shifts};
+use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
 /// A design as a gearbox.
@@ -26,7 +27,7 @@ impl Saved {
     pub(super) fn of(
         candidate: &Candidate,
         requirements: &Requirements,
-        teeth: &[(ToothNumbers, Option<Shifts>)],
+        teeth: &[(ToothNumbers, Option<SetShifts>)],
         sizes: Vec<WrittenSize>,
     ) -> Result<Self, Error> {
         let scheme = candidate
@@ -62,9 +63,13 @@ impl Saved {
                     Gearing::Teeth(..) => set,
                 },
                 Some((of, shifts)) => {
-                    SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), shifts: *shifts, ..set }
+                    let set = SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
                         .planet_teeth(of.planet, None)
-                        .planet_count(of.planets)
+                        .planet_count(of.planets);
+                    match shifts {
+                        None => set,
+                        Some(shifts) => shifts.put_into(set),
+                    }
                 }
             })
             .build()?;

@@ -17,7 +17,6 @@ use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
-use epicyclic_train::set::Shifts;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::{Error as _, SerializeSeq as _};
 use serde::{Serialize, Serializer};
@@ -274,8 +273,8 @@ impl<'a> Searches<'a> {
         let (requirements, teeth) = (&self.wanted.requirements, &self.found[place].teeth);
         let width = requirements.rating.face_width_ratio;
         let sizes = design.tooth_numbers.iter().filter_map(|set| size(set, width)).collect();
-        let shifts = design.tooth_numbers.iter().map(|set| Some(set.shifts?.shifts()));
-        let teeth: Vec<(ToothNumbers, Option<Shifts>)> = teeth.iter().copied().zip(shifts).collect();
+        let shifts = design.tooth_numbers.iter().map(|set| set.shifts);
+        let teeth: Vec<(ToothNumbers, Option<SetShifts>)> = teeth.iter().copied().zip(shifts).collect();
         Saved::of(&candidate, requirements, &teeth, sizes).map(Some)
     }
 

@@ -1,6 +1,7 @@
 //! Records of data sheets: gears, meshes, sets.
 
 use crate::strength::records::{MeshName, ToothedGear};
+use crate::tool::{CuttingTool, ToolKind};
 use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::SetEntry;
 use epicyclic_gears::Error;
@@ -103,16 +104,6 @@ impl Hand {
     }
 }
 
-/// A tool that cuts teeth.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Tool {
-    /// A hob, or another rack.
-    Rack,
-    /// A shaper.
-    Shaper,
-}
-
 /// A gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -135,9 +126,9 @@ pub struct GearSheet {
     pub base_diameter_m: f64,
     /// Tip diameter `d_a`.
     pub tip_diameter_m: f64,
-    /// Root diameter `d_f`, as a rack leaves it.
+    /// Root diameter `d_f`, as its tool leaves it.
     pub root_diameter_m: f64,
-    /// Root form diameter `d_Ff`, where the involute ends at the root, as a rack leaves it.
+    /// Root form diameter `d_Ff`, where the involute ends at the root, as its tool leaves it.
     pub form_diameter_m: f64,
     /// Normal tooth thickness at the reference circle `s_n`, without allowances.
     pub thickness_m: f64,
@@ -145,7 +136,7 @@ pub struct GearSheet {
     pub transverse_thickness_m: f64,
     /// Normal tooth thickness at the tip circle `s_an`, without allowances.
     pub tip_thickness_m: f64,
-    /// Fillet radius of the rack that cuts it, or that stands for its shaper, `ρ_fP*`, in modules.
+    /// Radius of the corners of its tool: of a rack the fillet `ρ_fP*`, of a shaper the tips `ρ_a0*`, of a form tool its fillet; in modules.
     pub fillet: f64,
     /// Least profile shift that a rack cuts without undercut; `null` of a ring.
     pub least_shift: Option<f64>,
@@ -165,12 +156,16 @@ pub struct GearSheet {
     pub over_balls_limits_m: Option<Limits>,
     /// Material; `null` where the file states none.
     pub material: Option<String>,
-    /// What cuts it; `null` of a ring whose file does not say.
-    pub tool: Option<Tool>,
-    /// Teeth of the shaper; `null` of a rack.
+    /// What cuts it.
+    pub tool: ToolKind,
+    /// Whether the file states the tool, or it is the usual one.
+    pub tool_stated: bool,
+    /// Teeth of the shaper; `null` of other tools.
     pub shaper_teeth: Option<u32>,
-    /// Profile shift coefficient of the shaper; `null` of a rack.
+    /// Profile shift coefficient of the shaper; `null` of other tools.
     pub shaper_shift: Option<f64>,
+    /// Addendum `h_aP0*` of the shaper, in modules; `null` of other tools.
+    pub shaper_addendum: Option<f64>,
 }
 
 /// A gear in a mesh.
@@ -273,6 +268,7 @@ impl GearSheet {
         ball_m: f64,
         allowance: Option<Deviation>,
     ) -> Result<Self, Error> {
+        let tool = CuttingTool::of(gear);
         let spanned = gear.spanned_teeth();
         let helix_angle = gear.profile().helix_angle.si();
         let is_helical = gear.profile().is_helical();
@@ -301,7 +297,7 @@ impl GearSheet {
             thickness_m: module_m * gear.normal_thickness(),
             transverse_thickness_m: module_m * gear.normal_thickness() / libm::cos(helix_angle),
             tip_thickness_m: module_m * gear.tip_thickness(),
-            fillet: gear.profile().fillet,
+            fillet: tool.corner_radius_in_modules,
             least_shift: gear.least_shift_without_undercut(),
             spanned_teeth: spanned,
             span_m: module_m * gear.span(spanned),
@@ -311,24 +307,18 @@ impl GearSheet {
             over_balls_m: over(gear),
             over_balls_limits_m: over_limits.map(sorted),
             material: None,
-            tool: None,
-            shaper_teeth: None,
-            shaper_shift: None,
+            tool: tool.kind,
+            tool_stated: gear.profile().tool.is_some(),
+            shaper_teeth: tool.shaper_teeth,
+            shaper_shift: tool.shaper_shift,
+            shaper_addendum: tool.shaper_addendum_in_modules,
         })
     }
 
-    /// With what the file says of its material and tool.
+    /// With what the file says of its material.
     fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
-        let strength = entry.strength.as_ref();
-        let is_ring = self.toothed_gear == ToothedGear::Ring;
-        let shaper = strength.and_then(|strength| strength.shaper.as_ref()).filter(|_| is_ring);
-        Self {
-            material: strength.map(|strength| strength.materials[place].clone()),
-            tool: if is_ring { shaper.map(|_| Tool::Shaper) } else { Some(Tool::Rack) },
-            shaper_teeth: shaper.map(|shaper| shaper.teeth),
-            shaper_shift: shaper.map(|shaper| shaper.shift.map_or(0.0, epicyclic_formats::Number::get)),
-            ..self
-        }
+        let material = entry.strength.as_ref().map(|strength| strength.materials[place].clone());
+        Self { material, ..self }
     }
 }
 

@@ -4,6 +4,7 @@ use super::Wanted;
 use crate::Warning;
 use crate::strength::prepared::SetToSize;
 use crate::strength::records::{MeshName, NotRated, Reason, ToothedGear, Wear};
+use crate::tool::CuttingTool;
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::InvoluteGear;
@@ -277,6 +278,8 @@ pub struct SizedDesign {
     pub tip_alterations: [f64; 3],
     /// Whether the aim of the shifts is met, or only as far as the limits allow.
     pub aim_met: bool,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
     /// Bearing of the planets; `null` where none was sought.
     pub bearing: Option<SizedBearing>,
     /// Rim of the planets between root circle and bore; `null` of solid ones.
@@ -319,6 +322,7 @@ impl SizedDesign {
             profile_shifts: gears.map(InvoluteGear::shift),
             tip_alterations: gears.map(InvoluteGear::tip_alteration),
             aim_met: design.limited_by.is_none(),
+            ring_tool: CuttingTool::of(gears[2]),
             bearing,
             planet_rim_m: design.planet_rim.map(Physical::si),
             ring_rim_m: design.ring_rim.si(),

@@ -63,6 +63,11 @@ fn write(entry: &mut Mapping, planet_teeth: u32, design: &SizedDesign) -> Result
             strength.insert(Value::from("planet_rim"), millimetres(rim));
         }
         strength.insert(Value::from("ring_rim"), millimetres(design.ring_rim_m));
+        let shaper = strength.get_mut("shaper").and_then(Value::as_mapping_mut);
+        // The file's shaper as the search took it, so that the teeth stay those of the design.
+        if let Some((shaper, addendum)) = shaper.zip(design.ring_tool.shaper_addendum_in_modules) {
+            shaper.insert(Value::from("addendum"), Value::from(addendum));
+        }
     }
     Ok(())
 }

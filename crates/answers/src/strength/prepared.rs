@@ -10,7 +10,8 @@ use epicyclic_formats::gearbox::{
 };
 use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
+use epicyclic_gears::involute::profile::Profiles;
+use epicyclic_gears::involute::{InvoluteGear, PlanetSet};
 use epicyclic_gears::mesh::coaxial_planet;
 use epicyclic_strength::factor::{Given, Side, Symbol};
 use epicyclic_strength::load::{Arrangement, Dynamics};
@@ -63,8 +64,7 @@ pub(crate) struct SetToSize<'g> {
     pub(crate) teeth: [ToothCount; 3],
     /// Shifts that the file gives.
     pub(crate) shifts: Option<Shifts>,
-    pub(crate) profile: Profile,
-    pub(crate) ring_fillet: f64,
+    pub(crate) profiles: Profiles,
     pub(crate) gears: [Gear; 3],
     pub(crate) methods: [Method; 2],
     pub(crate) viscosity: KinematicViscosity,
@@ -143,7 +143,7 @@ impl<'a> Of<'a> {
     /// What is known, or the keys that are missing.
     fn known(&self) -> Made<Known<'a>> {
         let entry = self.entry;
-        let gears = toothed::gears(self.subject, &self.path, self.spec, entry)?;
+        let gears = toothed::gears(self.subject, &self.path, self.spec)?;
         let strength = entry.strength.as_ref();
         let shaper = strength.and_then(|strength| strength.shaper.as_ref());
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
@@ -293,8 +293,6 @@ impl<'a> Of<'a> {
             methods,
             factors.iter().all(|(_, is_given)| *is_given),
         ) {
-            let helix_angle = self.spec.helix_angle;
-            let profile = Profile { helix_angle, ..Profile::of_rack(self.subject.rack) };
             let tool = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             return Ok(Ok(SetToSize {
                 place,
@@ -303,8 +301,7 @@ impl<'a> Of<'a> {
                 entry: self.entry,
                 teeth: [sun, planet, ring],
                 shifts: self.spec.shifts,
-                profile,
-                ring_fillet: shaper.fillet.map_or(profile.fillet, Number::get),
+                profiles: self.spec.profiles(&self.subject.rack),
                 materials: &strength.materials,
                 gears: self.gears(strength, tool)?,
                 methods,

@@ -24,7 +24,13 @@ pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbo
             Gearing::BasicRatio(k) => SetSpec { gearing: Gearing::BasicRatio(short(k)), ..set },
             Gearing::Teeth(..) => set,
         },
-        Some(of) => SetSpec { shifts: shifts.next().flatten().map(|of| of.shifts()), ..of.put_into(set) },
+        Some(of) => {
+            let set = of.put_into(set);
+            match shifts.next().flatten() {
+                None => set,
+                Some(shifts) => shifts.put_into(set),
+            }
+        }
     };
     let gearbox = kept.judged.gearbox.to_builder().named(name);
     Ok(gearbox

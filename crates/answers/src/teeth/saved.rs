@@ -5,6 +5,7 @@ use super::shifted::ShiftedNumbers;
 use super::{ToothNumbers, Wanted};
 use crate::Error;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::simple_set::Member;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::{GROUND, Gearbox};
@@ -28,7 +29,9 @@ pub fn simple(wanted: &Wanted, of: &ToothNumbers) -> Result<Gearbox, Error> {
 pub fn shifted(wanted: &Wanted, of: &ShiftedNumbers) -> Result<Gearbox, Error> {
     let set = SetSpec::teeth(GEAR, SetKind::Simple, members(wanted), of.sun, of.ring)?;
     let set = set.planet_teeth(ToothCount::new(of.planet)?, None).planet_count(of.planets);
-    built(wanted, set.shifted(Shifts { profile: of.profile_shifts, tips: of.tip_alterations }))
+    let hob = Cutting::default();
+    let shifts = Shifts { profile: of.profile_shifts, tips: Some(of.tip_alterations) };
+    built(wanted, set.shifted(shifts).cut([hob, hob, of.ring_tool.cutting()]))
 }
 
 /// A double-planet set as a gearbox in the same way.

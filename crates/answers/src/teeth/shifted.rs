@@ -3,15 +3,17 @@
 use super::{MOST_SETS, Wanted};
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::{ROUNDED, rounded};
+use crate::tool::CuttingTool;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::search::{ProfileShift, Shifted};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_train::set::Shifts;
+use epicyclic_train::set::{SetSpec, Shifts};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -44,7 +46,7 @@ impl WantedShifts {
         let limits =
             Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
         let closing = Closing {
-            profile: Profile::of_rack(bounds.rack),
+            profiles: Profile::of_rack(bounds.rack).into(),
             aim: self.aim.into(),
             limits,
             ..Closing::default()
@@ -89,6 +91,8 @@ pub struct SetShifts {
     pub tip_alterations: [f64; 3],
     /// Whether the aim is met, or only as far as the limits allow.
     pub aim_met: bool,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
 }
 
 impl SetShifts {
@@ -102,12 +106,18 @@ impl SetShifts {
             profile_shifts: gears.map(|gear| rounded(gear.shift())),
             tip_alterations: gears.map(|gear| rounded(gear.tip_alteration())),
             aim_met: choice.limited_by.is_none(),
+            ring_tool: CuttingTool::of(gears[2]),
         })
     }
 
-    /// As the solver has them.
-    pub(crate) const fn shifts(&self) -> Shifts {
-        Shifts { profile: self.profile_shifts, tips: self.tip_alterations }
+    /// A set with these shifts, cut so.
+    pub(crate) fn put_into(&self, set: SetSpec) -> SetSpec {
+        let hob = Cutting::default();
+        set.shifted(Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) }).cut([
+            hob,
+            hob,
+            self.ring_tool.cutting(),
+        ])
     }
 }
 
@@ -176,6 +186,8 @@ pub struct ShiftedNumbers {
     pub tip_thicknesses_in_modules: [f64; 3],
     /// Gap between the tip circles of neighbouring planets, in modules.
     pub planet_gap_in_modules: f64,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
     /// Whether the aim is met, or only as far as the limits allow.
     pub aim_met: bool,
     /// Whether the planets stand at equal angles.
@@ -236,6 +248,7 @@ impl ShiftedNumbers {
             contact_ratios: meshes.map(epicyclic_gears::involute::Pair::transverse_contact_ratio),
             tip_thicknesses_in_modules: set.gears().map(InvoluteGear::tip_thickness),
             planet_gap_in_modules: set.planet_gap(),
+            ring_tool: CuttingTool::of(set.gears()[2]),
             aim_met: found.choice.limited_by.is_none(),
             equal_spacing: spacing.is_equal(),
             planet_angles_rad: spacing.angles().into_iter().map(Physical::si).collect(),

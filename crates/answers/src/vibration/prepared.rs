@@ -65,7 +65,7 @@ impl Of<'_> {
         let (entry, Some(vibration)) = (self.entry, self.entry.vibration.as_ref()) else {
             return Ok(Err(vec!["vibration".to_owned()]));
         };
-        let toothed = toothed::gears(self.subject, &self.path, self.spec, entry)?;
+        let toothed = toothed::gears(self.subject, &self.path, self.spec)?;
         if let Some(module) = entry.module.filter(|module| module.0.si() <= 0.0) {
             return Err(
                 self.refused(&["module"], &format!("module is {} m; it must be above 0", module.0.si()))

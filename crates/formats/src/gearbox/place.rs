@@ -1,6 +1,6 @@
 //! Where in a file of a gearbox the fault is that an error names.
 
-use super::DescriptionError;
+use super::{DescriptionError, ToolMisfit};
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
@@ -64,6 +64,16 @@ impl File<'_> {
                     "addendum"
                 },
             ),
+            E::ToolsOfKind { set } => self.key(self.set(set), "tools"),
+            E::Tools { set, source } => {
+                let path = ["tools", "strength"].iter().fold(self.set(set), |path, key| self.key(path, key));
+                let keys = if matches!(source, ToolMisfit::Invalid(_)) {
+                    ["ring", "shaper"]
+                } else {
+                    ["ring", "ring"]
+                };
+                keys.iter().fold(path, |path, key| self.key(path, key))
+            }
             E::HelixAngle { set } => self.key(self.set(set), "helix_angle"),
             E::Shifts { set } => {
                 let keys = ["tip_alterations", "profile_shifts"];

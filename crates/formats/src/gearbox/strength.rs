@@ -16,7 +16,7 @@ pub struct StrengthEntry {
     pub flank_roughness: [Quantity<Length>; 3],
     /// Roughness `R_z` of the roots of sun, planets and ring.
     pub root_roughness: [Quantity<Length>; 3],
-    /// The shaper that cuts the ring.
+    /// The shaper that cuts the ring, in place of `tools.ring`.
     #[serde(default)]
     pub shaper: Option<ShaperEntry>,
     /// Thickness of the rim under the planets' teeth. Default: solid planets.
@@ -85,7 +85,11 @@ pub struct ShaperEntry {
     /// Its profile shift coefficient. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Radius of the fillet that the standard's rack has in its place, in modules. Default 0.38.
+    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches take the dedendum of the rack.
+    #[serde(default)]
+    pub addendum: Option<Number>,
+    /// Radius of its tip corners, which is the fillet of the rack that stands for it in the standard, in modules. Default 0.38 in the standard's formulas,
+    /// 0.3 for the teeth as it cuts them.
     #[serde(default)]
     pub fillet: Option<Number>,
 }

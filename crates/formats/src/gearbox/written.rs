@@ -5,6 +5,8 @@
 
 use crate::quantity::format::{in_unit, trimmed};
 use crate::quantity::{Dimension, Physical};
+use epicyclic_gears::involute::profile::Cutting;
+use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
@@ -150,9 +152,14 @@ fn of_set(spec: &SetSpec) -> String {
     }
     if let Some(Shifts { profile, tips }) = spec.shifts {
         keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
-        if tips != [0.0; 3] {
+        if let Some(tips) = tips {
             keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
         }
+    }
+    let tools = ["sun", "planet", "ring"].into_iter().zip(&spec.cutting);
+    let tools: Vec<String> = tools.filter_map(|(gear, cutting)| of_tool(gear, cutting)).collect();
+    if !tools.is_empty() {
+        keys.push(format!("tools: {{ {} }}", tools.join(", ")));
     }
     if spec.is_helical() {
         keys.push(format!("helix_angle: {}", angle(spec.helix_angle)));
@@ -169,6 +176,27 @@ fn of_set(spec: &SetSpec) -> String {
         }
     }
     keys.join(", ")
+}
+
+fn of_tool(gear: &str, cutting: &Cutting) -> Option<String> {
+    let mut keys = vec![];
+    let number = |key: &str, value: f64| format!("{key}: {value}");
+    keys.extend(cutting.dedendum.map(|value| number("dedendum", value)));
+    keys.extend(cutting.fillet.map(|value| number("fillet", value)));
+    for (key, value) in [("protuberance", cutting.protuberance), ("stock", cutting.stock)] {
+        keys.extend((value != 0.0).then(|| number(key, value)));
+    }
+    match cutting.tool {
+        None | Some(Tool::Rack) => {}
+        Some(Tool::Form { fillet }) => keys.push(number("form_fillet", fillet)),
+        Some(Tool::Shaper(Shaper { teeth, shift, addendum, tip_radius })) => {
+            let addendum = addendum.map(|value| number(", addendum", value)).unwrap_or_default();
+            keys.push(format!(
+                "shaper: {{ teeth: {teeth}, shift: {shift}{addendum}, tip_radius: {tip_radius} }}"
+            ));
+        }
+    }
+    (!keys.is_empty()).then(|| format!("{gear}: {{ {} }}", keys.join(", ")))
 }
 
 /// In degrees, where they are read as the same angle.
@@ -235,6 +263,7 @@ mod tests {
     use crate::Document;
     use crate::gearbox::{GearboxFile, KindEntry};
     use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_gears::involute::profile::Iso53;
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::GearSpec;
 
@@ -248,9 +277,13 @@ mod tests {
         let eta = |value| MeshEfficiency::new(value).unwrap();
         let z = |count| ToothCount::new(count).unwrap();
         let teeth = SetSpec::teeth("2", SetKind::DoublePlanet, ["y", "in", "null"], 30, 72).unwrap();
-        let shifts = Shifts { profile: [0.1 + 0.2, -0.0426, 0.0], tips: [-0.07, 0.0, 0.0] };
+        let shifts = Shifts { profile: [0.1 + 0.2, -0.0426, 0.0], tips: Some([-0.07, 0.0, 0.0]) };
         let shifted = SetSpec::teeth("3", SetKind::Simple, ["y", "in", "free"], 21, 108).unwrap();
         let shifted = shifted.planet_teeth(z(43), None).shifted(shifts);
+        let shaper = Shaper { addendum: Some(1.25), ..Shaper::of_teeth(z(30)) };
+        let hob = Cutting { protuberance: 0.05, stock: 0.02, ..Cutting::from(Iso53::D) };
+        let ring = Cutting { tool: Some(Tool::Shaper(shaper)), ..Cutting::default() };
+        let shifted = shifted.cut([hob, Cutting::default(), ring]);
         let helical = |id, degrees| {
             let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 20, 60).unwrap();
             set.helical(Angle::new::<uom::si::angle::degree>(degrees))

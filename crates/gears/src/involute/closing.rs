@@ -4,7 +4,7 @@
 //! is left out beforehand. How a stretch of shifts may be missed is told at [`Family::choose`].
 
 use super::family::{Aim, Choice, Family, natural_centre_distance};
-use super::gear::Profile;
+use super::profile::Profiles;
 use super::set::Limits;
 use crate::mesh::coaxial_ring;
 use crate::{Error, ToothCount};
@@ -28,8 +28,8 @@ use std::ops::RangeInclusive;
 pub struct Closing {
     /// Number of planets; 3 by default.
     pub planets: u32,
-    /// What the teeth have in common.
-    pub profile: Profile,
+    /// Basic racks and tools of sun, planet and ring; a shaper without an addendum of its own has the dedendum of its rack.
+    pub profiles: Profiles,
     /// The centre distance; by default the [natural one](natural_centre_distance) of each set.
     pub centre_distance: Option<f64>,
     /// What picks the shifts.
@@ -42,7 +42,7 @@ impl Default for Closing {
     fn default() -> Self {
         Self {
             planets: 3,
-            profile: Profile::default(),
+            profiles: Profiles::default(),
             centre_distance: None,
             aim: Aim::default(),
             limits: Limits::default(),
@@ -58,9 +58,9 @@ impl Closing {
     pub fn close(&self, teeth: [ToothCount; 3]) -> Result<Choice, Error> {
         let a = match self.centre_distance {
             Some(given) => given,
-            None => natural_centre_distance(teeth, self.profile)?,
+            None => natural_centre_distance(teeth, *self.profiles.shared())?,
         };
-        Family::new(teeth, self.planets, self.profile, a)?.choose(self.aim, &self.limits)
+        Family::new(teeth, self.planets, self.profiles, a)?.choose(self.aim, &self.limits)
     }
 
     /// For each offset `z_r − z_s − 2·z_p` the ring and its set, or why it does not close; rings without teeth are passed over.
@@ -125,8 +125,8 @@ mod tests {
             let closing = Closing { limits: Limits { tip_thickness: thick, ..Limits::default() }, ..Closing::default() };
             let ring = count((sun + 2 * planet).checked_add_signed(offset).unwrap());
             let teeth = [count(sun), count(planet), ring];
-            let a = natural_centre_distance(teeth, closing.profile).unwrap();
-            let family = Family::new(teeth, 3, closing.profile, a).unwrap();
+            let a = natural_centre_distance(teeth, *closing.profiles.shared()).unwrap();
+            let family = Family::new(teeth, 3, closing.profiles, a).unwrap();
             let free = |step: i32| {
                 let set = family.at(f64::from(step) * 0.02);
                 set.is_ok_and(|set| set.faults(&closing.limits).is_empty())

@@ -8,95 +8,19 @@
 //! ψ(r) = s_yt/(2·r)
 //! ```
 //!
-//! # Fillet by a rack
-//! The corner of the rack, of radius `ρ` about `(ξ_c, η_c)` from the middle of its tooth and from the reference line of the gear, touches
-//! the gear where its normal passes through the pitch point. With the angle `θ` of the corner, from 0 at its crest to `90° − α_n` at its flank,
-//!
-//! ```text
-//! η_c = x − h_fP* + ρ,   ξ_c = π/4 + (η_c − x)·tan α_n − ρ/cos α_n
-//! ξ = (ξ_c + ρ·sin θ)/cos β,   η = η_c − ρ·cos θ,   u = −η·tan θ·cos β
-//! r_y = √(u² + (r + η)²),   angle from the middle of the space: atan(u/(r + η)) + (ξ − u)/r
-//! ```
-//!
-//! The factors `cos β` carry the corner, a circle in the normal section, into the transverse one.
-//!
-//! # Fillet by a shaper
-//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute; its centre has the radius
-//! `r_c = r_a0 − ρ_a0` and the angle `χ` from the middle of the tooth. A normal of the arc in the direction `δ` passes through the pitch point
-//! when the cutter has turned by `γ`:
-//!
-//! ```text
-//! sin(δ + γ) = r_c·sin(δ − χ)/r_w0
-//! ```
-//!
-//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is the one of the fillet. `ρ_a0` is of the transverse section.
+//! Fillets are in [`tool`](super::tool) by their kind: by a hob, a shaper or a form tool.
 //!
 //! # Undercut
 //! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the involute and crosses it further
 //! out; there the outline goes over. Otherwise both have a tangent in common where the flank of the tool ends.
 //!
-//! Left out: chamfers, protuberance, grinding stock, the feed of the tool.
+//! Left out: chamfers, the feed of the tool.
 
+pub use super::fillet::Point;
+use super::fillet::{Fillet, HALVINGS};
 use super::gear::InvoluteGear;
-use super::pair::Pair;
-use crate::gear_kind::GearKind;
-use crate::tolerance::TOUCH;
-use crate::units::radians;
-use crate::{Error, Quantity, ToothCount};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-
-/// A point of an outline.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// Distance from the axis, modules.
-    pub radius: f64,
-    /// Angle from the centre line of the tooth, rad.
-    pub angle: f64,
-}
-
-impl Point {
-    /// Coordinates with the centre line of the tooth along the first axis.
-    #[must_use]
-    pub fn coordinates(self) -> [f64; 2] {
-        let (sin, cos) = libm::sincos(self.angle);
-        [self.radius * cos, self.radius * sin]
-    }
-}
-
-/// A shaper, with the pressure and helix angle of the gear that it cuts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shaper {
-    /// Teeth.
-    pub teeth: ToothCount,
-    /// Profile shift coefficient.
-    pub shift: f64,
-    /// Addendum, modules.
-    pub addendum: f64,
-    /// Radius of the tip corners in the transverse section, modules.
-    pub tip_radius: f64,
-}
-
-/// Teeth of the usual shaper, or half of the ring's teeth where that is less.
-const USUAL_TEETH: u32 = 30;
-
-impl Shaper {
-    /// The one by which rings are drawn: 30 teeth, or half as many as the ring's where that is less, with an addendum of 1.25 modules and tips
-    /// rounded by 0.2.
-    ///
-    /// # Errors
-    /// None for a ring that has teeth.
-    pub fn usual(ring: ToothCount) -> Result<Self, Error> {
-        let teeth = ToothCount::new(USUAL_TEETH.min(ring.get() / 2).max(1))?;
-        Ok(Self { teeth, shift: 0.0, addendum: 1.25, tip_radius: 0.2 })
-    }
-
-    /// The cutter as a gear.
-    fn gear(&self, cut: &InvoluteGear) -> Result<InvoluteGear, Error> {
-        let profile = *cut.profile();
-        InvoluteGear::new(GearKind::External, self.teeth, profile, self.shift)?
-            .with_tip_alteration(self.addendum - profile.rack.addendum)
-    }
-}
+use crate::Error;
+use std::f64::consts::PI;
 
 /// Half of a tooth, from the middle of the space at the root to the corner of the tip.
 ///
@@ -107,123 +31,33 @@ impl Shaper {
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let gear = |teeth, x| InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), x);
 /// // Without shift a rack undercuts 12 teeth; with x = 0.3 it does not.
-/// assert!(ToothCurve::by_rack(gear(12, 0.0)?)?.is_undercut());
-/// assert!(!ToothCurve::by_rack(gear(12, 0.3)?)?.is_undercut());
+/// assert!(ToothCurve::new(gear(12, 0.0)?)?.is_undercut());
+/// assert!(!ToothCurve::new(gear(12, 0.3)?)?.is_undercut());
 /// # Ok(())
 /// # }
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToothCurve {
     gear: InvoluteGear,
-    tool: Tool,
-    /// The parameter of the fillet where the involute takes over, at most 1.
+    fillet: Fillet,
+    /// The parameter of the fillet where the involute takes over.
     joint: f64,
     undercut: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Tool {
-    /// Centre of the corner in the normal section, `η` from the reference line of the gear, and its radius.
-    Rack { xi: f64, eta: f64, radius: f64 },
-    /// Centre of the corner from the axis of the cutter, the direction of its flank's normal, and its radius; the working radius of the cutter,
-    /// the centre distance, below 0 within a ring, and the teeth of the cutter over those of the gear.
-    Shaper { centre: Point, normal: f64, radius: f64, working: f64, distance: f64, ratio: f64 },
-}
-
-/// Halvings of a stretch: below the rounding of its ends.
-const HALVINGS: u32 = 48;
-
 impl ToothCurve {
-    /// A gear cut by its basic rack, a hob.
+    /// The tooth of a gear as its tool leaves it.
     ///
     /// # Errors
-    /// [`Error::WrongGearKind`] of an internal gear.
-    pub fn by_rack(gear: InvoluteGear) -> Result<Self, Error> {
-        if gear.kind() == GearKind::Internal {
-            return Err(Error::WrongGearKind { given: GearKind::Internal, wanted: GearKind::External });
-        }
-        let profile = gear.profile();
-        let alpha = radians(profile.rack.pressure_angle);
-        let radius = profile.fillet;
-        let depth = profile.rack.addendum + profile.rack.clearance - radius;
-        let xi = FRAC_PI_4 - depth * libm::tan(alpha) - radius / libm::cos(alpha);
-        Ok(Self::joined(gear, Tool::Rack { xi, eta: gear.shift() - depth, radius }))
-    }
-
-    /// A gear cut by a shaper, rings and external gears.
-    ///
-    /// # Errors
-    /// [`Error::Negative`] for the tip radius, [`Error::OutOfRange`] for one that the tip of the cutter has no room for;
-    /// [`Error::ShiftOutOfRange`] for a cutter without teeth; those of [`Pair::without_backlash`] for a cutter that does not mesh with the
-    /// gear.
-    pub fn by_shaper(gear: InvoluteGear, shaper: Shaper) -> Result<Self, Error> {
-        let tool = shaper.gear(&gear)?;
-        crate::units::not_negative(Quantity::ShaperTipRadius, shaper.tip_radius, "modules")?;
-        let pair = Pair::without_backlash(tool, gear)?;
-        let base = tool.base_diameter() / 2.0;
-        let corner = |radius: f64| {
-            let from_axis = tool.tip_diameter() / 2.0 - radius;
-            // Along the normal of the flank from the base circle: to the centre, and to where the arc begins.
-            let length = (from_axis * from_axis - base * base).max(0.0).sqrt() + radius;
-            let at = libm::hypot(base, length);
-            let tangent = tool.thickness_at(2.0 * at) / (2.0 * at) - libm::atan(length / base);
-            (from_axis, length, tangent, tangent + libm::atan((length - radius) / base))
+    /// [`Error::Uncut`] where the tool does not cut the gear.
+    pub fn new(gear: InvoluteGear) -> Result<Self, Error> {
+        let cut = gear.cut();
+        let fillet = cut.fillet(gear.flank(), gear.profile(), gear.shift(), gear.tool());
+        let Some(fillet) = fillet else {
+            return Err(Error::Uncut { teeth: gear.teeth().get(), kind: gear.kind(), fault: cut.fault });
         };
-        let fits = |radius: f64| {
-            let (from_axis, .., angle) = corner(radius);
-            from_axis >= base && angle >= 0.0
-        };
-        if !fits(shaper.tip_radius) {
-            let (mut low, mut high) = (0.0, shaper.tip_radius);
-            for _ in 0..HALVINGS {
-                let middle = f64::midpoint(low, high);
-                if fits(middle) { low = middle } else { high = middle }
-            }
-            return Err(Error::OutOfRange {
-                quantity: Quantity::ShaperTipRadius,
-                value: shaper.tip_radius,
-                low: 0.0,
-                high: low,
-                unit: "modules",
-            });
-        }
-        let (from_axis, _, tangent, angle) = corner(shaper.tip_radius);
-        Ok(Self::joined(
-            gear,
-            Tool::Shaper {
-                centre: Point { radius: from_axis, angle },
-                normal: tangent + FRAC_PI_2,
-                radius: shaper.tip_radius,
-                working: pair.working_diameters()[0] / 2.0,
-                distance: gear.sign() * pair.centre_distance(),
-                ratio: tool.teeth().as_f64() / gear.teeth().as_f64(),
-            },
-        ))
-    }
-
-    fn joined(gear: InvoluteGear, tool: Tool) -> Self {
-        let curve = Self { gear, tool, joint: 1.0, undercut: false };
-        // How far the fillet stands outside the involute. Where the tool undercuts, its corner ends on the other branch of the involute,
-        // beyond the base circle, and has cut into the tooth before.
-        let excess = |t: f64| {
-            let point = curve.fillet(t);
-            point.angle - curve.involute_angle(point.radius)
-        };
-        if excess(1.0) <= TOUCH {
-            return curve;
-        }
-        let base = gear.base_diameter() / 2.0;
-        let bisect = |mut low: f64, is_below: &dyn Fn(f64) -> bool| {
-            let mut high = 1.0;
-            for _ in 0..HALVINGS {
-                let middle = f64::midpoint(low, high);
-                if is_below(middle) { low = middle } else { high = middle }
-            }
-            high
-        };
-        let at_base = bisect(0.0, &|t| curve.fillet(t).radius <= base);
-        let joint = bisect(at_base, &|t| excess(t) < 0.0);
-        Self { joint, undercut: true, ..curve }
+        let (joint, undercut) = fillet.joint(cut.reach);
+        Ok(Self { gear, fillet, joint, undercut })
     }
 
     /// The gear.
@@ -268,38 +102,13 @@ impl ToothCurve {
     }
 
     fn involute_angle(&self, radius: f64) -> f64 {
-        self.gear.thickness_at(2.0 * radius) / (2.0 * radius)
+        self.gear.flank().half_angle(self.gear.shift(), radius)
     }
 
     /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner of the tool ends.
     #[must_use]
     pub fn fillet(&self, t: f64) -> Point {
-        let (radius, from_space) = match self.tool {
-            Tool::Rack { xi, eta, radius } => {
-                let profile = self.gear.profile();
-                let cos_beta = libm::cos(radians(profile.helix_angle));
-                let theta = t * (FRAC_PI_2 - radians(profile.rack.pressure_angle));
-                let (sin, cos) = libm::sincos(theta);
-                let (xi, eta) = ((xi + radius * sin) / cos_beta, eta - radius * cos);
-                let u = -eta * libm::tan(theta) * cos_beta;
-                let reference = self.gear.reference_diameter() / 2.0;
-                (libm::hypot(u, reference + eta), libm::atan2(u, reference + eta) + (xi - u) / reference)
-            }
-            Tool::Shaper { centre, normal, radius, working, distance, ratio } => {
-                let delta = centre.angle + t * (normal - centre.angle);
-                let reach = centre.radius * libm::sin(delta - centre.angle) / working;
-                let direction = libm::asin(reach.clamp(-1.0, 1.0));
-                let turned = direction - delta;
-                let (sin, cos) = libm::sincos(centre.angle + turned);
-                let x = centre.radius * cos + radius * libm::cos(direction);
-                let y = centre.radius * sin + radius * libm::sin(direction);
-                // From the axis of the gear, beyond the pitch point or, of a ring, behind the cutter.
-                let across = distance - x;
-                let (from_axis, angle) = (libm::hypot(across, y), libm::atan(y / across));
-                (from_axis, self.gear.sign() * angle - ratio * turned)
-            }
-        };
-        Point { radius, angle: PI / self.gear.teeth().as_f64() - from_space }
+        self.fillet.at(t)
     }
 
     /// Half the angle of the tooth at a radius between root and tip; within the root it is the whole pitch, beyond the tip nothing.
@@ -328,13 +137,18 @@ impl ToothCurve {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ToothCount;
+    use crate::gear_kind::GearKind;
+    use crate::involute::Pair;
     use crate::involute::Profile;
+    use crate::involute::check::Rule;
     use crate::involute::closing::Closing;
-    use crate::involute::fault::SetFault;
+    use crate::involute::fillet::Cutter;
     use crate::involute::set::Limits;
+    use crate::involute::tool::{Shaper, Tool};
     use crate::units::angle_from_degrees;
     use proptest::prelude::*;
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, TAU};
 
     fn count(teeth: u32) -> ToothCount {
         ToothCount::new(teeth).unwrap()
@@ -346,24 +160,36 @@ mod tests {
     }
 
     fn shaper(teeth: u32, tip_radius: f64) -> Shaper {
-        Shaper { teeth: count(teeth), shift: 0.0, addendum: 1.25, tip_radius }
+        Shaper { teeth: count(teeth), shift: 0.0, addendum: Some(1.25), tip_radius }
+    }
+
+    fn by_shaper(gear: InvoluteGear, shaper: Shaper) -> Result<ToothCurve, Error> {
+        ToothCurve::new(gear.with_tool(Tool::Shaper(shaper))?)
     }
 
     #[test]
     fn tools_that_cannot_cut_are_refused() {
         let ring = gear(GearKind::Internal, 60, 0.0, 0.0).unwrap();
-        assert_eq!(ToothCurve::by_rack(ring).unwrap_err().name(), "wrong-gear-kind");
-        assert_eq!(ToothCurve::by_shaper(ring, shaper(60, 0.2)).unwrap_err().name(), "internal-not-larger");
-        assert_eq!(ToothCurve::by_shaper(ring, shaper(30, -0.1)).unwrap_err().name(), "negative");
-        let error = ToothCurve::by_shaper(ring, shaper(30, 0.9)).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .starts_with("tip radius of the shaper is 0.9 modules; it must lie between 0 and 0.39"),
-            "{error}"
-        );
-        let pointed = Shaper { addendum: 3.0, ..shaper(30, 0.2) };
-        assert_eq!(ToothCurve::by_shaper(ring, pointed).unwrap_err().name(), "shift-out-of-range");
+        assert_eq!(ring.with_tool(Tool::Rack).unwrap_err().name(), "wrong-gear-kind");
+        assert_eq!(by_shaper(ring, shaper(30, -0.1)).unwrap_err().name(), "negative");
+        let far = Shaper { shift: 1.5, ..shaper(30, 0.2) };
+        assert_eq!(by_shaper(ring, far).unwrap_err().name(), "out-of-range");
+        for (shaper, words) in [
+            (
+                shaper(60, 0.2),
+                "internal gear of 60 teeth: a shaper of 60 teeth does not fit into a ring of 60",
+            ),
+            (shaper(30, 0.9), "with an addendum of 1.2500 modules have room for corners of 0.39"),
+            (
+                Shaper { addendum: Some(3.0), ..shaper(30, 0.2) },
+                "with an addendum of 3.0000 modules and corners of 0.2 has pointed teeth",
+            ),
+        ] {
+            let error = by_shaper(ring, shaper).unwrap_err();
+            assert!(error.name() == "uncut" && error.to_string().contains(words), "{error}");
+        }
+        let error = ToothCurve::new(ring.with_tool(Tool::Form { fillet: 2.0 }).unwrap()).unwrap_err();
+        assert!(error.to_string().contains("fillets of 2 modules have no room"), "{error}");
     }
 
     /// A shaper with very many teeth is a rack.
@@ -374,8 +200,8 @@ mod tests {
             // The corner of a rack is round in the normal section: sharp ones are alike.
             let sharp = Profile { fillet: 0.0, ..*sun.profile() };
             let sun = InvoluteGear::new(GearKind::External, count(20), sharp, 0.2).unwrap();
-            let by_rack = ToothCurve::by_rack(sun).unwrap();
-            let by_shaper = ToothCurve::by_shaper(sun, shaper(2_000_000, 0.0)).unwrap();
+            let by_rack = ToothCurve::new(sun).unwrap();
+            let by_shaper = by_shaper(sun, shaper(2_000_000, 0.0)).unwrap();
             for t in [0.2, 0.5, 0.75, 1.0] {
                 let radius = by_rack.fillet(t).radius;
                 let angles = [by_rack, by_shaper].map(|curve| curve.half_angle(radius + 1e-9));
@@ -383,8 +209,8 @@ mod tests {
             }
         }
         let sun = gear(GearKind::External, 20, 0.2, 0.0).unwrap();
-        let [one, other] = [ToothCurve::by_rack(sun), ToothCurve::by_shaper(sun, shaper(2_000_000, 0.38))]
-            .map(Result::unwrap);
+        let [one, other] =
+            [ToothCurve::new(sun), by_shaper(sun, shaper(2_000_000, 0.38))].map(Result::unwrap);
         for t in [0.2, 0.6, 1.0] {
             let radius = one.fillet(t).radius + 1e-9;
             assert!((one.half_angle(radius) - other.half_angle(radius)).abs() < 1e-5, "{t}");
@@ -397,7 +223,7 @@ mod tests {
             teeth in 8..90_u32, shift in -0.3..0.8_f64, helix in 0.0..30.0_f64,
         ) {
             let Some(gear) = gear(GearKind::External, teeth, shift, helix) else { return Ok(()) };
-            let curve = ToothCurve::by_rack(gear).unwrap();
+            let curve = ToothCurve::new(gear).unwrap();
             prop_assert!((curve.root_radius() - gear.root_diameter() / 2.0).abs() < 1e-12 * gear.root_diameter());
             let joint = curve.fillet(curve.joint);
             prop_assert!((joint.angle - curve.involute(joint.radius).angle).abs() < 1e-8);
@@ -417,16 +243,15 @@ mod tests {
         ) {
             let kind = if ring { GearKind::Internal } else { GearKind::External };
             let Some(gear) = gear(kind, teeth + 30, shift, 0.0) else { return Ok(()) };
-            let Ok(curve) = ToothCurve::by_shaper(gear, shaper(25, 0.2)) else { return Ok(()) };
+            let Ok(curve) = by_shaper(gear, shaper(25, 0.2)) else { return Ok(()) };
             let radius = curve.joint_radius() + place * (curve.tip_radius() - curve.joint_radius());
             // Across from flank to flank by coordinates, as an arc.
             let [x, y] = curve.involute(radius).coordinates();
             let thickness = 2.0 * radius * libm::atan(y / x);
             prop_assert!((thickness - gear.thickness_at(2.0 * radius)).abs() < 1e-10 * radius);
-            let tool = shaper(25, 0.2).gear(&gear).unwrap();
-            let pair = Pair::without_backlash(tool, gear).unwrap();
-            let a = pair.centre_distance();
-            let root = if ring { a + tool.tip_diameter() / 2.0 } else { a - tool.tip_diameter() / 2.0 };
+            let tool = InvoluteGear::new(GearKind::External, count(25), Profile::default(), 0.0).unwrap();
+            let a = Pair::without_backlash(tool, gear).unwrap().centre_distance();
+            let root = if ring { a + 13.75 } else { a - 13.75 };
             prop_assert!((curve.root_radius() - root).abs() < 1e-10 * root);
         }
 
@@ -437,8 +262,9 @@ mod tests {
         ) {
             let kind = if ring { GearKind::Internal } else { GearKind::External };
             let Some(gear) = gear(kind, teeth, shift, 0.0) else { return Ok(()) };
-            let Ok(curve) = ToothCurve::by_shaper(gear, shaper(cutter, radius)) else { return Ok(()) };
-            let Tool::Shaper { centre, normal, radius: corner, distance, ratio, .. } = curve.tool else { unreachable!() };
+            let Ok(curve) = by_shaper(gear, shaper(cutter, radius)) else { return Ok(()) };
+            let cut = curve.gear().cut();
+            let Cutter { centre, normal, radius: corner, distance, ratio, .. } = cut.shaped.unwrap().cutter(curve.gear().flank());
             let mut nearest = f64::INFINITY;
             for step in -400..=400 {
                 let turned = f64::from(step) / 400.0 * 0.6;
@@ -563,12 +389,12 @@ mod tests {
         ) {
             let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
             let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };
-            let closing = Closing { profile, ..Closing::default() };
+            let closing = Closing { profiles: profile.into(), ..Closing::default() };
             let Ok(choice) = closing.close([count(sun), count(planet), count(ring)]) else { return Ok(()) };
             let set = choice.set;
             let [sun, planet, ring] = set.gears();
-            let [sun, planet] = [sun, planet].map(|gear| ToothCurve::by_rack(*gear).unwrap());
-            let Ok(ring) = ToothCurve::by_shaper(*ring, shaper((ring.teeth().get() - planet.gear().teeth().get()).min(30), 0.1)) else {
+            let [sun, planet] = [sun, planet].map(|gear| ToothCurve::new(*gear).unwrap());
+            let Ok(ring) = by_shaper(*ring, shaper((ring.teeth().get() - planet.gear().teeth().get()).min(30), 0.1)) else {
                 return Ok(());
             };
             for (pair, curves) in [(set.sun_mesh(), [&sun, &planet]), (set.ring_mesh(), [&planet, &ring])] {
@@ -599,9 +425,8 @@ mod tests {
             crate::involute::PlanetSet::new([*set.gears()[0], *planet, long], 3, set.centre_distance())
                 .unwrap();
         let faults = found.faults(&Limits::default());
-        assert!(faults.iter().any(|fault| matches!(fault, SetFault::Fillet { .. })), "{faults:?}");
-        let curves =
-            [ToothCurve::by_rack(*planet).unwrap(), ToothCurve::by_shaper(long, shaper(30, 0.1)).unwrap()];
+        assert!(faults.iter().any(|fault| fault.rule == Rule::Fillet), "{faults:?}");
+        let curves = [ToothCurve::new(*planet).unwrap(), by_shaper(long, shaper(30, 0.1)).unwrap()];
         let deepest = overlap(&pair, [&curves[0], &curves[1]]);
         assert!(deepest > 1e-4, "{deepest}");
     }

@@ -34,9 +34,11 @@
 //! Derived from the formulas of the [module](super). The course example 21/43/108 and the stages of the NREL and DTU wind gearboxes are
 //! members of their families to the printed digits.
 
-use super::fault::{SetFault, ShiftFault};
-use super::gear::{InvoluteGear, Profile};
+use super::check::{Check, Place, Rule};
+use super::fault::ShiftFault;
+use super::gear::InvoluteGear;
 use super::pair::Pair;
+use super::profile::{Profile, Profiles};
 use super::set::{Limits, PlanetSet};
 use crate::gear_kind::GearKind;
 use crate::quantity::SimpleGear;
@@ -89,7 +91,7 @@ pub struct Choice {
     /// The set, free of faults.
     pub set: PlanetSet,
     /// What keeps the aim from being met in full; `None` where it is met.
-    pub limited_by: Option<SetFault>,
+    pub limited_by: Option<Check>,
 }
 
 /// Parts into which the range of shifts is cut where the set that meets an aim has a fault. A stretch without faults that is shorter than
@@ -108,15 +110,17 @@ impl Family {
     pub fn new(
         teeth: [ToothCount; 3],
         planets: u32,
-        profile: Profile,
+        profiles: impl Into<Profiles>,
         centre_distance: f64,
     ) -> Result<Self, Error> {
-        let [sun, planet, ring] = teeth;
-        let gears = [
-            InvoluteGear::new(GearKind::External, sun, profile, 0.0)?,
-            InvoluteGear::new(GearKind::External, planet, profile, 0.0)?,
-            InvoluteGear::new(GearKind::Internal, ring, profile, 0.0)?,
-        ];
+        let profiles = profiles.into();
+        let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
+        let gear = |place: usize| {
+            // A cutter that exists cuts the candidates, none is made for each of them.
+            let profile = profiles.0[place].with_shaper_addendum(kinds[place], teeth[place]);
+            InvoluteGear::new(kinds[place], teeth[place], profile, 0.0)
+        };
+        let gears = [gear(0)?, gear(1)?, gear(2)?];
         // Names what is wrong with the planets and the centre distance.
         let set = PlanetSet::new(gears, planets, centre_distance)?;
         let sums = [
@@ -256,18 +260,14 @@ impl Family {
             std::array::from_fn(|place| self.gears[place].altered(shifts[place], clear[place]));
         let Ok(set) = PlanetSet::new(gears, self.planets, self.centre_distance) else { return clear };
         let [sun, planet, ring] = set.gears();
-        let end = |gear: &InvoluteGear| gear.curvature_radius(gear.form_diameter());
+        let end = |gear: &InvoluteGear| gear.cut().end;
         // The greatest radius of curvature of each tip, of the ring the least.
         let by_fillets = [
             set.sun_mesh().of_mate(end(planet)),
             set.sun_mesh().mate(end(sun)).min(set.ring_mesh().of_mate(end(ring))),
             set.ring_mesh().mate(end(planet)),
         ];
-        std::array::from_fn(|place| {
-            let gear = &gears[place];
-            let tip = libm::hypot(gear.base_diameter(), 2.0 * by_fillets[place].max(0.0));
-            clear[place].min(clear[place] + gear.sign() * (tip - gear.tip_diameter()) / 2.0)
-        })
+        std::array::from_fn(|place| gears[place].shortened_to(by_fillets[place]))
     }
 
     /// The tip alterations that clearance, fillets and the least tip thickness need, for thickness at most one module.
@@ -346,10 +346,15 @@ impl From<Refused> for Error {
 
 impl Refused {
     /// As a fault of the set, where teeth are pointed.
-    fn fault(self, limits: &Limits) -> Result<SetFault, Error> {
+    fn fault(self, limits: &Limits) -> Result<Check, Error> {
         match (self.gear, self.error) {
             (Some(gear), Error::ShiftOutOfRange { fault: ShiftFault::Pointed { tip_thickness }, .. }) => {
-                Ok(SetFault::TipThickness { gear, thickness: tip_thickness, least: limits.tip_thickness })
+                Ok(Check {
+                    rule: Rule::TipThickness,
+                    place: Place::Gear(gear),
+                    value: tip_thickness,
+                    limit: limits.tip_thickness,
+                })
             }
             (_, error) => Err(error),
         }
@@ -452,7 +457,7 @@ mod tests {
         for (shift, gear) in [(*range.start(), SimpleGear::Sun), (*range.end(), SimpleGear::Planet)] {
             let undercut = |shift: f64| {
                 let faults = family.at(shift).unwrap().faults(&Limits::default());
-                faults.iter().any(|fault| matches!(fault, SetFault::Undercut { gear: of, .. } if *of == gear))
+                faults.iter().any(|fault| fault.rule == Rule::Undercut && fault.place == Place::Gear(gear))
             };
             let out = if gear == SimpleGear::Sun { -1e-6 } else { 1e-6 };
             assert!(!undercut(shift) && undercut(shift + out), "{gear}");
@@ -469,7 +474,9 @@ mod tests {
         let [sun, ..] = balanced.set.gears();
         let limits = Limits { tip_thickness: sun.tip_thickness() + 0.02, ..Limits::default() };
         let limited = family.choose(Aim::BalancedSliding, &limits).unwrap();
-        let Some(SetFault::TipThickness { gear: SimpleGear::Sun, .. }) = limited.limited_by else {
+        let Some(Check { rule: Rule::TipThickness, place: Place::Gear(SimpleGear::Sun), .. }) =
+            limited.limited_by
+        else {
             panic!("{:?}", limited.limited_by)
         };
         let [thicker, other, _] = limited.set.gears();
@@ -509,7 +516,7 @@ mod tests {
         };
         // Seven planets of 36 teeth about a sun of 18 touch.
         let error = refused([18, 36, 93], 7, 584.0 / 21.0, Limits::default());
-        let Error::NoShifts { fault: SetFault::Planets { planets: 7, gap, .. }, .. } = error else {
+        let Error::NoShifts { fault: Check { place: Place::Planets(7), value: gap, .. }, .. } = error else {
             panic!("{error}")
         };
         assert!(gap < 0.0);
@@ -523,7 +530,10 @@ mod tests {
         assert_eq!(refused([18, 36, 93], 3, 24.0, Limits::default()).name(), "not-above");
         // Nine teeth cannot be freed of undercut at so small a centre distance.
         let error = refused([9, 12, 33], 3, 10.5, Limits::default());
-        assert!(matches!(error, Error::NoShifts { fault: SetFault::Undercut { .. }, .. }), "{error}");
+        assert!(
+            matches!(error, Error::NoShifts { fault: Check { rule: Rule::Undercut, .. }, .. }),
+            "{error}"
+        );
         let limits = Limits { contact_ratio: f64::NAN, ..Limits::default() };
         assert_eq!(refused([18, 36, 93], 3, 27.8, limits).name(), "negative");
         let error = natural_centre_distance(teeth([18, 36, 140]), Profile::default()).unwrap_err();
@@ -554,7 +564,10 @@ mod tests {
                 // Tips of sun and planet keep the clearance, those of ring and planet at least as much.
                 let [outer, inner] = [set.sun_mesh(), set.ring_mesh()].map(Pair::tip_clearances);
                 prop_assert!(outer.iter().all(|gap| *gap > 0.25 - 1e-9));
-                prop_assert!(inner.iter().all(|gap| *gap > 0.25 - 1e-9));
+                // A shaper of one addendum leaves a shifted ring a little shallower than its basic rack would.
+                let ring = set.gears()[2];
+                let nominal = ring.reference_diameter() / 2.0 + 1.25 - ring.shift();
+                prop_assert!(inner[0] + nominal - ring.root_diameter() / 2.0 > 0.25 - 1e-9 && inner[1] > 0.25 - 1e-9);
             }
         }
 

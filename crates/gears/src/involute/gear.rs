@@ -1,114 +1,18 @@
 //! One cylindrical gear with profile shift.
 
+use super::cut::Cut;
 use super::fault::ShiftFault;
-use super::function::{angle_of_involute, involute};
+use super::flank::Flank;
+use super::function::angle_of_involute;
+use super::profile::Profile;
+use super::tool::{Tool, ToolFault};
 use crate::gear_kind::GearKind;
-use crate::rack::BasicRack;
-use crate::units::{not_negative, radians};
-use crate::{Error, Quantity, ToothCount};
+use crate::units::radians;
+use crate::{Error, ToothCount};
 use std::f64::consts::{FRAC_PI_2, PI};
-use uom::si::f64::Angle;
 
-/// What the teeth of gears in mesh have in common.
-///
-/// | symbol | field | meaning | unit | default |
-/// |---|---|---|---|---|
-/// | `h_aP*`, `c_P*`, `α_n` | `rack` | [`BasicRack`] | modules, ° | 1, 0.25, 20° |
-/// | `ρ_fP*` | `fillet` | radius at the root of the basic rack | modules | 0.38 |
-/// | `β` | `helix_angle` | helix angle at the reference cylinder | ° | 0 |
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Profile {
-    /// The basic rack.
-    pub rack: BasicRack,
-    /// Root fillet radius `ρ_fP*` of the basic rack.
-    pub fillet: f64,
-    /// Helix angle `β`, without its hand.
-    pub helix_angle: Angle,
-}
-
-impl Default for Profile {
-    fn default() -> Self {
-        Self { rack: BasicRack::default(), fillet: 0.38, helix_angle: crate::units::angle(0.0) }
-    }
-}
-
-impl Profile {
-    /// Spur teeth by a basic rack, with a fillet of 0.38 modules or what it has room for.
-    #[must_use]
-    pub fn of_rack(rack: BasicRack) -> Self {
-        let usual = Self { rack, ..Self::default() };
-        Self { fillet: usual.fillet.min(usual.most_fillet()).max(0.0), ..usual }
-    }
-
-    /// Refuses proportions that no rack has.
-    ///
-    /// # Errors
-    /// Those of [`BasicRack::check`]; [`Error::OutOfRange`] unless `0 ≤ β < 60°`, or for a fillet that the rack has no room for.
-    pub fn check(&self) -> Result<(), Error> {
-        self.rack.check()?;
-        not_negative(Quantity::RootFillet, self.fillet, "modules")?;
-        let helix_deg = crate::units::degrees(self.helix_angle);
-        if !(0.0..MOST_HELIX_DEG).contains(&helix_deg) {
-            return Err(Error::OutOfRange {
-                quantity: Quantity::HelixAngle,
-                value: helix_deg,
-                low: 0.0,
-                high: MOST_HELIX_DEG,
-                unit: "°",
-            });
-        }
-        let most = self.most_fillet();
-        if self.fillet > most {
-            return Err(Error::OutOfRange {
-                quantity: Quantity::RootFillet,
-                value: self.fillet,
-                low: 0.0,
-                high: most,
-                unit: "modules",
-            });
-        }
-        Ok(())
-    }
-
-    /// The largest fillet of the rack: one arc from flank to flank of a tooth space, or one that leaves the clearance alone.
-    ///
-    /// ```text
-    /// ρ_fP* ≤ c*/(1 − sin α_n),    ρ_fP* ≤ (π/4 − (h_aP* + c*)·tan α_n)/tan(45° − α_n/2)
-    /// ```
-    #[must_use]
-    pub fn most_fillet(&self) -> f64 {
-        let alpha = radians(self.rack.pressure_angle);
-        let by_clearance = self.rack.clearance / (1.0 - libm::sin(alpha));
-        let depth = self.rack.addendum + self.rack.clearance;
-        let by_space = (PI / 4.0 - depth * libm::tan(alpha)) / libm::tan(PI / 4.0 - alpha / 2.0);
-        // ISO 53 rounds 0.3799 to 0.38: the first bound holds to a hundredth of a module.
-        by_clearance.max(0.0).min(by_space) + ROUNDED_FILLET
-    }
-
-    /// Transverse pressure angle `α_t`, rad.
-    #[must_use]
-    pub fn transverse_angle_rad(&self) -> f64 {
-        libm::atan(libm::tan(radians(self.rack.pressure_angle)) / libm::cos(radians(self.helix_angle)))
-    }
-
-    /// Whether its teeth are helical.
-    #[must_use]
-    pub fn is_helical(&self) -> bool {
-        radians(self.helix_angle) != 0.0
-    }
-
-    /// Helix angle at the base cylinder `β_b`, rad: `tan β_b = tan β·cos α_t`.
-    #[must_use]
-    pub fn base_helix_rad(&self) -> f64 {
-        libm::atan(libm::tan(radians(self.helix_angle)) * libm::cos(self.transverse_angle_rad()))
-    }
-}
-
-/// Helix angles of cylindrical gears stay below.
-const MOST_HELIX_DEG: f64 = 60.0;
-
-/// What the printed fillets of racks are rounded by.
-const ROUNDED_FILLET: f64 = 0.01;
+/// Shifts that are tried for one without undercut.
+const MOST_SHIFT: f64 = 2.0;
 
 /// A gear as its shift makes it; lengths in modules.
 ///
@@ -131,18 +35,9 @@ pub struct InvoluteGear {
     profile: Profile,
     shift: f64,
     tip_alteration: f64,
-    /// Teeth with the sign of the kind.
-    z: f64,
-    /// Of the transverse pressure angle the involute function, cosine and sine.
-    inv_alpha_t: f64,
-    cos_alpha_t: f64,
-    sin_alpha_t: f64,
-    /// Of the normal pressure angle.
-    tan_alpha_n: f64,
-    sin_alpha_n: f64,
-    /// Of the helix angle.
-    cos_beta: f64,
-    tan_beta: f64,
+    tool: Tool,
+    flank: Flank,
+    cut: Cut,
 }
 
 impl InvoluteGear {
@@ -152,27 +47,11 @@ impl InvoluteGear {
     /// Those of [`Profile::check`]; [`Error::ShiftOutOfRange`] where the shift leaves no root or tip circle or makes the teeth pointed.
     pub fn new(kind: GearKind, teeth: ToothCount, profile: Profile, shift: f64) -> Result<Self, Error> {
         profile.check()?;
-        let alpha_t = profile.transverse_angle_rad();
-        let z = match kind {
-            GearKind::External => teeth.as_f64(),
-            GearKind::Internal => -teeth.as_f64(),
-        };
-        let gear = Self {
-            kind,
-            teeth,
-            profile,
-            shift,
-            tip_alteration: 0.0,
-            z,
-            inv_alpha_t: involute(alpha_t),
-            cos_alpha_t: libm::cos(alpha_t),
-            sin_alpha_t: libm::sin(alpha_t),
-            tan_alpha_n: libm::tan(radians(profile.rack.pressure_angle)),
-            sin_alpha_n: libm::sin(radians(profile.rack.pressure_angle)),
-            cos_beta: libm::cos(radians(profile.helix_angle)),
-            tan_beta: libm::tan(radians(profile.helix_angle)),
-        };
-        gear.checked()
+        let tool = profile.tool.unwrap_or_else(|| Tool::usual(kind, teeth));
+        tool.check(kind)?;
+        let flank = Flank::new(kind, teeth, &profile);
+        let cut = Cut::new(&flank, &profile, shift, &tool);
+        Self { kind, teeth, profile, shift, tip_alteration: 0.0, tool, flank, cut }.checked()
     }
 
     /// The same with its tips moved by `k`, below 0 shorter.
@@ -191,9 +70,26 @@ impl InvoluteGear {
         self.altered(shift, self.tip_alteration).checked()
     }
 
+    /// The same cut by another tool.
+    ///
+    /// # Errors
+    /// Those of [`Tool::check`]; [`Error::ShiftOutOfRange`] where it leaves no tooth. A tool that does not cut this gear is no error: see
+    /// [`tool_fault`](Self::tool_fault).
+    pub fn with_tool(self, tool: Tool) -> Result<Self, Error> {
+        tool.check(self.kind)?;
+        let cut = Cut::new(&self.flank, &self.profile, self.shift, &tool);
+        let profile = Profile { tool: Some(tool), ..self.profile };
+        Self { profile, tool, cut, ..self }.checked()
+    }
+
     /// The same with another shift and other tips, whether or not that leaves teeth.
-    pub(super) const fn altered(self, shift: f64, tip_alteration: f64) -> Self {
-        Self { shift, tip_alteration, ..self }
+    pub(super) fn altered(self, shift: f64, tip_alteration: f64) -> Self {
+        let cut = if shift.to_bits() == self.shift.to_bits() {
+            self.cut
+        } else {
+            Cut::new(&self.flank, &self.profile, shift, &self.tool)
+        };
+        Self { shift, tip_alteration, cut, ..self }
     }
 
     pub(super) fn checked(self) -> Result<Self, Error> {
@@ -208,10 +104,10 @@ impl InvoluteGear {
             return Err(fault(ShiftFault::NotFinite));
         }
         let sign = self.sign();
-        if sign * self.signed_tip() <= 0.0 || sign * self.signed_root() <= 0.0 {
+        if sign * self.signed_tip() <= 0.0 || self.cut.root <= 0.0 {
             return Err(fault(ShiftFault::NoCircle));
         }
-        if self.signed_tip() <= self.signed_root() {
+        if self.signed_tip() <= 2.0 * sign * self.cut.root {
             return Err(fault(ShiftFault::NoTooth));
         }
         if self.tip_thickness() <= 0.0 {
@@ -250,32 +146,66 @@ impl InvoluteGear {
         self.tip_alteration
     }
 
+    /// What cuts it.
+    #[must_use]
+    pub const fn tool(&self) -> &Tool {
+        &self.tool
+    }
+
+    /// Why its tool does not cut it; `None` where it does.
+    #[must_use]
+    pub const fn tool_fault(&self) -> Option<ToolFault> {
+        self.cut.fault
+    }
+
+    /// Addendum `h_aP0*` of the shaper that cuts it; `None` where no shaper does.
+    #[must_use]
+    pub fn shaper_addendum(&self) -> Option<f64> {
+        self.cut.shaped.map(|shaped| shaped.addendum)
+    }
+
+    /// Tip alteration with which the tip is no longer than to a radius of curvature of the flank, of an internal gear no further in, nor longer than
+    /// its shaper leaves it.
+    pub(super) fn shortened_to(&self, curvature: f64) -> f64 {
+        let sign = self.sign();
+        let bound = match self.cut.tip_end() {
+            Some(by_tool) if sign * by_tool < sign * curvature => by_tool,
+            _ => curvature,
+        };
+        let tip = libm::hypot(self.base_diameter(), 2.0 * bound.max(0.0));
+        let shorter = sign * (tip - self.tip_diameter()) / 2.0;
+        self.tip_alteration + shorter.min(0.0)
+    }
+
+    pub(super) const fn flank(&self) -> &Flank {
+        &self.flank
+    }
+
+    pub(super) const fn cut(&self) -> &Cut {
+        &self.cut
+    }
+
     /// `z`, negative of an internal gear.
     pub(super) const fn signed_teeth(&self) -> f64 {
-        self.z
+        self.flank.z
     }
 
     /// `tan α_n`
     pub(super) const fn tan_normal_angle(&self) -> f64 {
-        self.tan_alpha_n
+        self.flank.tan_alpha_n
     }
 
     /// 1, or −1 of an internal gear.
     pub(super) fn sign(&self) -> f64 {
-        self.z.signum()
+        self.flank.sign()
     }
 
     fn signed_reference(&self) -> f64 {
-        self.z / self.cos_beta
+        2.0 * self.flank.signed_reference()
     }
 
     fn signed_tip(&self) -> f64 {
         self.signed_reference() + 2.0 * (self.profile.rack.addendum + self.shift + self.tip_alteration)
-    }
-
-    fn signed_root(&self) -> f64 {
-        let depth = self.profile.rack.addendum + self.profile.rack.clearance;
-        self.signed_reference() - 2.0 * (depth - self.shift)
     }
 
     /// Reference diameter `d`.
@@ -287,7 +217,7 @@ impl InvoluteGear {
     /// Base diameter `d_b`.
     #[must_use]
     pub fn base_diameter(&self) -> f64 {
-        self.reference_diameter() * self.cos_alpha_t
+        self.reference_diameter() * self.flank.cos_alpha_t
     }
 
     /// Tip diameter `d_a`.
@@ -296,10 +226,10 @@ impl InvoluteGear {
         self.signed_tip().abs()
     }
 
-    /// Root diameter `d_f`, as a rack cuts it.
+    /// Root diameter `d_f`, as its tool leaves it; as the basic rack has it where the tool does not cut the gear.
     #[must_use]
-    pub fn root_diameter(&self) -> f64 {
-        self.signed_root().abs()
+    pub const fn root_diameter(&self) -> f64 {
+        2.0 * self.cut.root
     }
 
     /// Radius of curvature of the flank at a diameter, `√(d²/4 − d_b²/4)`; 0 within the base circle.
@@ -321,15 +251,13 @@ impl InvoluteGear {
     /// ```
     #[must_use]
     pub fn thickness_at(&self, diameter: f64) -> f64 {
-        let half = (PI + 4.0 * self.shift * self.tan_alpha_n) / (2.0 * self.z);
-        let tan = 2.0 * self.curvature_radius(diameter) / self.base_diameter();
-        self.sign() * diameter * (half + self.inv_alpha_t - (tan - libm::atan(tan)))
+        diameter * self.flank.half_angle(self.shift, diameter / 2.0)
     }
 
     /// Normal tooth thickness at the reference circle: `s_n = π/2 + 2·x·tan α_n`.
     #[must_use]
     pub fn normal_thickness(&self) -> f64 {
-        FRAC_PI_2 + 2.0 * self.shift * self.tan_alpha_n
+        FRAC_PI_2 + 2.0 * self.shift * self.flank.tan_alpha_n
     }
 
     /// Normal tooth thickness at the tip `s_an`: the transverse one times `cos β_a`.
@@ -337,49 +265,65 @@ impl InvoluteGear {
     pub fn tip_thickness(&self) -> f64 {
         let diameter = self.tip_diameter();
         // cos β_a from tan β_a
-        let tan_beta = self.tan_beta * diameter / self.reference_diameter();
+        let tan_beta = self.flank.tan_beta * diameter / self.reference_diameter();
         self.thickness_at(diameter) / libm::hypot(tan_beta, 1.0)
     }
 
-    /// Least diameter, of an internal gear the greatest, where the flank that a rack cuts is an involute: `d_Ff`.
+    /// Least diameter, of an internal gear the greatest, where the flank that the tool leaves is an involute: the root form diameter `d_Ff`.
     ///
     /// ```text
-    /// d_Ff² = d_b² + (d·sin α_t − 2·(h_FfP* − x)/sin α_t)²,    h_FfP* = h_aP* + c_P* − ρ_fP*·(1 − sin α_n)
+    /// hob, without undercut      d_Ff² = d_b² + (d·sin α_t − 2·(h_FfP* − x_E)/sin α_t)²,    h_FfP* = h_fP* − ρ_fP*·(1 − sin α_n)
+    /// shaper of a ring           d_Ff² = d_b² + 4·(a_0·sin α_w0 + g_0)²,    g_0 = ρ_a0* + √((r_a0 − ρ_a0*)² − r_b0²)
+    /// form tool of a ring        d_Ff² = d_b² + 4·(ρ + √((d_f/2 − ρ)² − r_b²))²
     /// ```
     ///
-    /// Of an undercut gear it is where the fillet meets the involute, a little above; then this is the base circle.
+    /// Of an undercut gear it is where the fillet meets the involute. Where the tool does not cut the gear it is the root circle.
     #[must_use]
     pub fn form_diameter(&self) -> f64 {
-        let reach = self.rack_reach();
-        if self.kind == GearKind::External && reach <= 0.0 {
-            return self.base_diameter();
-        }
-        (self.base_diameter().powi(2) + reach * reach).sqrt()
+        libm::hypot(self.base_diameter(), 2.0 * self.cut.end)
     }
 
-    /// Twice the radius of curvature at which the straight flank of the rack ends; below 0 it undercuts.
-    fn rack_reach(&self) -> f64 {
-        let sin = self.sin_alpha_t;
-        self.sign() * (self.signed_reference() * sin - 2.0 * (self.form_dedendum() - self.shift) / sin)
-    }
-
-    /// `h_FfP* = h_aP* + c_P* − ρ_fP*·(1 − sin α_n)`
+    /// `h_FfP* = h_fP* − ρ_fP*·(1 − sin α_n)`
     fn form_dedendum(&self) -> f64 {
-        let rack = &self.profile.rack;
-        rack.addendum + rack.clearance - self.profile.fillet * (1.0 - self.sin_alpha_n)
+        self.profile.dedendum() - self.profile.fillet * (1.0 - self.flank.sin_alpha_n)
     }
 
-    /// The least profile shift without undercut by a rack.
+    /// The least profile shift without undercut.
     ///
     /// ```text
-    /// x_min = h_FfP* − z·sin²α_t/(2·cos β)
+    /// x_min = h_FfP* − z·sin²α_t/(2·cos β) − q/sin α_n       by a hob
     /// ```
     ///
-    /// `None` of an internal gear: no rack cuts it.
+    /// By a shaper it is where the corner of the shaper begins at the tangent point of the base circle. `None` of an internal gear and of a form tool, and of a
+    /// shaper that undercuts at any shift up to 2.
     #[must_use]
     pub fn least_shift_without_undercut(&self) -> Option<f64> {
-        let least = self.form_dedendum() - self.z * self.sin_alpha_t.powi(2) / (2.0 * self.cos_beta);
-        (self.kind == GearKind::External).then_some(least)
+        if self.kind == GearKind::Internal {
+            return None;
+        }
+        match self.tool {
+            Tool::Form { .. } => None,
+            Tool::Rack => {
+                let at_tangent = self.flank.z * self.flank.sin_alpha_t.powi(2) / (2.0 * self.flank.cos_beta);
+                let stock = self.profile.generating_shift(0.0);
+                Some(self.form_dedendum() - at_tangent - stock)
+            }
+            Tool::Shaper(_) => {
+                let is_free = |shift: f64| {
+                    let cut = Cut::new(&self.flank, &self.profile, shift, &self.tool);
+                    cut.fault.is_none() && cut.reach >= 0.0
+                };
+                let (mut low, mut high) = (-MOST_SHIFT, MOST_SHIFT);
+                if !is_free(high) {
+                    return None;
+                }
+                for _ in 0..super::fillet::HALVINGS {
+                    let middle = low.midpoint(high);
+                    if is_free(middle) { high = middle } else { low = middle }
+                }
+                Some(high)
+            }
+        }
     }
 
     /// Span over so many teeth, of an internal gear spaces, `W_k`, along the normal.
@@ -390,7 +334,7 @@ impl InvoluteGear {
     #[must_use]
     pub fn span(&self, teeth: u32) -> f64 {
         let alpha_n = radians(self.profile.rack.pressure_angle);
-        let pitches = PI * (f64::from(teeth) - 0.5) + self.z.abs() * self.inv_alpha_t;
+        let pitches = PI * (f64::from(teeth) - 0.5) + self.flank.z.abs() * self.flank.inv_alpha_t;
         libm::cos(alpha_n) * pitches + self.sign() * 2.0 * self.shift * libm::sin(alpha_n)
     }
 
@@ -404,9 +348,9 @@ impl InvoluteGear {
         let span = 2.0 * self.curvature_radius(middle) / libm::cos(beta_b);
         let alpha_n = radians(self.profile.rack.pressure_angle);
         let pitches = (span - self.sign() * 2.0 * self.shift * libm::sin(alpha_n)) / libm::cos(alpha_n)
-            - self.z.abs() * self.inv_alpha_t;
+            - self.flank.z.abs() * self.flank.inv_alpha_t;
         let teeth = (pitches / PI + 0.5).round();
-        teeth.clamp(1.0, self.z.abs() / 2.0 + 1.0) as u32
+        teeth.clamp(1.0, self.flank.z.abs() / 2.0 + 1.0) as u32
     }
 
     /// Diameter of the balls that touch the flanks at the circle `d + 2·x`, or at the base circle where that is larger.
@@ -421,7 +365,9 @@ impl InvoluteGear {
     pub fn ball_diameter(&self) -> f64 {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
         let at = 2.0 * self.curvature_radius(middle) / self.base_diameter();
-        let centre = at - self.inv_alpha_t - (2.0 * self.shift * self.tan_alpha_n - FRAC_PI_2) / self.z;
+        let centre = at
+            - self.flank.inv_alpha_t
+            - (2.0 * self.shift * self.flank.tan_alpha_n - FRAC_PI_2) / self.flank.z;
         self.base_diameter() * libm::cos(self.profile.base_helix_rad()) * (libm::tan(centre) - at).abs()
     }
 
@@ -436,15 +382,15 @@ impl InvoluteGear {
     #[must_use]
     pub fn over_balls(&self, ball_diameter: f64) -> Option<f64> {
         let alpha_n = radians(self.profile.rack.pressure_angle);
-        let inv = self.inv_alpha_t
-            + ball_diameter / (self.z * libm::cos(alpha_n))
-            + (2.0 * self.shift * libm::tan(alpha_n) - FRAC_PI_2) / self.z;
+        let inv = self.flank.inv_alpha_t
+            + ball_diameter / (self.flank.z * libm::cos(alpha_n))
+            + (2.0 * self.shift * libm::tan(alpha_n) - FRAC_PI_2) / self.flank.z;
         let at = angle_of_involute(inv)?;
         let centres = self.base_diameter() / libm::cos(at);
         let across = if self.teeth.get().is_multiple_of(2) {
             centres
         } else {
-            centres * libm::cos(FRAC_PI_2 / self.z)
+            centres * libm::cos(FRAC_PI_2 / self.flank.z)
         };
         Some(across + self.sign() * ball_diameter)
     }
@@ -487,7 +433,7 @@ mod tests {
             let gear = InvoluteGear::new(GearKind::External, ToothCount::new(teeth).unwrap(), profile, shift);
             prop_assume!(gear.is_ok());
             let gear = gear.unwrap();
-            let arc = gear.thickness_at(gear.reference_diameter()) * gear.cos_beta;
+            let arc = gear.thickness_at(gear.reference_diameter()) * gear.flank.cos_beta;
             prop_assert!((gear.normal_thickness() - arc).abs() < 1e-12);
         }
     }

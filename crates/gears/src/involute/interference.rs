@@ -20,6 +20,7 @@
 
 use super::function::involute;
 use super::pair::Pair;
+use super::tips::Tips;
 
 /// What an internal pair keeps free, each 0 or more where nothing meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +30,8 @@ pub struct Interference {
     pub base: f64,
     /// The same, less that at which the involute of the pinion ends and its fillet begins.
     pub fillet: f64,
-    /// Angle of the ring, rad, by which the tips miss each other outside the mesh.
+    /// Angle of the ring, rad, by which the tips miss each other outside the mesh; −∞ where the tip circle of the pinion encloses that of the ring,
+    /// +∞ where the tip circles do not meet.
     pub trochoidal: f64,
     /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially; −∞ where the ring's tips reach
     /// within its base circle, +∞ where they never meet.
@@ -59,38 +61,19 @@ impl Pair {
         }
         let [pinion, ring] = self.gears();
         let a = self.centre_distance();
-        let [r1, r2] = [pinion, ring].map(|gear| gear.tip_diameter() / 2.0);
-        let inv_w = involute(self.working_angle_rad());
-        let [at1, at2] = [pinion, ring].map(|gear| gear.angle_at_rad(gear.tip_diameter()));
-        let ratio = ring.teeth().as_f64() / pinion.teeth().as_f64();
+        let tips = Tips {
+            tips: [pinion, ring].map(|gear| gear.tip_diameter() / 2.0),
+            bases: [pinion, ring].map(|gear| gear.base_diameter() / 2.0),
+            distance: a,
+            inv_w: involute(self.working_angle_rad()),
+        };
         let start = ring.curvature_radius(ring.tip_diameter()) - a * libm::sin(self.working_angle_rad());
 
-        // Where the tip circles do not meet outside the mesh there is nothing to interfere.
-        let cos1 = (r2 * r2 - r1 * r1 - a * a) / (2.0 * a * r1);
-        let cos2 = (a * a + r2 * r2 - r1 * r1) / (2.0 * a * r2);
-        let trochoidal = if cos1.abs() < 1.0 {
-            let theta1 = libm::acos(cos1) + involute(at1) - inv_w;
-            theta1 / ratio + inv_w - involute(at2) - libm::acos(cos2)
-        } else {
-            f64::INFINITY
-        };
-
-        let cosines = libm::cos(at1) / libm::cos(at2);
-        let sine1 = (1.0 - cosines * cosines) / (1.0 - 1.0 / (ratio * ratio));
-        let sine2 = (1.0 / (cosines * cosines) - 1.0) / (ratio * ratio - 1.0);
-        let trimming = if ring.tip_diameter() < ring.base_diameter() {
-            f64::NEG_INFINITY
-        } else if (0.0..=1.0).contains(&sine1) && (0.0..=1.0).contains(&sine2) {
-            let (theta1, theta2) = (libm::asin(sine1.sqrt()), libm::asin(sine2.sqrt()));
-            theta1 + involute(at1) - inv_w - ratio * (theta2 + involute(at2) - inv_w)
-        } else {
-            f64::INFINITY
-        };
         Some(Interference {
             base: start,
             fillet: start - pinion.curvature_radius(pinion.form_diameter()),
-            trochoidal,
-            trimming,
+            trochoidal: tips.trochoidal(),
+            trimming: tips.trimming(),
         })
     }
 }

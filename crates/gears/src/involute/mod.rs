@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! tan α_t = tan α_n/cos β                d = z/cos β                     d_b = d·cos α_t
-//! d_a = d + 2·(h_aP* + x + k)            d_f = d − 2·(h_aP* + c_P* − x)
+//! d_a = d + 2·(h_aP* + x + k)            d_f = d − 2·(h_fP* − x)        by a hob
 //! inv α_wt = inv α_t + 2·tan α_n·(x_1 + x_2)/(z_1 + z_2)                 inv α = tan α − α
 //! a = a_d·cos α_t/cos α_wt               a_d = (z_1 + z_2)/(2·cos β)
 //! ```
@@ -22,7 +22,7 @@
 //! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |
 //! | `a`, `a_d` | centre distance: of the mesh, and of the reference circles | modules |
 //!
-//! Root circles are those by a rack: a shaper's are a little deeper ([`curve`]). Left out: deviations, tip
+//! Root circles, fillets and the ends of involutes are those that the [`tool`] of each gear leaves. Left out: deviations, tip
 //! chamfers, deflection.
 //!
 //! | file | answers |
@@ -30,7 +30,10 @@
 //! | [`function`] | the involute function and its inverse |
 //! | [`gear`] | one gear: circles, thickness, undercut, span and ball measures |
 //! | [`pair`] | two gears in mesh: working angle, centre distance, contact ratio, sliding, backlash |
-//! | [`fault`] | why a shift gives no gear, and gears no set |
+//! | [`profile`] | basic rack, helix and tool of a gear |
+//! | [`tool`] | hob, shaper, form tool: what cuts a gear, and why it does not |
+//! | [`fault`] | why a shift gives no gear |
+//! | [`check`] | what is checked of a set: rule, value, limit, severity, remedy |
 //! | [`interference`] | whether an internal pair turns, and can be put together |
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
@@ -46,10 +49,14 @@
 //! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
 //! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
+pub mod check;
 pub mod closing;
 pub mod curve;
+mod cut;
 pub mod family;
 pub mod fault;
+mod fillet;
+mod flank;
 pub mod function;
 pub mod gear;
 pub mod interference;
@@ -57,12 +64,16 @@ pub mod outline;
 pub mod pair;
 pub mod placed;
 pub mod play;
+pub mod profile;
 #[cfg(test)]
 mod published;
 pub mod search;
 pub mod set;
 pub mod sliding;
+mod tips;
+pub mod tool;
 
-pub use gear::{InvoluteGear, Profile};
+pub use gear::InvoluteGear;
 pub use pair::Pair;
+pub use profile::Profile;
 pub use set::PlanetSet;

@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::ToothCount;
     use crate::gear_kind::GearKind;
-    use crate::involute::curve::Shaper;
+    use crate::involute::tool::{Shaper, Tool};
     use crate::involute::{InvoluteGear, Profile};
     use std::f64::consts::PI;
 
@@ -103,13 +103,12 @@ mod tests {
         let gear = |kind, teeth, shift| {
             InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), Profile::default(), shift).unwrap()
         };
-        let shaper =
-            Shaper { teeth: ToothCount::new(30).unwrap(), shift: 0.0, addendum: 1.25, tip_radius: 0.3 };
+        let shaper = Tool::Shaper(Shaper::of_teeth(ToothCount::new(30).unwrap()));
         vec![
-            ToothCurve::by_rack(gear(GearKind::External, 18, 0.389)).unwrap(),
-            ToothCurve::by_rack(gear(GearKind::External, 9, 0.0)).unwrap(),
-            ToothCurve::by_shaper(gear(GearKind::External, 36, 0.5), shaper).unwrap(),
-            ToothCurve::by_shaper(gear(GearKind::Internal, 93, 0.117), shaper).unwrap(),
+            ToothCurve::new(gear(GearKind::External, 18, 0.389)).unwrap(),
+            ToothCurve::new(gear(GearKind::External, 9, 0.0)).unwrap(),
+            ToothCurve::new(gear(GearKind::External, 36, 0.5).with_tool(shaper).unwrap()).unwrap(),
+            ToothCurve::new(gear(GearKind::Internal, 93, 0.117).with_tool(shaper).unwrap()).unwrap(),
         ]
     }
 

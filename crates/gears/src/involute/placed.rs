@@ -10,7 +10,7 @@
 //! and the ring, whose spaces take the teeth of the first planet, by `(π − π/z_p)·z_p/z_r + π/z_r`. At the assembly positions,
 //! `θ_j = 2π·p_j/(z_s + z_r)`, this fits all planets.
 
-use super::curve::{Shaper, ToothCurve};
+use super::curve::ToothCurve;
 use super::set::PlanetSet;
 use crate::units::radians;
 use crate::{Error, ToothCount};
@@ -26,14 +26,13 @@ pub struct PlacedPlanet {
 }
 
 impl PlanetSet {
-    /// The teeth of sun, planet and ring as they are drawn: sun and planets as a hob leaves them, rings as a shaper does.
+    /// The teeth of sun, planet and ring as their tools leave them.
     ///
     /// # Errors
     /// Those of [`ToothCurve`] for gears that the tools do not cut.
     pub fn tooth_curves(&self) -> Result<[ToothCurve; 3], Error> {
         let [sun, planet, ring] = self.gears();
-        let shaper = Shaper::usual(ring.teeth())?;
-        Ok([ToothCurve::by_rack(*sun)?, ToothCurve::by_rack(*planet)?, ToothCurve::by_shaper(*ring, shaper)?])
+        Ok([ToothCurve::new(*sun)?, ToothCurve::new(*planet)?, ToothCurve::new(*ring)?])
     }
 
     /// The planets in mesh with a sun that has a tooth along the first axis.
@@ -57,6 +56,7 @@ impl PlanetSet {
 mod tests {
     use super::*;
     use crate::involute::closing::Closing;
+    use crate::involute::tool::{Shaper, Tool};
     use proptest::prelude::*;
     use std::f64::consts::TAU;
 
@@ -96,9 +96,9 @@ mod tests {
             // Thin enough that what only touches is clear of it.
             let curve = |gear: &crate::involute::InvoluteGear| gear.with_thickness_allowance(-1e-3).unwrap();
             let [sun, planet, ring] = set.gears().map(curve);
-            let cutter = Shaper { teeth: ToothCount::new(20).unwrap(), shift: 0.0, addendum: 1.3, tip_radius: 0.05 };
-            let Ok(ring) = ToothCurve::by_shaper(ring, cutter) else { return Ok(()) };
-            let [sun, planet] = [sun, planet].map(|gear| ToothCurve::by_rack(gear).unwrap());
+            let cutter = Shaper { teeth: ToothCount::new(20).unwrap(), shift: 0.0, addendum: Some(1.3), tip_radius: 0.05 };
+            let Ok(ring) = ring.with_tool(Tool::Shaper(cutter)).and_then(ToothCurve::new) else { return Ok(()) };
+            let [sun, planet] = [sun, planet].map(|gear| ToothCurve::new(gear).unwrap());
             // A shaper may leave less involute than the planet's tip needs.
             let reach = set.ring_mesh().mate(planet.gear().curvature_radius(2.0 * planet.tip_radius()));
             prop_assume!(reach <= ring.gear().curvature_radius(2.0 * ring.joint_radius()));

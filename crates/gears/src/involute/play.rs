@@ -358,7 +358,7 @@ mod tests {
             let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
             let ring = (sun + 2 * planet).checked_add_signed(offset).unwrap();
             let teeth = [sun, planet, ring].map(|count| ToothCount::new(count).unwrap());
-            let closed = Closing { profile, ..Closing::default() }.close(teeth);
+            let closed = Closing { profiles: profile.into(), ..Closing::default() }.close(teeth);
             prop_assume!(closed.is_ok());
             let set = closed.unwrap().set;
             for pair in [set.sun_mesh(), set.ring_mesh()] {

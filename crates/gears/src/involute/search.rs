@@ -6,9 +6,9 @@
 //! [`ShiftedSearch::first_for_ratio`] ranks the sets of one ratio; [`ShiftedSearch::of_sun`] gives all of a sun to searches that combine
 //! sets.
 
+use super::check::{Check, Rule};
 use super::closing::Closing;
 use super::family::{Choice, natural_centre_distance};
-use super::fault::SetFault;
 use crate::mesh::coaxial_ring;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
@@ -56,7 +56,7 @@ impl ProfileShift {
         if teeth.ring_offset() == 0 {
             return Ok(1.0);
         }
-        let profile = self.closing.profile;
+        let profile = *self.closing.profiles.shared();
         let a = natural_centre_distance([teeth.sun, teeth.planet, teeth.ring], profile)?;
         let cos_beta = libm::cos(radians(profile.helix_angle));
         Ok(2.0 * a * cos_beta / (teeth.sun.as_f64() + teeth.planet.as_f64()))
@@ -223,7 +223,7 @@ impl ShiftedSearch {
     /// [`Profile::check`](super::Profile::check).
     pub fn check(&self) -> Result<(), Error> {
         self.bounds.check()?;
-        self.closing.profile.check()?;
+        self.closing.profiles.check()?;
         self.closing.limits.check()?;
         let (from, to) = (*self.offsets.start(), *self.offsets.end());
         if from > to || from < -MOST_OFFSET || to > MOST_OFFSET {
@@ -272,7 +272,7 @@ impl ShiftedSearch {
             match (Closing { planets, ..self.closing }).close(gears) {
                 Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, choice),
                 // More planets stand closer: of equally spaced ones none of the following clears.
-                Err(Error::NoShifts { fault: SetFault::Planets { .. }, .. }) if is_equal => break,
+                Err(Error::NoShifts { fault: Check { rule: Rule::PlanetGap, .. }, .. }) if is_equal => break,
                 Err(_) => {}
             }
         }

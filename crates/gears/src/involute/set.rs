@@ -3,29 +3,29 @@
 //! The teeth need not obey `z_r = z_s + 2·z_p`: profile shifts make up for a ring with some teeth more or fewer
 //! ([`family`](super::family)). The number of assembly positions is `z_s + z_r` all the same.
 //!
-//! # Faults
-//! [`PlanetSet::faults`] names each with its numbers, by the limits of [`Limits`]:
+//! # Checks
+//! [`PlanetSet::checks`] has each with its numbers, by the limits of [`Limits`], [`PlanetSet::faults`] those that do not hold:
 //!
-//! | fault | condition |
+//! | check | condition |
 //! |---|---|
+//! | tool | the tool cuts the gear |
 //! | undercut | `x ≥ x_min` of sun and planet |
 //! | tip thickness | `s_an ≥ 0.2` of each gear, case-hardened `0.4` |
+//! | tips by a shaper | `√(r_a² − r_b²) ≥ a_0·sin α_w0` of a ring; tips of shaper and ring miss each other, also when it is fed radially |
 //! | contact ratio | `ε_α ≥ 1.1` of both meshes |
 //! | tip clearance | tips of each gear from the roots of its mates, `≥ 0` |
-//! | pressed flanks | `j_wt ≥ 0` of both meshes |
-//! | involute, fillet, trochoidal interference, trimming | as in [`interference`](super::interference) |
+//! | backlash | `j_wt ≥ 0` of both meshes |
+//! | involute, fillet, trochoidal interference, radial assembly | as in [`interference`](super::interference) |
 //! | planets | `2·a·sin(γ/2) − d_a > 0` |
 //!
-//! Tips that reach into a fillet are a fault of external meshes too. Fillets are those that a rack leaves, of the ring too; where a shaper
-//! leaves a ring less involute, its [`curve`](super::curve) shows it.
+//! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter the ring radially is a remark, unless the limits ask for it.
 
-use super::fault::{SetFault, SetMesh};
+use super::check::{Check, Place, Rule, SetMesh, Severity};
 use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::mesh::TipCircle;
 use crate::quantity::{Counted, SimpleGear};
 use crate::spacing::PlanetSpacing;
-use crate::tolerance::{PRESSED, TOUCH};
 use crate::{Error, Quantity};
 
 /// What a set must keep; lengths in modules.
@@ -200,77 +200,107 @@ impl PlanetSet {
         self.planet_circle().gap_to_alike(self.spacing().half_gap_sine())
     }
 
-    /// All that keeps the gears from running together, in the order of the module's table.
+    /// The same with the tips of the ring shortened to where they stay out of the fillets of the planets and its shaper leaves them; this costs no contact.
+    /// With fillets by a rack of `h_FfP* = h_aP*` the tips of a ring without shift always reach 0.05 to 0.15 modules into them.
+    ///
+    /// # Errors
+    /// [`Error::ShiftOutOfRange`] where teeth vanish.
+    pub fn with_clear_ring_tips(self) -> Result<Self, Error> {
+        let [sun, planet, ring] = self.gears();
+        let shortened = ring.shortened_to(self.ring_mesh.mate(planet.cut().end));
+        self.with_tip_alterations([sun.tip_alteration(), planet.tip_alteration(), shortened])
+    }
+
+    /// All that keeps the gears from being cut, put together and turned: the [checks](Self::checks) that do not hold but for remarks.
     #[must_use]
-    pub fn faults(&self, limits: &Limits) -> Vec<SetFault> {
+    pub fn faults(&self, limits: &Limits) -> Vec<Check> {
         let mut faults = Vec::new();
+        self.each_check(limits, |check| {
+            let counts = check.rule.severity() > Severity::Remark || limits.radial_assembly;
+            if counts && !check.holds() {
+                faults.push(check);
+            }
+        });
+        faults
+    }
+
+    /// All checks of its teeth, in the order of the module's table.
+    #[must_use]
+    pub fn checks(&self, limits: &Limits) -> Vec<Check> {
+        let mut checks = Vec::new();
+        self.each_check(limits, |check| checks.push(check));
+        checks
+    }
+
+    fn each_check(&self, limits: &Limits, mut see: impl FnMut(Check)) {
         let [sun, planet, ring] = self.gears();
         let named = [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)];
         for (gear, of) in named {
-            let least = of.least_shift_without_undercut().filter(|least| of.shift() < least - TOUCH);
-            faults.extend(least.map(|least| SetFault::Undercut { gear, shift: of.shift(), least }));
-            let thickness = of.tip_thickness();
-            if thickness < limits.tip_thickness - TOUCH {
-                faults.push(SetFault::TipThickness { gear, thickness, least: limits.tip_thickness });
-            }
+            gear_checks(gear, of, limits, &mut see);
         }
         for (mesh, pair, gears) in [
             (SetMesh::SunPlanet, &self.sun_mesh, [SimpleGear::Sun, SimpleGear::Planet]),
             (SetMesh::PlanetRing, &self.ring_mesh, [SimpleGear::Planet, SimpleGear::Ring]),
         ] {
-            mesh_faults(mesh, pair, gears, limits, &mut faults);
+            mesh_checks(mesh, pair, gears, limits, &mut see);
         }
         if let Some(free) = self.ring_mesh.interference() {
-            if free.trochoidal < 0.0 {
-                faults.push(SetFault::Trochoidal { by_rad: -free.trochoidal });
-            }
-            if limits.radial_assembly && free.trimming < 0.0 {
-                faults.push(SetFault::Trimming { by_rad: -free.trimming });
-            }
+            let place = Place::Mesh(SetMesh::PlanetRing);
+            see(Check { rule: Rule::Trochoidal, place, value: free.trochoidal, limit: 0.0 });
+            see(Check { rule: Rule::RadialAssembly, place, value: free.trimming, limit: 0.0 });
         }
-        let gap = self.planet_gap();
-        if gap <= limits.planet_gap {
-            faults.push(SetFault::Planets { planets: self.planets, gap, least: limits.planet_gap });
+        if self.planets > 1 {
+            let place = Place::Planets(self.planets);
+            see(Check { rule: Rule::PlanetGap, place, value: self.planet_gap(), limit: limits.planet_gap });
         }
-        faults
     }
 }
 
-fn mesh_faults(
+fn gear_checks(gear: SimpleGear, of: &InvoluteGear, limits: &Limits, see: &mut impl FnMut(Check)) {
+    let place = Place::Gear(gear);
+    let can_cut = if of.tool_fault().is_none() { 1.0 } else { 0.0 };
+    see(Check { rule: Rule::Tool, place, value: can_cut, limit: 1.0 });
+    if let Some(limit) = of.least_shift_without_undercut() {
+        see(Check { rule: Rule::Undercut, place, value: of.shift(), limit });
+    }
+    see(Check { rule: Rule::TipThickness, place, value: of.tip_thickness(), limit: limits.tip_thickness });
+    if let Some(room) = of.cut().room(of.flank(), of.tip_diameter() / 2.0) {
+        see(Check { rule: Rule::ToolTips, place, value: room.flank, limit: 0.0 });
+        see(Check { rule: Rule::ToolTrochoidal, place, value: room.trochoidal, limit: 0.0 });
+        see(Check { rule: Rule::ToolFeed, place, value: room.radial, limit: 0.0 });
+    }
+}
+
+fn mesh_checks(
     mesh: SetMesh,
     pair: &Pair,
     gears: [SimpleGear; 2],
     limits: &Limits,
-    faults: &mut Vec<SetFault>,
+    see: &mut impl FnMut(Check),
 ) {
+    let place = Place::Mesh(mesh);
     let ratio = pair.transverse_contact_ratio();
-    if ratio < limits.contact_ratio {
-        faults.push(SetFault::ContactRatio { mesh, ratio, least: limits.contact_ratio });
+    see(Check { rule: Rule::ContactRatio, place, value: ratio, limit: limits.contact_ratio });
+    for (gear, value) in gears.into_iter().zip(pair.tip_clearances()) {
+        let place = Place::Tips(gear, mesh);
+        see(Check { rule: Rule::TipClearance, place, value, limit: limits.tip_clearance });
     }
-    for (gear, clearance) in gears.into_iter().zip(pair.tip_clearances()) {
-        if clearance < limits.tip_clearance - TOUCH {
-            faults.push(SetFault::TipClearance { gear, mesh, clearance, least: limits.tip_clearance });
-        }
-    }
-    let backlash = pair.backlash();
-    if backlash < -PRESSED {
-        faults.push(SetFault::Pressed { mesh, backlash });
-    }
+    see(Check { rule: Rule::Backlash, place, value: pair.backlash(), limit: 0.0 });
     // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's involute ends; on a ring it
     // ends outwards.
     let [first, second] = pair.gears();
     let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
     let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));
-    let end = |gear: &InvoluteGear| gear.curvature_radius(gear.form_diameter());
     let outwards = second.sign();
     for (gear, radius, room) in [
-        (gears[1], at_first, at_first - end(first)),
-        (gears[0], at_second, outwards * (at_second - end(second))),
+        (gears[1], at_first, at_first - first.cut().end),
+        (gears[0], at_second, outwards * (at_second - second.cut().end)),
     ] {
-        if radius < 0.0 {
-            faults.push(SetFault::Involute { gear, mesh, radius });
-        } else if room < -TOUCH {
-            faults.push(SetFault::Fillet { gear, mesh, by: -room });
+        let place = Place::Tips(gear, mesh);
+        see(Check { rule: Rule::Involute, place, value: radius, limit: 0.0 });
+        // A tip below the base circle is one fault, not two.
+        if radius >= 0.0 {
+            see(Check { rule: Rule::Fillet, place, value: room, limit: 0.0 });
         }
     }
 }

@@ -5,8 +5,9 @@ use crate::tolerance::EDGE;
 use crate::units::{kg_m3, mm};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::family::{Family, natural_centre_distance};
-use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::spacing::PlanetSpacing;
 use std::f64::consts::FRAC_PI_4;
@@ -20,8 +21,8 @@ pub(super) struct Geometry {
     pub(super) planets: u32,
     pub(super) centre_mm: f64,
     pub(super) set: PlanetSet,
-    pub(super) limited_by: Option<SetFault>,
-    /// Of sun and planets, of planets and ring as its tool leaves it.
+    pub(super) limited_by: Option<Check>,
+    /// Of sun and planets, of planets and ring.
     pub(super) pairs: [Pair; 2],
     pub(super) planet_root_mm: f64,
     pub(super) planet_height_mm: f64,
@@ -43,13 +44,9 @@ impl Geometry {
         [module, planets]: [usize; 2],
         module_mm: f64,
         set: PlanetSet,
-        limited_by: Option<SetFault>,
+        limited_by: Option<Check>,
     ) -> Result<Self, Error> {
         let [sun, planet, ring] = set.gears();
-        let profile = epicyclic_gears::involute::Profile { fillet: task.ring_fillet, ..*ring.profile() };
-        let as_cut = InvoluteGear::new(GearKind::Internal, ring.teeth(), profile, ring.shift())?
-            .with_tip_alteration(ring.tip_alteration())?;
-        let ring_mesh = Pair::at_centre_distance(*planet, as_cut, set.centre_distance())?;
         let ring_rim_mm = task.held_ring_rim.map_or(task.ring_rim * module_mm, mm);
         let ring_mm = ring.root_diameter() * module_mm + 2.0 * ring_rim_mm;
         let [sun_rho, planet_rho, ring_rho] = task.gears.map(|gear| kg_m3(gear.material.density) / MM3);
@@ -67,7 +64,7 @@ impl Geometry {
             planets: planets as u32,
             centre_mm: set.centre_distance() * module_mm,
             limited_by,
-            pairs: [*set.sun_mesh(), ring_mesh],
+            pairs: [*set.sun_mesh(), *set.ring_mesh()],
             planet_root_mm: planet.root_diameter() * module_mm,
             planet_height_mm: (planet.tip_diameter() - planet.root_diameter()) / 2.0 * module_mm,
             ring_rim_mm,
@@ -119,19 +116,22 @@ pub(super) fn check_extent(task: &Sizing, modules_mm: &[f64], widths: usize) -> 
 }
 
 /// The set with shifts that are held; `None` where they leave no gears or have a fault.
-fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, SetFault>> {
+fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
     let shifts = task.held_shifts?;
     let [sun, planet, ring] = task.teeth;
+    let Profiles(profiles) = task.profiles;
+    let tips = shifts.tips.unwrap_or_default();
     let gear = |kind, teeth, place: usize| {
-        InvoluteGear::new(kind, teeth, task.profile, shifts.profile[place])?
-            .with_tip_alteration(shifts.tips[place])
+        InvoluteGear::new(kind, teeth, profiles[place], shifts.profile[place])?
+            .with_tip_alteration(tips[place])
     };
     let set = || {
         let sun = gear(GearKind::External, sun, 0)?;
         let planet = gear(GearKind::External, planet, 1)?;
         let ring = gear(GearKind::Internal, ring, 2)?;
         let centre = Pair::without_backlash(sun, planet)?.centre_distance();
-        PlanetSet::new([sun, planet, ring], planets, centre)
+        let set = PlanetSet::new([sun, planet, ring], planets, centre)?;
+        if shifts.tips.is_some() { Ok(set) } else { set.with_clear_ring_tips() }
     };
     let set = set().ok()?;
     Some(match set.faults(&task.limits).first() {
@@ -149,7 +149,7 @@ pub(super) fn geometries(
     others: u64,
     left_out: &mut LeftOut,
 ) -> Result<(Vec<Geometry>, u64, u64), Error> {
-    let natural = natural_centre_distance(task.teeth, task.profile)?;
+    let natural = natural_centre_distance(task.teeth, *task.profiles.shared())?;
     let [sun, _, ring] = task.teeth;
     let (mut all, mut space, mut calculated) = (vec![], 0, 0);
     for &planets in &task.space.planets {
@@ -175,7 +175,7 @@ pub(super) fn geometries(
                         Some(Err(fault)) => Err(Some(fault)),
                         None => Err(None),
                     },
-                    Some(centre) => Family::new(task.teeth, planets, task.profile, centre)
+                    Some(centre) => Family::new(task.teeth, planets, task.profiles, centre)
                         .and_then(|family| family.choose(task.aim, &task.limits))
                         .map(|choice| (choice.set, choice.limited_by))
                         .map_err(|error| match error {
@@ -193,7 +193,7 @@ pub(super) fn geometries(
                             limited_by,
                         )?);
                     }
-                    Err(Some(SetFault::Planets { .. })) => left_out.planets_touch += others,
+                    Err(Some(Check { rule: Rule::PlanetGap, .. })) => left_out.planets_touch += others,
                     Err(_) => left_out.geometry += others,
                 }
             }

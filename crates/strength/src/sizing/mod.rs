@@ -69,12 +69,13 @@ use crate::spectrum::DutyRating;
 use crate::{bearing::life_over_duty, rating::overload, spectrum::rate_duty};
 use bearing::Bearing;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::PlanetSet;
+use epicyclic_gears::involute::check::Check;
 use epicyclic_gears::involute::family::Aim;
 #[cfg(doc)]
 use epicyclic_gears::involute::family::Family;
-use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::set::Limits;
-use epicyclic_gears::involute::{PlanetSet, Profile};
 use epicyclic_gears::quantity::SimpleGear;
 pub use search::size;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Mass, Time, Torque};
@@ -141,8 +142,8 @@ pub struct SetOverload {
 pub struct HeldShifts {
     /// Profile shift coefficients.
     pub profile: [f64; 3],
-    /// Tip alterations.
-    pub tips: [f64; 3],
+    /// Tip alterations; where none are given the tips of the ring are shortened to stay out of the fillets of the planets.
+    pub tips: Option<[f64; 3]>,
 }
 
 /// A set to size.
@@ -150,10 +151,8 @@ pub struct HeldShifts {
 pub struct Sizing {
     /// Teeth of sun, planets and ring.
     pub teeth: [ToothCount; 3],
-    /// What the teeth have in common.
-    pub profile: Profile,
-    /// Radius of the root fillet of the rack that stands for the ring's shaper, in modules; for its strength alone.
-    pub ring_fillet: f64,
+    /// Basic racks and tools of sun, planets and ring.
+    pub profiles: Profiles,
     /// What picks the shifts.
     pub aim: Aim,
     /// Shifts that are held in place of an aim.
@@ -247,7 +246,7 @@ pub struct Design {
     /// Gears with their shifts, in modules.
     pub set: PlanetSet,
     /// What keeps the aim from being met in full; `None` where it is met or shifts are held.
-    pub limited_by: Option<SetFault>,
+    pub limited_by: Option<Check>,
     /// Bearing of the planets.
     pub bearing: Option<Bearing>,
     /// Bore of the planets; `None` of solid ones.

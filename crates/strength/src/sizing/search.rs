@@ -149,7 +149,7 @@ fn check(task: &Sizing) -> Result<(), Error> {
         }
     }
     task.limits.check()?;
-    task.profile.check()?;
+    task.profiles.check()?;
     check_shares(task.duty.iter().map(|step| step.share))
 }
 

@@ -1,6 +1,6 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
-use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::check::Check;
 use std::fmt;
 
 /// A gear with its teeth, by name.
@@ -110,7 +110,7 @@ pub enum ToothWarning {
         /// The set.
         set: String,
         /// What is wrong.
-        fault: SetFault,
+        fault: Check,
     },
     /// Shifts that leave a set no teeth or no mesh.
     ShiftsRefused {

@@ -1,0 +1,180 @@
+//! What a gearbox file says of how the gears of a simple set are cut.
+
+use super::{DescriptionError, SetEntry, ShaperEntry};
+use crate::Number;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::profile::{Cutting, Iso53};
+use epicyclic_gears::involute::tool::{Shaper, Tool};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What cuts sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper of 30 teeth with corners of
+/// 0.3 modules, or with 18 less than a smaller ring has, and a form tool for rings of fewer than 42 teeth.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolsEntry {
+    /// Of the sun.
+    #[serde(default)]
+    pub sun: Option<ToolEntry>,
+    /// Of the planets.
+    #[serde(default)]
+    pub planet: Option<ToolEntry>,
+    /// Of the ring.
+    #[serde(default)]
+    pub ring: Option<ToolEntry>,
+}
+
+/// What cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolEntry {
+    /// Basic rack tooth profile of ISO 53, in place of `dedendum` and `fillet`.
+    #[serde(default)]
+    pub profile: Option<ProfileEntry>,
+    /// Dedendum `h_fP*` of the basic rack, in modules. Default 1.25 with an addendum of 1.
+    #[serde(default)]
+    pub dedendum: Option<Number>,
+    /// Root fillet radius `ρ_fP*` of the basic rack, in modules. Default 0.38.
+    #[serde(default)]
+    pub fillet: Option<Number>,
+    /// Protuberance `p_r*` of the hob, normal to its flank, in modules. Default 0.
+    #[serde(default)]
+    pub protuberance: Option<Number>,
+    /// Stock `q*` that the hob leaves on the flanks for finishing, in modules. Default 0.
+    #[serde(default)]
+    pub stock: Option<Number>,
+    /// A shaper (pinion-type cutter).
+    #[serde(default)]
+    pub shaper: Option<CutterEntry>,
+    /// Radius of the root fillet that a form tool leaves (broach, mould, electrode), in modules.
+    #[serde(default)]
+    pub form_fillet: Option<Number>,
+}
+
+/// Basic rack tooth profile of ISO 53.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+pub enum ProfileEntry {
+    /// Dedendum 1.25, fillet 0.38 modules.
+    A,
+    /// Dedendum 1.25, fillet 0.30 modules.
+    B,
+    /// Dedendum 1.25, fillet 0.25 modules.
+    C,
+    /// Dedendum 1.40, fillet 0.39 modules.
+    D,
+}
+
+/// A shaper (pinion-type cutter).
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CutterEntry {
+    /// Its teeth.
+    pub teeth: u32,
+    /// Its profile shift coefficient; sharpening lowers it from about 0.15 to -0.15. Default 0.
+    #[serde(default)]
+    pub shift: Option<Number>,
+    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches take the dedendum of the rack.
+    #[serde(default)]
+    pub addendum: Option<Number>,
+    /// Radius of its tip corners, in modules. Default 0.3.
+    #[serde(default)]
+    pub tip_radius: Option<Number>,
+}
+
+impl From<ProfileEntry> for Iso53 {
+    fn from(entry: ProfileEntry) -> Self {
+        match entry {
+            ProfileEntry::A => Self::A,
+            ProfileEntry::B => Self::B,
+            ProfileEntry::C => Self::C,
+            ProfileEntry::D => Self::D,
+        }
+    }
+}
+
+impl CutterEntry {
+    fn tool(&self) -> Result<Tool, epicyclic_gears::Error> {
+        let usual = Shaper::of_teeth(ToothCount::new(self.teeth)?);
+        Ok(Tool::Shaper(Shaper {
+            shift: self.shift.map_or(usual.shift, Number::get),
+            addendum: self.addendum.map(Number::get),
+            tip_radius: self.tip_radius.map_or(usual.tip_radius, Number::get),
+            ..usual
+        }))
+    }
+}
+
+impl ShaperEntry {
+    /// The shaper as a tool, and its corners as the fillet of the rack that stands for it.
+    fn cutting(&self) -> Result<Cutting, epicyclic_gears::Error> {
+        let cutter = CutterEntry {
+            teeth: self.teeth,
+            shift: self.shift,
+            addendum: self.addendum,
+            tip_radius: self.fillet,
+        };
+        Ok(Cutting { fillet: self.fillet.map(Number::get), tool: Some(cutter.tool()?), ..Cutting::default() })
+    }
+}
+
+impl ToolEntry {
+    fn cutting(&self) -> Result<Cutting, ToolMisfit> {
+        let of_profile = self.profile.map(|profile| Cutting::from(Iso53::from(profile)));
+        if of_profile.is_some() && (self.dedendum.is_some() || self.fillet.is_some()) {
+            return Err(ToolMisfit::Twice("profile", "dedendum and fillet"));
+        }
+        if self.shaper.is_some() && self.form_fillet.is_some() {
+            return Err(ToolMisfit::Twice("shaper", "form_fillet"));
+        }
+        let tool = match (&self.shaper, self.form_fillet) {
+            (Some(shaper), _) => Some(shaper.tool()?),
+            (None, Some(fillet)) => Some(Tool::Form { fillet: fillet.get() }),
+            (None, None) => None,
+        };
+        let of_profile = of_profile.unwrap_or_default();
+        Ok(Cutting {
+            dedendum: of_profile.dedendum.or(self.dedendum.map(Number::get)),
+            fillet: of_profile.fillet.or(self.fillet.map(Number::get)),
+            protuberance: self.protuberance.map_or(0.0, Number::get),
+            stock: self.stock.map_or(0.0, Number::get),
+            tool,
+        })
+    }
+}
+
+/// Why the tools of a set cannot be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ToolMisfit {
+    /// Two keys for one thing.
+    #[error("`{0}` and `{1}` say the same: keep one of them")]
+    Twice(&'static str, &'static str),
+    /// An invalid tool.
+    #[error("{0}")]
+    Invalid(#[from] epicyclic_gears::Error),
+}
+
+impl SetEntry {
+    /// How sun, planets and ring are cut.
+    pub(super) fn cutting(&self) -> Result<[Cutting; 3], DescriptionError> {
+        let tools = self.tools.clone().unwrap_or_default();
+        let shaper = self.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
+        let refuse = |source| DescriptionError::Tools { set: self.id.clone(), source };
+        let own =
+            |entry: &Option<ToolEntry>| entry.as_ref().map_or(Ok(Cutting::default()), ToolEntry::cutting);
+        let [sun, planet, ring] = [&tools.sun, &tools.planet, &tools.ring].map(own);
+        let ring = match (shaper, &tools.ring) {
+            (Some(_), Some(_)) => Err(ToolMisfit::Twice("strength.shaper", "tools.ring")),
+            (Some(shaper), None) => shaper.cutting().map_err(ToolMisfit::Invalid),
+            (None, _) => ring,
+        };
+        let cutting = [sun.map_err(refuse)?, planet.map_err(refuse)?, ring.map_err(refuse)?];
+        let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
+        for (cutting, kind) in cutting.iter().zip(kinds) {
+            let check = cutting.tool.map_or(Ok(()), |tool| tool.check(kind));
+            check.map_err(|source| refuse(ToolMisfit::Invalid(source)))?;
+        }
+        Ok(cutting)
+    }
+}

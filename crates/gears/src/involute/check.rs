@@ -1,0 +1,256 @@
+//! Checks of the teeth of a set: what must hold, its value, its limit, how grave a miss is, and what helps.
+
+use crate::quantity::SimpleGear;
+use crate::tolerance::{PRESSED, TOUCH};
+use std::fmt;
+
+/// A mesh of a simple set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SetMesh {
+    /// Of sun and planets.
+    SunPlanet,
+    /// Of planets and ring.
+    PlanetRing,
+}
+
+impl fmt::Display for SetMesh {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::SunPlanet => "sun–planet",
+            Self::PlanetRing => "planet–ring",
+        })
+    }
+}
+
+/// How grave it is that a check does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// Worth knowing.
+    Remark,
+    /// A design that an experienced engineer would send back, or give a reason for.
+    Warning,
+    /// Gears that cannot be cut, put together or turned.
+    Error,
+}
+
+/// What is checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Rule {
+    /// Whether the tool cuts the gear at all: 1 where it does.
+    Tool,
+    /// The profile shift is at least the least one without undercut.
+    Undercut,
+    /// Normal thickness of a tip, modules.
+    TipThickness,
+    /// The shaper leaves the tips of its work: radius of curvature between tip and the end of its involute, modules.
+    ToolTips,
+    /// Tips of shaper and ring miss each other outside their mesh: angle of the ring, rad.
+    ToolTrochoidal,
+    /// They miss each other when the shaper is fed radially: angle of the shaper, rad.
+    ToolFeed,
+    /// Transverse contact ratio of a mesh.
+    ContactRatio,
+    /// Clearance between a tip and the root circle of its mate, modules.
+    TipClearance,
+    /// Backlash at the working circles, modules.
+    Backlash,
+    /// A tip stays outside the base circle of its mate: radius of curvature of the mate's flank, modules.
+    Involute,
+    /// A tip stays out of the fillet of its mate: radius of curvature between the tip and the end of the mate's involute, modules.
+    Fillet,
+    /// Tips of planet and ring miss each other outside the mesh: angle of the ring, rad.
+    Trochoidal,
+    /// The planets enter the ring radially: angle of the planet, rad.
+    RadialAssembly,
+    /// Gap between the tip circles of neighbouring planets, modules.
+    PlanetGap,
+}
+
+impl Rule {
+    /// Name in output for programs.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Tool => "tool",
+            Self::Undercut => "undercut",
+            Self::TipThickness => "tip-thickness",
+            Self::ToolTips => "tool-tips",
+            Self::ToolTrochoidal => "tool-trochoidal",
+            Self::ToolFeed => "tool-feed",
+            Self::ContactRatio => "contact-ratio",
+            Self::TipClearance => "tip-clearance",
+            Self::Backlash => "backlash",
+            Self::Involute => "involute-interference",
+            Self::Fillet => "fillet-interference",
+            Self::Trochoidal => "trochoidal-interference",
+            Self::RadialAssembly => "radial-assembly",
+            Self::PlanetGap => "planet-gap",
+        }
+    }
+
+    /// How grave a miss is.
+    #[must_use]
+    pub const fn severity(self) -> Severity {
+        match self {
+            Self::RadialAssembly => Severity::Remark,
+            Self::Undercut => Severity::Warning,
+            _ => Severity::Error,
+        }
+    }
+
+    /// What helps.
+    #[must_use]
+    pub const fn remedy(self) -> &'static str {
+        match self {
+            Self::Tool => "state another tool",
+            Self::Undercut => "raise the profile shift, or take more teeth",
+            Self::TipThickness => "lower the profile shift, or shorten the tips",
+            Self::ToolTips => "shorten the tips, or state a shaper with more teeth or a form tool",
+            Self::ToolTrochoidal | Self::ToolFeed => "state a shaper with fewer teeth or a form tool",
+            Self::ContactRatio => "take more teeth, or other profile shifts",
+            Self::TipClearance => "shorten the tips",
+            Self::Backlash => "lower the profile shifts, or raise the centre distance",
+            Self::Involute | Self::Fillet => "shorten the tips, or change the profile shifts",
+            Self::Trochoidal => "shorten the tips, or give the ring more teeth",
+            Self::RadialAssembly => "put the planets in along the axis",
+            Self::PlanetGap => "take fewer planets, or shorten their tips",
+        }
+    }
+
+    /// By how much a value may fall short through rounding.
+    const fn slack(self) -> f64 {
+        match self {
+            Self::Backlash => PRESSED,
+            _ => TOUCH,
+        }
+    }
+}
+
+/// What a check is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// A gear.
+    Gear(SimpleGear),
+    /// A mesh.
+    Mesh(SetMesh),
+    /// The tips of a gear in a mesh.
+    Tips(SimpleGear, SetMesh),
+    /// So many planets beside each other.
+    Planets(u32),
+}
+
+/// A check: `value` must be at least `limit`, a gap between planets more.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// What is checked.
+    pub rule: Rule,
+    /// Of what.
+    pub place: Place,
+    /// The value.
+    pub value: f64,
+    /// The limit.
+    pub limit: f64,
+}
+
+impl Check {
+    /// Whether it holds.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        if self.rule == Rule::PlanetGap {
+            return self.value > self.limit;
+        }
+        self.value >= self.limit - self.rule.slack()
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Gear(gear) => write!(f, "the {gear}"),
+            Self::Mesh(mesh) => write!(f, "the {mesh} mesh"),
+            Self::Tips(gear, mesh) => write!(f, "the tips of the {gear}, {mesh} mesh,"),
+            Self::Planets(planets) => write!(f, "{planets} planets"),
+        }
+    }
+}
+
+/// A miss in words, with its figures.
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rule, place, value, limit } = self;
+        match rule {
+            Rule::Tool => write!(f, "the tool does not cut {place}"),
+            Rule::Undercut => write!(f, "{place} is undercut: x = {value:.4}, at least {limit:.4} needed"),
+            Rule::TipThickness => {
+                write!(f, "the tips of {place} are {value:.3} modules thick, at least {limit} needed")
+            }
+            Rule::ToolTips => write!(
+                f,
+                "the shaper cuts away the tips of {place}, by {:.3} modules of radius of curvature, at most 0 allowed",
+                -value
+            ),
+            Rule::ToolTrochoidal if value.is_infinite() => {
+                write!(
+                    f,
+                    "the tip circle of the shaper encloses that of {place}, and cuts all its teeth away"
+                )
+            }
+            Rule::ToolTrochoidal => {
+                write!(
+                    f,
+                    "the tips of the shaper cut into {place} outside the mesh, by {:.3}° of the ring",
+                    -value.to_degrees()
+                )
+            }
+            Rule::ToolFeed if value.is_infinite() => {
+                write!(f, "the tips of {place} reach within its base circle, so that a shaper trims them")
+            }
+            Rule::ToolFeed => write!(
+                f,
+                "a shaper that is fed radially trims the tips of {place}, by {:.3}° of the shaper",
+                -value.to_degrees()
+            ),
+            Rule::ContactRatio => write!(f, "contact ratio of {place} {value:.3}, at least {limit} needed"),
+            Rule::TipClearance => {
+                write!(
+                    f,
+                    "{place} clear the roots of the mate by {value:.3} modules, at least {limit} needed"
+                )
+            }
+            Rule::Backlash => write!(
+                f,
+                "the flanks of {place} press into each other: backlash {value:.4} modules, at least {limit} needed"
+            ),
+            Rule::Involute => write!(
+                f,
+                "{place} reach below the base circle of the mate: radius of curvature {value:.3} modules, at least {limit} needed"
+            ),
+            Rule::Fillet => write!(
+                f,
+                "{place} reach into the fillets of the mate, by {:.3} modules of radius of curvature, at most 0 allowed",
+                -value
+            ),
+            Rule::Trochoidal if value.is_infinite() => {
+                write!(f, "the tip circle of a planet encloses that of the ring, so that teeth always meet")
+            }
+            Rule::Trochoidal => write!(
+                f,
+                "the tips of planet and ring overlap outside the mesh by {:.3}° of the ring",
+                -value.to_degrees()
+            ),
+            Rule::RadialAssembly if value.is_infinite() => {
+                write!(f, "the planets do not enter the ring radially: its tips reach within its base circle")
+            }
+            Rule::RadialAssembly => write!(
+                f,
+                "the planets do not enter the ring radially: tips overlap by {:.3}° of the planet",
+                -value.to_degrees()
+            ),
+            Rule::PlanetGap => write!(
+                f,
+                "the tip circles of neighbours among {place} are {value:.3} modules apart, more than {limit} needed"
+            ),
+        }
+    }
+}
