@@ -12,6 +12,7 @@ use epicyclic_train::drag::Drag;
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
+use epicyclic_train::tooth_checks::SetChecks;
 use epicyclic_train::{Gearbox, PlanetSet};
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -55,6 +56,8 @@ pub struct Subject<'d> {
     /// Drag torques that the file states.
     pub drags: Vec<Drag>,
     inputs: Vec<(String, GearInputs)>,
+    /// Modules that the file states of the meshes of each set, mm.
+    modules: Vec<Vec<Option<f64>>>,
 }
 
 /// Speeds and torques of several links, as a file states them of a gear.
@@ -79,6 +82,14 @@ impl Subject<'_> {
             }
             None => Ok(()),
         }
+    }
+
+    /// The checks of the teeth of all sets.
+    #[must_use]
+    pub fn tooth_checks(&self) -> SetChecks {
+        let place = |set: &PlanetSet| self.gearbox.sets().iter().position(|other| other.id() == set.id());
+        let modules = |set: &PlanetSet| place(set).and_then(|place| self.modules.get(place)).cloned();
+        self.gearbox.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
     }
 
     /// What is published of a gear.
@@ -183,7 +194,19 @@ pub(crate) fn gearbox(
         (gear.name.clone(), inputs)
     };
     let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
-    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, drags, inputs }))
+    let modules = gearbox.sets().iter().map(|set| file.stated_modules(set)).collect();
+    Ok(Box::new(Subject {
+        gearbox,
+        source,
+        published,
+        planet_bearings,
+        rack,
+        document,
+        base,
+        drags,
+        inputs,
+        modules,
+    }))
 }
 
 fn transmission<'d>(
@@ -202,8 +225,19 @@ fn transmission<'d>(
         (gear.name.clone(), inputs)
     };
     let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
-    let (rack, drags) = (BasicRack::default(), vec![]);
-    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, drags, inputs }))
+    let (rack, drags, modules) = (BasicRack::default(), vec![], vec![]);
+    Ok(Box::new(Subject {
+        gearbox,
+        source,
+        published,
+        planet_bearings,
+        rack,
+        document,
+        base,
+        drags,
+        inputs,
+        modules,
+    }))
 }
 
 /// Refuses torques of a gear without speeds: nothing would take them.

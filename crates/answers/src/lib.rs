@@ -92,6 +92,7 @@ pub mod synthesize;
 pub mod teeth;
 mod tolerance;
 pub mod tool;
+pub mod tooth_checks;
 mod toothed;
 pub mod transmissions;
 mod units;

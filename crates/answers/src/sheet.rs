@@ -13,6 +13,7 @@ pub mod records;
 
 use crate::gearbox::{Subject, alone};
 use crate::strength::place::refused;
+use crate::tooth_checks::ToothChecks;
 use crate::toothed::{gears, lacking, missing_teeth, simple_sets};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
@@ -38,6 +39,8 @@ pub struct DataSheets {
     pub at_output: Vec<AtOutput>,
     /// Sets without data sheets.
     pub left_out: Vec<LeftOut>,
+    /// The checks of the teeth of these sets.
+    pub tooth_checks: ToothChecks,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -108,15 +111,18 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
             }
         }
     }
-    let of_set = |warning: &epicyclic_train::tooth_checks::ToothWarning| {
-        sets.iter().any(|set: &SetSheet| set.set == warning.set())
-    };
-    let checks = subject.gearbox.tooth_checks(&subject.rack).into_iter();
-    let warnings = checks.filter(|warning| !warning.is_note() && of_set(warning));
-    let warnings = warnings.map(|warning| Warning { name: "teeth", message: warning.to_string() }).collect();
+    let tooth_checks = ToothChecks::of(subject, |of| sets.iter().any(|set: &SetSheet| set.set == of));
+    let warnings = tooth_checks.warnings().collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
-    Ok(DataSheets { gearbox: subject.gearbox.name().to_owned(), sets, at_output, left_out, warnings })
+    Ok(DataSheets {
+        gearbox: subject.gearbox.name().to_owned(),
+        sets,
+        at_output,
+        left_out,
+        tooth_checks,
+        warnings,
+    })
 }
 
 /// A set in a file.

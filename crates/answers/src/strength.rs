@@ -28,6 +28,7 @@ use crate::analyze::{Input, OperatingPoint, Worked};
 #[cfg(doc)]
 use crate::gearbox::one;
 use crate::gearbox::{Subject, alone};
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
@@ -88,6 +89,8 @@ pub struct Strength {
     pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
+    /// The checks of the teeth of the sets that are rated.
+    pub tooth_checks: ToothChecks,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -250,7 +253,9 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
     let helical = sets.iter().filter(|set| set.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
-    let warnings = safeties.below(required).into_iter().chain(short_lived).chain(tilting(&helical)).collect();
+    let tooth_checks = ToothChecks::of(subject, |of| sets.iter().any(|set| set.id == of));
+    let warnings = safeties.below(required).into_iter().chain(short_lived).chain(tilting(&helical));
+    let warnings = warnings.chain(tooth_checks.warnings()).collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {
@@ -268,6 +273,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         bearings,
         axial_forces: axial,
         not_rated,
+        tooth_checks,
         warnings,
     })
 }

@@ -6,6 +6,7 @@ use crate::involute::fault::ShiftFault;
 use crate::involute::tool::ToolFault;
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
+use crate::teeth::ToothCount;
 use crate::tolerance;
 
 /// An input that describes no gear, or a requirement that no gear meets.
@@ -97,10 +98,11 @@ pub enum Error {
     },
     /// A ratio that no set of tooth numbers within the bounds reaches.
     #[error(
-        "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}",
+        "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}{}",
         short(*wanted),
         (tolerance * 1e8).round() / 1e6,
-        nearest.map_or(String::from("; none assembles at all: widen the bounds"),
+        left_out.as_ref().map(|left_out| format!("; {left_out}")).unwrap_or_default(),
+        nearest.map_or_else(|| if left_out.is_some() { String::new() } else { String::from("; none assembles at all: widen the bounds") },
             |ratio| if ratio * wanted < 0.0 {
                 String::from("; this mode has the other sign: a negative ratio needs the carrier at rest (ab^H), a positive one the carrier turning (aH^b)")
             } else {
@@ -116,6 +118,8 @@ pub enum Error {
         tolerance: f64,
         /// The nearest ratio within the bounds, where there is any set of tooth numbers.
         nearest: Option<f64>,
+        /// The sets of this ratio that a check leaves out.
+        left_out: Option<Box<RatioLeftOut>>,
     },
     /// A ratio that no double-planet set within the bounds reaches.
     #[error(
@@ -444,6 +448,42 @@ impl Error {
             Self::NoSuchBore { .. } => "no-such-bore",
             Self::NoBearingForShaft { .. } => "no-bearing-for-shaft",
         }
+    }
+}
+
+/// Sets of a wanted ratio that a check leaves out: how many, and one of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RatioLeftOut {
+    /// How many.
+    pub count: u64,
+    /// Teeth of sun, planet and ring of the first.
+    pub teeth: [u32; 3],
+    /// What the first misses.
+    pub check: Check,
+}
+
+impl RatioLeftOut {
+    /// One more that a check leaves out.
+    pub(crate) fn add(all: &mut Option<Box<Self>>, teeth: [ToothCount; 3], check: Check) {
+        match all {
+            Some(all) => all.count += 1,
+            None => *all = Some(Box::new(Self { count: 1, teeth: teeth.map(ToothCount::get), check })),
+        }
+    }
+}
+
+impl std::fmt::Display for RatioLeftOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [sun, planet, ring] = self.teeth;
+        let (sets, are) = if self.count == 1 { ("set", "is") } else { ("sets", "are") };
+        write!(
+            f,
+            "{} {sets} of this ratio {are} left out, {sun}/{planet}/{ring} since {} ({}: {})",
+            self.count,
+            self.check,
+            self.check.rule.name(),
+            self.check.rule.remedy()
+        )
     }
 }
 

@@ -81,6 +81,11 @@ pub enum SimpleGear {
     Ring,
 }
 
+impl SimpleGear {
+    /// Sun, planet, ring.
+    pub const ALL: [Self; 3] = [Self::Sun, Self::Planet, Self::Ring];
+}
+
 impl fmt::Display for SimpleGear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {

@@ -21,6 +21,9 @@
 //! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
 //! and the factor is an integer that shares no divisor with `N`.
 
+use crate::error::RatioLeftOut;
+use crate::involute::check::Check;
+use crate::involute::plain;
 use crate::mesh::{TipCircle, coaxial_ring};
 use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
@@ -345,17 +348,33 @@ impl Bounds {
         mut each: impl FnMut(Near),
     ) -> Result<u64, Error> {
         let mut search = Search::new(wanted, tolerance)?;
-        let mut found = 0;
+        let (mut found, mut left_out) = (0, None);
+        // The same gears come with several numbers of planets.
+        let mut last: Option<([ToothCount; 3], Option<Check>)> = None;
         self.visit(done, |teeth| {
             let ratio = teeth.basic_ratio().ratio(mode)?;
-            if let Some(ratio_error) = search.take(ratio) {
+            if !(search.is_near(ratio) || search.is_nearer(ratio)) {
+                return Ok(());
+            }
+            let gears = [teeth.sun, teeth.planet, teeth.ring];
+            let miss = match last {
+                Some((known, miss)) if known == gears => miss,
+                _ => plain::miss(gears, &self.rack)?,
+            };
+            last = Some((gears, miss));
+            if let Some(check) = miss {
+                if search.is_near(ratio) {
+                    RatioLeftOut::add(&mut left_out, gears, check);
+                }
+            } else if let Some(ratio_error) = search.take(ratio) {
                 found += 1;
                 each(Near { teeth, ratio, ratio_error });
             }
             Ok(())
         })?;
         if found == 0 {
-            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest: search.nearest() });
+            let nearest = search.nearest();
+            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out });
         }
         Ok(found)
     }

@@ -42,9 +42,11 @@
 //! Of sets with a planet shaft it says nothing: how many pins the shaft has is not known.
 
 mod assembly;
+mod list;
 mod warning;
 
-pub use warning::{NamedGear, ToothWarning};
+pub use list::{NotChecked, SetCheck, SetChecks, Subject};
+use warning::{NamedGear, ToothWarning};
 
 use crate::Gearbox;
 use crate::compound::CentralKind;
@@ -53,19 +55,17 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetSpec;
-use crate::tolerance::{MOST_ALIKE, PRINTED_SHIFTS, TOUCH};
+use crate::tolerance::{MOST_ALIKE, TOUCH};
 use assembly::slots;
-use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::{Check, Rule};
+use epicyclic_gears::involute::check::Rule;
 use epicyclic_gears::involute::set::Limits;
-use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
 use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
 
 impl Gearbox {
-    /// What does not fit in the teeth of its sets, set by set.
+    /// What does not fit in the teeth of its sets, set by set: the [checks](Self::set_checks) that do not hold but for remarks, in words.
     ///
     /// ```
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
@@ -79,15 +79,15 @@ impl Gearbox {
     ///     .build()?;
     /// let found = gearbox.tooth_checks(&Default::default());
     /// assert_eq!(
-    ///     found[0].to_string(),
+    ///     found[0],
     ///     "set `P`: 5 planets cannot be assembled at equal angles: their number must divide 96; 4 would do"
     /// );
     /// # Ok(())
     /// # }
     /// ```
     #[must_use]
-    pub fn tooth_checks(&self, rack: &BasicRack) -> Vec<ToothWarning> {
-        self.sets.iter().flat_map(|set| Checks::new(set, *rack).all()).collect()
+    pub fn tooth_checks(&self, rack: &BasicRack) -> Vec<String> {
+        self.set_checks(rack, |_| vec![]).warnings().collect()
     }
 }
 
@@ -137,7 +137,7 @@ impl PlanetSet {
             }
             Some(Err(_)) => None,
             None if self.short().is_some_and(SetSpec::is_helical) => None,
-            None => Checks::new(self, *rack).do_clear(planets),
+            None => Checks::new(self, *rack, &[]).do_clear(planets),
         };
         PlanetFit { assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))), clears }
     }
@@ -147,7 +147,9 @@ impl PlanetSet {
 struct Checks<'a> {
     set: &'a PlanetSet,
     rack: BasicRack,
-    /// In modules of the first mesh that has any.
+    /// Modules that are stated of each mesh, in any unit.
+    stated: Vec<Option<f64>>,
+    /// In the unit of the modules, or in modules of the first mesh where none is stated.
     places: Places,
     angles: Vec<(usize, f64)>,
 }
@@ -161,52 +163,17 @@ struct Neighbours {
 }
 
 impl<'a> Checks<'a> {
-    fn new(set: &'a PlanetSet, rack: BasicRack) -> Self {
+    fn new(set: &'a PlanetSet, rack: BasicRack, stated: &[Option<f64>]) -> Self {
         let mut given = Given::nothing(set);
-        if let Some(first) = given.modules.first_mut() {
+        let stated: Vec<Option<f64>> =
+            (0..given.modules.len()).map(|mesh| stated.get(mesh).copied().flatten()).collect();
+        given.modules.clone_from(&stated);
+        if let Some(first) = given.modules.first_mut().filter(|_| stated.iter().all(Option::is_none)) {
             *first = Some(1.0);
         }
         let places = places(set, &given);
         let angles = places.angles(set);
-        Self { set, rack, places, angles }
-    }
-
-    fn all(&self) -> Vec<ToothWarning> {
-        let mut found = vec![];
-        if let Some(shifted) = self.set.short().and_then(|spec| spec.involute_set(&self.rack)) {
-            found.extend(self.small_rings());
-            match shifted {
-                Ok(set) => found.extend(self.shift_faults(&set)),
-                Err(error) => found.push(ToothWarning::ShiftsRefused { set: self.name(), error }),
-            }
-            found.extend(self.assembly());
-            return found;
-        }
-        if self.set.short().is_some_and(SetSpec::is_helical) {
-            // Without all teeth on one centre distance; what follows is of spur teeth.
-            found.extend(self.half_tooth());
-            found.extend(self.small_rings());
-            found.extend(self.centre_distances());
-            return found;
-        }
-        if !self.set.is_pair() {
-            found.extend(self.half_tooth());
-            found.extend(self.small_rings());
-            found.extend(self.tips_that_meet());
-            found.extend(self.centre_distances());
-            found.extend(self.triangles());
-            found.extend(self.overlaps());
-            found.extend(self.assembly());
-        }
-        found.extend(self.undercut());
-        found.extend(self.planes());
-        found
-    }
-
-    fn shift_faults(&self, set: &InvoluteSet) -> impl Iterator<Item = ToothWarning> + use<'_> {
-        let is_rounding = |fault: &Check| fault.rule == Rule::Backlash && fault.value >= -PRINTED_SHIFTS;
-        let faults = set.faults(&Limits::default()).into_iter().filter(move |fault| !is_rounding(fault));
-        faults.map(|fault| ToothWarning::ShiftFault { set: self.name(), fault })
+        Self { set, rack, stated, places, angles }
     }
 
     fn name(&self) -> String {
@@ -221,11 +188,7 @@ impl<'a> Checks<'a> {
         let planet = teeth_of(self.set, GearOf::Planet(0, 0)).filter(|teeth| teeth.fract() != 0.0)?;
         let [sun, ring] = [0, 1].map(|central: usize| self.set.centrals()[central].teeth);
         // Only equal centre distances leave half a tooth.
-        (planet > 0.0).then_some(ToothWarning::HalfTooth {
-            set: self.name(),
-            sun: sun?.get(),
-            ring: ring?.get(),
-        })
+        (planet > 0.0).then_some(ToothWarning::HalfTooth { sun: sun?.get(), ring: ring?.get() })
     }
 
     fn small_rings(&self) -> Vec<ToothWarning> {
@@ -233,31 +196,9 @@ impl<'a> Checks<'a> {
             let (central, gear) = central_mesh(self.set, mesh)?;
             let (ring, planet) = (self.named(GearOf::Central(central))?, self.named(gear)?);
             (self.set.meshes()[mesh].kind == MeshKind::Internal && ring.teeth <= planet.teeth)
-                .then_some(ToothWarning::RingTooSmall { set: self.name(), ring, planet })
+                .then_some(ToothWarning::RingTooSmall { ring, planet })
         };
         (0..self.set.meshes().len()).filter_map(small).collect()
-    }
-
-    /// Rings with so few teeth more than their planets that the tips meet after they have left the mesh.
-    fn tips_that_meet(&self) -> Vec<ToothWarning> {
-        let meet = |mesh: usize| {
-            if self.set.meshes()[mesh].kind != MeshKind::Internal {
-                return None;
-            }
-            let (central, gear) = central_mesh(self.set, mesh)?;
-            let gears = [self.set.teeth(GearOf::Central(central))?, self.set.teeth(gear)?];
-            let is_free = |ring: ToothCount| trochoidal(ring, gears[1], self.rack).map(|angle| angle >= 0.0);
-            if is_free(gears[0])? {
-                return None;
-            }
-            let more = gears[0].get() + 1..=gears[0].get().saturating_add(MOST_TEETH_MORE);
-            let least = more
-                .filter_map(|teeth| ToothCount::new(teeth).ok())
-                .find(|teeth| is_free(*teeth) == Some(true));
-            let (ring, planet) = (self.named(GearOf::Central(central))?, self.named(gear)?);
-            Some(ToothWarning::TipsMeet { set: self.name(), ring, planet, least: least.map(ToothCount::get) })
-        };
-        (0..self.set.meshes().len()).filter_map(meet).collect()
     }
 
     /// The first central gear of each planet gear against every other.
@@ -278,7 +219,6 @@ impl<'a> Checks<'a> {
                 None => first.push((gear, central, distance)),
                 Some((_, one, of_one)) if *of_one != distance => {
                     found.push(ToothWarning::UnequalCentreDistances {
-                        set: self.name(),
                         planet,
                         centrals: [one.clone(), central],
                         distances: [*of_one, distance],
@@ -296,7 +236,6 @@ impl<'a> Checks<'a> {
             let gears = planet_mesh(self.set, mesh)?;
             let module = self.places.modules[mesh]?;
             Some(ToothWarning::NoTriangle {
-                set: self.name(),
                 planets: gears.map(|gear| self.set.planet_name(planet_of(gear).unwrap_or_default())),
                 radii: radii.map(|radius| radius / module),
                 distance: distance / module,
@@ -393,7 +332,6 @@ impl<'a> Checks<'a> {
         let warning = |(_, _, one, gap): (bool, [usize; 2], &Neighbours, f64)| {
             let module = self.module(one.gears[0]).unwrap_or(1.0);
             ToothWarning::PlanetsOverlap {
-                set: self.name(),
                 gears: one.gears.map(|gear| self.set.gear_name(gear)),
                 planets,
                 overlap: if gap.abs() <= TOUCH { 0.0 } else { -gap / module },
@@ -413,34 +351,11 @@ impl<'a> Checks<'a> {
         let neighbours = self.neighbours();
         let does = |count: &u32| fits(*count) && self.clears(&neighbours, *count);
         Some(ToothWarning::Assembly {
-            set: self.name(),
             planets,
             slots: u64::try_from(slots).ok()?,
             fewer: (2..planets).rev().find(does),
             more: (planets + 1..=planets.saturating_mul(2).min(MOST_ALIKE)).find(does),
         })
-    }
-
-    fn undercut(&self) -> Option<ToothWarning> {
-        let least = self.rack.least_teeth_without_undercut();
-        let suns = (0..self.set.centrals().len())
-            .filter(|&central| self.set.centrals()[central].kind == CentralKind::Sun)
-            .map(GearOf::Central);
-        // The virtual teeth of bevel gears depend on angles that nothing gives.
-        if self.is_bevel() {
-            return None;
-        }
-        let planets = (0..self.set.planets().len()).flat_map(|planet| self.gears_of(planet));
-        let gears: Vec<NamedGear> = suns
-            .chain(planets)
-            .filter_map(|gear| {
-                // Also the planet that equal centre distances leave a simple set.
-                let teeth = teeth_of(self.set, gear).filter(|teeth| teeth.fract() == 0.0 && *teeth >= 1.0)?;
-                Some(NamedGear { name: self.set.gear_name(gear), teeth: teeth as u32 })
-            })
-            .filter(|gear| gear.teeth < least)
-            .collect();
-        (!gears.is_empty()).then(|| ToothWarning::Undercut { set: self.name(), gears, least })
     }
 
     fn is_bevel(&self) -> bool {
@@ -452,10 +367,7 @@ impl<'a> Checks<'a> {
     fn planes(&self) -> Vec<ToothWarning> {
         let mut found = vec![];
         let mut note = |gears: [GearOf; 2]| {
-            found.push(ToothWarning::DifferentPlanes {
-                set: self.name(),
-                gears: gears.map(|gear| self.set.gear_name(gear)),
-            });
+            found.push(ToothWarning::DifferentPlanes { gears: gears.map(|gear| self.set.gear_name(gear)) });
         };
         for planet in 0..self.set.planets().len() {
             let Some(radius) = self.places.radii[planet] else { continue };
@@ -498,20 +410,6 @@ impl<'a> Checks<'a> {
         // Of two groups half a turn apart, the second group turned back.
         self.gap(&Neighbours { gears: pair.gears, angle_rad: pair.angle_rad - PI, mesh: false }, 2)
     }
-}
-
-/// Teeth more that a ring is tried with until its tips are free.
-const MOST_TEETH_MORE: u32 = 40;
-
-/// Angle of a ring, rad, by which its tips and those of a planet miss each other outside the mesh; `None` of gears that have no involute
-/// there.
-fn trochoidal(ring: ToothCount, planet: ToothCount, rack: BasicRack) -> Option<f64> {
-    // The tips alone decide, so the fillet may be any.
-    let profile = Profile { rack, fillet: 0.0, ..Profile::default() };
-    let planet = InvoluteGear::new(GearKind::External, planet, profile, 0.0).ok()?;
-    let ring = InvoluteGear::new(GearKind::Internal, ring, profile, 0.0).ok()?;
-    let angle = Pair::without_backlash(planet, ring).ok()?.interference()?.trochoidal;
-    (!angle.is_nan()).then_some(angle)
 }
 
 #[cfg(test)]

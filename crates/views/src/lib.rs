@@ -38,6 +38,7 @@ pub mod synthesize;
 pub mod teeth;
 pub mod text;
 mod tolerance;
+mod tooth_checks;
 pub mod transmissions;
 mod units;
 pub mod vibration;

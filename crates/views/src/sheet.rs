@@ -1,8 +1,8 @@
 //! Data sheets of gears as tables.
 
-use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View, warned};
+use crate::{AsReport, tooth_checks};
 use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::sheet::records::{
     AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet,
@@ -27,6 +27,9 @@ impl AsReport for DataSheets {
         }
         if !self.left_out.is_empty() {
             parts.push(Part::Records(left_out(&self.left_out)));
+        }
+        if tooth_checks::has_any(&self.tooth_checks) {
+            parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
         }
         Report {
             title: Some(format!("{}: data sheets of gears", self.gearbox)),

@@ -4,11 +4,11 @@ mod compact;
 mod planets;
 mod words;
 
-use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{optional, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::hours;
+use crate::{AsReport, tooth_checks};
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
     DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated, ToothedGear, Wear,
@@ -28,6 +28,9 @@ impl AsReport for Strength {
         parts.extend(self.over_duty.chunks(2).filter_map(over_duty_factors).map(Part::Records));
         if !self.not_rated.is_empty() {
             parts.push(Part::Records(not_rated(&self.not_rated)));
+        }
+        if tooth_checks::has_any(&self.tooth_checks) {
+            parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
         }
         let title = Some(match &self.governing {
             Some(governing) => format!("{}: {governing} governs.", self.gearbox),

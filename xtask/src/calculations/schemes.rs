@@ -139,7 +139,7 @@ fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
         }
     }
     let of_gearbox = gearbox.warnings().iter().map(ToString::to_string);
-    let teeth = gearbox.tooth_checks(&BasicRack::default()).into_iter().filter(|warning| !warning.is_note());
+    let teeth = gearbox.tooth_checks(&BasicRack::default()).into_iter();
     for (place, warning) in of_gearbox.chain(teeth.map(|warning| warning.to_string())).enumerate() {
         results.text(format!("warning.{}", place + 1), warning);
     }

@@ -8,6 +8,7 @@ use super::sets::SetFacts;
 use super::shifts::{self, MOST_GEARS, Shift};
 use super::{Input, OperatingPoint, Worked, planets, warnings};
 use crate::gearbox::Subject;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical as _;
 use epicyclic_train::{Analysis, Gearbox};
@@ -42,6 +43,8 @@ pub struct Overview {
     pub planets: Vec<planets::OverGears>,
     /// The planet bearings in each gear, where the size of any set is known.
     pub planet_bearings: Vec<PlanetBearing>,
+    /// The checks of the teeth of its sets.
+    pub tooth_checks: ToothChecks,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -131,6 +134,7 @@ pub fn answer(
         one_way_clutches: analyses.iter().flat_map(|gear| one_way_clutches(gearbox, gear)).collect(),
         planets: planets::OverGears::all(gearbox, &worked, &bearings),
         planet_bearings: bearings,
+        tooth_checks: ToothChecks::of(subject, |_| true),
         warnings: all,
         gears,
     })

@@ -185,9 +185,8 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     };
     let of_gearbox = gearbox.warnings().iter();
     let of_gearbox = of_gearbox.map(|warning| Warning { name: name(warning), message: warning.to_string() });
-    // How gears must be arranged is no fault.
-    let teeth = gearbox.tooth_checks(&subject.rack).into_iter().filter(|warning| !warning.is_note());
-    let teeth = teeth.map(|warning| Warning { name: "teeth", message: warning.to_string() });
+    let teeth: Vec<String> = subject.tooth_checks().warnings().collect();
+    let teeth = teeth.into_iter().map(|message| Warning { name: "teeth", message });
     of_gearbox.chain(teeth).collect()
 }
 

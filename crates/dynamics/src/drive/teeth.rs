@@ -78,6 +78,7 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
                 mode: MODE,
                 tolerance: wanted.tolerance,
                 nearest: None,
+                left_out: None,
             };
             Ok(best.ok_or(nothing)?.teeth)
         }

@@ -1,7 +1,10 @@
 //! Checks of the teeth of a set: what must hold, its value, its limit, how grave a miss is, and what helps.
 
+use super::gear::InvoluteGear;
+use super::pair::Pair;
 use crate::quantity::SimpleGear;
 use crate::tolerance::{PRESSED, TOUCH};
+use crate::{Error, Quantity};
 use std::fmt;
 
 /// A mesh of a simple set.
@@ -11,6 +14,17 @@ pub enum SetMesh {
     SunPlanet,
     /// Of planets and ring.
     PlanetRing,
+}
+
+impl SetMesh {
+    /// Its gears.
+    #[must_use]
+    pub const fn gears(self) -> [SimpleGear; 2] {
+        match self {
+            Self::SunPlanet => [SimpleGear::Sun, SimpleGear::Planet],
+            Self::PlanetRing => [SimpleGear::Planet, SimpleGear::Ring],
+        }
+    }
 }
 
 impl fmt::Display for SetMesh {
@@ -99,6 +113,16 @@ impl Rule {
         }
     }
 
+    /// Unit of value and limit, as a number with it is written; empty of a plain number.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Tool | Self::Undercut | Self::ContactRatio => "",
+            Self::ToolTrochoidal | Self::ToolFeed | Self::Trochoidal | Self::RadialAssembly => "rad",
+            _ => "modules",
+        }
+    }
+
     /// What helps.
     #[must_use]
     pub const fn remedy(self) -> &'static str {
@@ -141,19 +165,21 @@ pub enum Place {
 }
 
 /// A check: `value` must be at least `limit`, a gap between planets more.
+///
+/// Of a simple set it names its gears by their kind; others have places `P` of their own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Check {
+pub struct Check<P = Place> {
     /// What is checked.
     pub rule: Rule,
     /// Of what.
-    pub place: Place,
+    pub place: P,
     /// The value.
     pub value: f64,
     /// The limit.
     pub limit: f64,
 }
 
-impl Check {
+impl<P> Check<P> {
     /// Whether it holds.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -161,6 +187,106 @@ impl Check {
             return self.value > self.limit;
         }
         self.value >= self.limit - self.rule.slack()
+    }
+}
+
+/// What a set must keep; lengths in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Least normal thickness of a tip: 0.2 by default, 0.4 of case-hardened teeth.
+    pub tip_thickness: f64,
+    /// Least transverse contact ratio: 1.1 by default.
+    pub contact_ratio: f64,
+    /// Least clearance between tips and the roots of the mate: 0 by default.
+    pub tip_clearance: f64,
+    /// Gap between the tip circles of neighbouring planets that must be exceeded: 0 by default.
+    pub planet_gap: f64,
+    /// Whether the planets must enter the ring radially; they need not by default, since they enter it along the axis.
+    pub radial_assembly: bool,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            tip_thickness: 0.2,
+            contact_ratio: 1.1,
+            tip_clearance: 0.0,
+            planet_gap: 0.0,
+            radial_assembly: false,
+        }
+    }
+}
+
+impl Limits {
+    /// Refuses limits that are no numbers or below 0.
+    ///
+    /// # Errors
+    /// [`Error::Negative`].
+    pub fn check(&self) -> Result<(), Error> {
+        for (quantity, value, unit) in [
+            (Quantity::TipThickness, self.tip_thickness, "modules"),
+            (Quantity::ContactRatio, self.contact_ratio, ""),
+            (Quantity::TipClearance, self.tip_clearance, "modules"),
+            (Quantity::TipGap, self.planet_gap, "modules"),
+        ] {
+            crate::units::not_negative(quantity, value, unit)?;
+        }
+        Ok(())
+    }
+}
+
+/// The checks of one gear, however it is named.
+pub fn gear_checks<P: Clone>(place: &P, of: &InvoluteGear, limits: &Limits, see: &mut impl FnMut(Check<P>)) {
+    let mut check = |rule, value, limit| see(Check { rule, place: place.clone(), value, limit });
+    check(Rule::Tool, if of.tool_fault().is_none() { 1.0 } else { 0.0 }, 1.0);
+    if let Some(least) = of.least_shift_without_undercut() {
+        check(Rule::Undercut, of.shift(), least);
+    }
+    check(Rule::TipThickness, of.tip_thickness(), limits.tip_thickness);
+    if let Some(room) = of.cut().room(of.flank(), of.tip_diameter() / 2.0) {
+        check(Rule::ToolTips, room.flank, 0.0);
+        check(Rule::ToolTrochoidal, room.trochoidal, 0.0);
+        check(Rule::ToolFeed, room.radial, 0.0);
+    }
+}
+
+/// The checks of a mesh, and of the tips of its first and its second gear in it, however they are named.
+pub fn mesh_checks<P: Clone>(
+    place: &P,
+    tips: &[P; 2],
+    pair: &Pair,
+    limits: &Limits,
+    see: &mut impl FnMut(Check<P>),
+) {
+    let mut check = |rule, place: &P, value, limit| see(Check { rule, place: place.clone(), value, limit });
+    check(Rule::ContactRatio, place, pair.transverse_contact_ratio(), limits.contact_ratio);
+    for (tip, clearance) in tips.iter().zip(pair.tip_clearances()) {
+        check(Rule::TipClearance, tip, clearance, limits.tip_clearance);
+    }
+    check(Rule::Backlash, place, pair.backlash(), 0.0);
+    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's involute ends; on a ring it
+    // ends outwards.
+    let [first, second] = pair.gears();
+    let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
+    let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));
+    let outwards = second.sign();
+    for (tip, mate, radius, room) in [
+        (&tips[1], first, at_first, at_first - first.cut().end),
+        (&tips[0], second, at_second, outwards * (at_second - second.cut().end)),
+    ] {
+        // Where a hob undercuts, it has taken away more than the tips of any external mate need.
+        if outwards > 0.0 && mate.cut().reach < 0.0 {
+            continue;
+        }
+        check(Rule::Involute, tip, radius, 0.0);
+        // A tip below the base circle is one fault, not two.
+        if radius >= 0.0 {
+            check(Rule::Fillet, tip, room, 0.0);
+        }
+    }
+    if let Some(free) = pair.interference() {
+        check(Rule::Trochoidal, place, free.trochoidal, 0.0);
+        check(Rule::RadialAssembly, place, free.trimming, 0.0);
     }
 }
 
@@ -176,7 +302,7 @@ impl fmt::Display for Place {
 }
 
 /// A miss in words, with its figures.
-impl fmt::Display for Check {
+impl<P: fmt::Display> fmt::Display for Check<P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rule, place, value, limit } = self;
         match rule {
@@ -232,11 +358,14 @@ impl fmt::Display for Check {
                 -value
             ),
             Rule::Trochoidal if value.is_infinite() => {
-                write!(f, "the tip circle of a planet encloses that of the ring, so that teeth always meet")
+                write!(
+                    f,
+                    "in {place} the tip circle of the inner gear encloses that of the ring, so that teeth always meet"
+                )
             }
             Rule::Trochoidal => write!(
                 f,
-                "the tips of planet and ring overlap outside the mesh by {:.3}° of the ring",
+                "in {place} tips overlap after they have left the line of action, by {:.3}° of the ring",
                 -value.to_degrees()
             ),
             Rule::RadialAssembly if value.is_infinite() => {

@@ -115,11 +115,7 @@ impl Family {
     ) -> Result<Self, Error> {
         let profiles = profiles.into();
         let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
-        let gear = |place: usize| {
-            // A cutter that exists cuts the candidates, none is made for each of them.
-            let profile = profiles.0[place].with_shaper_addendum(kinds[place], teeth[place]);
-            InvoluteGear::new(kinds[place], teeth[place], profile, 0.0)
-        };
+        let gear = |place: usize| InvoluteGear::searched(kinds[place], teeth[place], profiles.0[place]);
         let gears = [gear(0)?, gear(1)?, gear(2)?];
         // Names what is wrong with the planets and the centre distance.
         let set = PlanetSet::new(gears, planets, centre_distance)?;

@@ -5,7 +5,7 @@ use super::fault::ShiftFault;
 use super::flank::Flank;
 use super::function::angle_of_involute;
 use super::profile::Profile;
-use super::tool::{Tool, ToolFault};
+use super::tool::{Shaper, Tool, ToolFault};
 use crate::gear_kind::GearKind;
 use crate::units::radians;
 use crate::{Error, ToothCount};
@@ -47,11 +47,24 @@ impl InvoluteGear {
     /// Those of [`Profile::check`]; [`Error::ShiftOutOfRange`] where the shift leaves no root or tip circle or makes the teeth pointed.
     pub fn new(kind: GearKind, teeth: ToothCount, profile: Profile, shift: f64) -> Result<Self, Error> {
         profile.check()?;
-        let tool = profile.tool.unwrap_or_else(|| Tool::usual(kind, teeth));
-        tool.check(kind)?;
         let flank = Flank::new(kind, teeth, &profile);
+        let tool = profile.tool.unwrap_or_else(|| usual_tool(kind, teeth, &flank, &profile));
+        tool.check(kind)?;
         let cut = Cut::new(&flank, &profile, shift, &tool);
         Self { kind, teeth, profile, shift, tip_alteration: 0.0, tool, flank, cut }.checked()
+    }
+
+    /// A gear without shift for a search: a shaper that has no addendum of its own has the dedendum of the rack, since a cutter that exists cuts the candidates
+    /// and none is made for each of them.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn searched(kind: GearKind, teeth: ToothCount, profile: Profile) -> Result<Self, Error> {
+        profile.check()?;
+        let flank = Flank::new(kind, teeth, &profile);
+        let tool = profile.tool.unwrap_or_else(|| usual_tool(kind, teeth, &flank, &profile));
+        let tool = Some(tool.with_addendum(profile.dedendum()));
+        Self::new(kind, teeth, Profile { tool, ..profile }, 0.0)
     }
 
     /// The same with its tips moved by `k`, below 0 shorter.
@@ -393,6 +406,17 @@ impl InvoluteGear {
             centres * libm::cos(FRAC_PI_2 / self.flank.z)
         };
         Some(across + self.sign() * ball_diameter)
+    }
+}
+
+/// The usual tool with corners that it has room for.
+fn usual_tool(kind: GearKind, teeth: ToothCount, flank: &Flank, profile: &Profile) -> Tool {
+    let tool = Tool::usual(kind, teeth);
+    match (tool, Cut::new(flank, profile, 0.0, &tool).fault) {
+        (Tool::Shaper(shaper), Some(ToolFault::Corners { most, .. })) if most > 0.0 => {
+            Tool::Shaper(Shaper { tip_radius: most, ..shaper })
+        }
+        _ => tool,
     }
 }
 

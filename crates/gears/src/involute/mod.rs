@@ -39,6 +39,7 @@
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
 //! | [`search`] | every such set for a ratio |
+//! | [`plain`] | which tooth numbers without profile shift cannot be cut or turned together |
 //! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
 //! | [`placed`] | how sun, planets and ring are turned in mesh |
@@ -63,6 +64,7 @@ pub mod interference;
 pub mod outline;
 pub mod pair;
 pub mod placed;
+pub mod plain;
 pub mod play;
 pub mod profile;
 #[cfg(test)]

@@ -244,6 +244,20 @@ impl Pair {
         pitch - self.gears[0].thickness_at(working[0]) - self.gears[1].thickness_at(working[1])
     }
 
+    /// The same with the tips of an internal second gear shortened to where they stay out of the fillets of the first, and its shaper leaves them; this
+    /// costs no contact. External pairs stay as they are.
+    ///
+    /// # Errors
+    /// [`Error::ShiftOutOfRange`] where teeth vanish.
+    pub fn with_clear_ring_tips(self) -> Result<Self, Error> {
+        if !self.is_internal() {
+            return Ok(self);
+        }
+        let [first, second] = self.gears;
+        let shortened = second.shortened_to(self.mate(first.cut().end));
+        Ok(self.with_gears([first, second.with_tip_alteration(shortened)?]))
+    }
+
     /// The tip alteration that keeps the tip clearance of the basic rack: `k = a − a_d − (x_1 + x_2)`, and 0 of an internal pair.
     #[must_use]
     pub fn tip_alteration(&self) -> f64 {

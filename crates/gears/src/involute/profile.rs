@@ -4,7 +4,7 @@ use super::tool::Tool;
 use crate::gear_kind::GearKind;
 use crate::rack::BasicRack;
 use crate::units::{not_negative, radians};
-use crate::{Error, Quantity, ToothCount};
+use crate::{Error, Quantity};
 use std::f64::consts::PI;
 use uom::si::f64::Angle;
 
@@ -167,13 +167,6 @@ impl Profile {
         let usual = Self { rack, ..Self::default() };
         let by_clearance = rack.clearance / (1.0 - libm::sin(radians(rack.pressure_angle))) + ROUNDED_FILLET;
         Self { fillet: usual.fillet.min(by_clearance).min(usual.most_fillet()).max(0.0), ..usual }
-    }
-
-    /// The same with the dedendum of the rack as addendum of a shaper that has none of its own.
-    #[must_use]
-    pub fn with_shaper_addendum(self, kind: GearKind, teeth: ToothCount) -> Self {
-        let tool = self.tool.unwrap_or_else(|| Tool::usual(kind, teeth));
-        Self { tool: Some(tool.with_addendum(self.dedendum())), ..self }
     }
 
     /// Refuses proportions that no rack has.

@@ -9,6 +9,7 @@
 use super::check::{Check, Rule};
 use super::closing::Closing;
 use super::family::{Choice, natural_centre_distance};
+use crate::error::RatioLeftOut;
 use crate::mesh::coaxial_ring;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
@@ -136,6 +137,7 @@ impl ShiftedSearch {
             one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
         };
         let (mut found, mut held): (u64, Vec<Shifted>) = (0, Vec::new());
+        let mut left_out = None;
         let (first, last) = (*self.bounds.sun.start(), *self.bounds.sun.end());
         for sun in first..=last {
             self.each_ring(ToothCount::new(sun)?, |gears @ [sun, _, ring]| {
@@ -145,6 +147,13 @@ impl ShiftedSearch {
                 }
                 let exact_ratio = exact_ratio(sun, ring, mode);
                 self.each_closed(gears, |teeth, choice| {
+                    let choice = match choice {
+                        Ok(choice) => choice,
+                        Err(check) if search.is_near(ratio) => {
+                            return RatioLeftOut::add(&mut left_out, gears, check);
+                        }
+                        Err(_) => return,
+                    };
                     let Some(ratio_error) = search.take(ratio) else { return };
                     found += 1;
                     held.push(Shifted { teeth, ratio, exact_ratio, ratio_error, choice });
@@ -158,7 +167,8 @@ impl ShiftedSearch {
             done(f64::from(sun - first + 1) / f64::from(last - first + 1));
         }
         if found == 0 {
-            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest: search.nearest() });
+            let nearest = search.nearest();
+            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out });
         }
         held.sort_by(order);
         held.truncate(most);
@@ -193,7 +203,11 @@ impl ShiftedSearch {
         let mut found = vec![];
         self.each_ring(sun, |gears @ [sun, _, ring]| {
             if is_wanted(sun, ring) {
-                self.each_closed(gears, |teeth, _| found.push(teeth));
+                self.each_closed(gears, |teeth, choice| {
+                    if choice.is_ok() {
+                        found.push(teeth);
+                    }
+                });
             }
             Ok(())
         })?;
@@ -258,11 +272,11 @@ impl ShiftedSearch {
         Ok(())
     }
 
-    /// The numbers of planets with which sun, planet and ring close.
+    /// The numbers of planets with which sun, planet and ring close, and what else is in the way of those that assemble.
     fn each_closed(
         &self,
         gears @ [sun, planet, ring]: [ToothCount; 3],
-        mut each: impl FnMut(ToothNumbers, Choice),
+        mut each: impl FnMut(ToothNumbers, Result<Choice, Check>),
     ) {
         for planets in self.bounds.planets.clone() {
             let is_equal = PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
@@ -270,9 +284,14 @@ impl ShiftedSearch {
                 continue;
             }
             match (Closing { planets, ..self.closing }).close(gears) {
-                Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, choice),
-                // More planets stand closer: of equally spaced ones none of the following clears.
-                Err(Error::NoShifts { fault: Check { rule: Rule::PlanetGap, .. }, .. }) if is_equal => break,
+                Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, Ok(choice)),
+                Err(Error::NoShifts { fault, .. }) => {
+                    each(ToothNumbers { sun, planet, ring, planets }, Err(fault));
+                    // More planets stand closer: of equally spaced ones none of the following clears.
+                    if fault.rule == Rule::PlanetGap && is_equal {
+                        break;
+                    }
+                }
                 Err(_) => {}
             }
         }

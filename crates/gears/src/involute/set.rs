@@ -20,58 +20,14 @@
 //!
 //! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter the ring radially is a remark, unless the limits ask for it.
 
-use super::check::{Check, Place, Rule, SetMesh, Severity};
+pub use super::check::Limits;
+use super::check::{Check, Place, Rule, SetMesh, Severity, gear_checks, mesh_checks};
 use super::gear::InvoluteGear;
 use super::pair::Pair;
+use crate::Error;
 use crate::mesh::TipCircle;
 use crate::quantity::{Counted, SimpleGear};
 use crate::spacing::PlanetSpacing;
-use crate::{Error, Quantity};
-
-/// What a set must keep; lengths in modules.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
-    /// Least normal thickness of a tip: 0.2 by default, 0.4 of case-hardened teeth.
-    pub tip_thickness: f64,
-    /// Least transverse contact ratio: 1.1 by default.
-    pub contact_ratio: f64,
-    /// Least clearance between tips and the roots of the mate: 0 by default.
-    pub tip_clearance: f64,
-    /// Gap between the tip circles of neighbouring planets that must be exceeded: 0 by default.
-    pub planet_gap: f64,
-    /// Whether the planets must enter the ring radially; they need not by default, since they enter it along the axis.
-    pub radial_assembly: bool,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self {
-            tip_thickness: 0.2,
-            contact_ratio: 1.1,
-            tip_clearance: 0.0,
-            planet_gap: 0.0,
-            radial_assembly: false,
-        }
-    }
-}
-
-impl Limits {
-    /// Refuses limits that are no numbers or below 0.
-    ///
-    /// # Errors
-    /// [`Error::Negative`].
-    pub fn check(&self) -> Result<(), Error> {
-        for (quantity, value, unit) in [
-            (Quantity::TipThickness, self.tip_thickness, "modules"),
-            (Quantity::ContactRatio, self.contact_ratio, ""),
-            (Quantity::TipClearance, self.tip_clearance, "modules"),
-            (Quantity::TipGap, self.planet_gap, "modules"),
-        ] {
-            crate::units::not_negative(quantity, value, unit)?;
-        }
-        Ok(())
-    }
-}
 
 /// Sun, planets and ring with their shifts on one centre distance; lengths in modules.
 ///
@@ -206,9 +162,7 @@ impl PlanetSet {
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth vanish.
     pub fn with_clear_ring_tips(self) -> Result<Self, Error> {
-        let [sun, planet, ring] = self.gears();
-        let shortened = ring.shortened_to(self.ring_mesh.mate(planet.cut().end));
-        self.with_tip_alterations([sun.tip_alteration(), planet.tip_alteration(), shortened])
+        Ok(Self { ring_mesh: self.ring_mesh.with_clear_ring_tips()?, ..self })
     }
 
     /// All that keeps the gears from being cut, put together and turned: the [checks](Self::checks) that do not hold but for remarks.
@@ -236,71 +190,18 @@ impl PlanetSet {
         let [sun, planet, ring] = self.gears();
         let named = [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)];
         for (gear, of) in named {
-            gear_checks(gear, of, limits, &mut see);
+            gear_checks(&Place::Gear(gear), of, limits, &mut see);
         }
         for (mesh, pair, gears) in [
             (SetMesh::SunPlanet, &self.sun_mesh, [SimpleGear::Sun, SimpleGear::Planet]),
             (SetMesh::PlanetRing, &self.ring_mesh, [SimpleGear::Planet, SimpleGear::Ring]),
         ] {
-            mesh_checks(mesh, pair, gears, limits, &mut see);
-        }
-        if let Some(free) = self.ring_mesh.interference() {
-            let place = Place::Mesh(SetMesh::PlanetRing);
-            see(Check { rule: Rule::Trochoidal, place, value: free.trochoidal, limit: 0.0 });
-            see(Check { rule: Rule::RadialAssembly, place, value: free.trimming, limit: 0.0 });
+            let tips = gears.map(|gear| Place::Tips(gear, mesh));
+            mesh_checks(&Place::Mesh(mesh), &tips, pair, limits, &mut see);
         }
         if self.planets > 1 {
             let place = Place::Planets(self.planets);
             see(Check { rule: Rule::PlanetGap, place, value: self.planet_gap(), limit: limits.planet_gap });
-        }
-    }
-}
-
-fn gear_checks(gear: SimpleGear, of: &InvoluteGear, limits: &Limits, see: &mut impl FnMut(Check)) {
-    let place = Place::Gear(gear);
-    let can_cut = if of.tool_fault().is_none() { 1.0 } else { 0.0 };
-    see(Check { rule: Rule::Tool, place, value: can_cut, limit: 1.0 });
-    if let Some(limit) = of.least_shift_without_undercut() {
-        see(Check { rule: Rule::Undercut, place, value: of.shift(), limit });
-    }
-    see(Check { rule: Rule::TipThickness, place, value: of.tip_thickness(), limit: limits.tip_thickness });
-    if let Some(room) = of.cut().room(of.flank(), of.tip_diameter() / 2.0) {
-        see(Check { rule: Rule::ToolTips, place, value: room.flank, limit: 0.0 });
-        see(Check { rule: Rule::ToolTrochoidal, place, value: room.trochoidal, limit: 0.0 });
-        see(Check { rule: Rule::ToolFeed, place, value: room.radial, limit: 0.0 });
-    }
-}
-
-fn mesh_checks(
-    mesh: SetMesh,
-    pair: &Pair,
-    gears: [SimpleGear; 2],
-    limits: &Limits,
-    see: &mut impl FnMut(Check),
-) {
-    let place = Place::Mesh(mesh);
-    let ratio = pair.transverse_contact_ratio();
-    see(Check { rule: Rule::ContactRatio, place, value: ratio, limit: limits.contact_ratio });
-    for (gear, value) in gears.into_iter().zip(pair.tip_clearances()) {
-        let place = Place::Tips(gear, mesh);
-        see(Check { rule: Rule::TipClearance, place, value, limit: limits.tip_clearance });
-    }
-    see(Check { rule: Rule::Backlash, place, value: pair.backlash(), limit: 0.0 });
-    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's involute ends; on a ring it
-    // ends outwards.
-    let [first, second] = pair.gears();
-    let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
-    let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));
-    let outwards = second.sign();
-    for (gear, radius, room) in [
-        (gears[1], at_first, at_first - first.cut().end),
-        (gears[0], at_second, outwards * (at_second - second.cut().end)),
-    ] {
-        let place = Place::Tips(gear, mesh);
-        see(Check { rule: Rule::Involute, place, value: radius, limit: 0.0 });
-        // A tip below the base circle is one fault, not two.
-        if radius >= 0.0 {
-            see(Check { rule: Rule::Fillet, place, value: room, limit: 0.0 });
         }
     }
 }

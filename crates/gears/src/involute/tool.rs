@@ -65,7 +65,8 @@ impl Shaper {
 
 impl Tool {
     /// The tool of a gear whose own is not known: a hob for external gears; for rings a shaper with 30 teeth, or with 18 less than the ring
-    /// where that is fewer; for rings of fewer than 42 teeth, whose tips such a shaper would cut away, a form tool. Corners are rounded by 0.3.
+    /// where that is fewer; for rings of fewer than 42 teeth, whose tips such a shaper would cut away, a form tool. Corners are rounded by 0.3, or
+    /// by what the cutter of a steep rack has room for.
     #[must_use]
     pub fn usual(kind: GearKind, teeth: ToothCount) -> Self {
         if kind == GearKind::External {

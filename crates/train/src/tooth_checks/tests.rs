@@ -3,10 +3,10 @@
 use super::*;
 use crate::compound::CompoundSpec;
 use crate::set::{SetKind, SetSpec};
-use crate::units::degrees;
 use crate::{Gearbox, GearboxBuilder};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::check::Severity;
 
 fn start() -> GearboxBuilder {
     Gearbox::builder("one set").links(["a", "b", "c", "H"]).input("a").output("H")
@@ -23,7 +23,7 @@ fn short(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> SetSpec {
 
 fn found(set: SetSpec) -> Vec<String> {
     let gearbox = start().set(set).build().unwrap();
-    gearbox.tooth_checks(&BasicRack::default()).iter().map(ToothWarning::to_string).collect()
+    gearbox.tooth_checks(&BasicRack::default())
 }
 
 fn of(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> u128 {
@@ -62,21 +62,26 @@ fn a_ravigneaux_set_has_the_slots_of_all_its_central_gears() {
     let gearbox = start().compound_set(set(72)).build().unwrap();
     // 66, 108, 42: gcd 6.
     assert_eq!(slots(&gearbox.sets[0]), Some(6));
-    let all = gearbox.tooth_checks(&BasicRack::default());
-    let words: Vec<String> = all.iter().map(ToothWarning::to_string).collect();
     assert_eq!(
-        words,
+        gearbox.tooth_checks(&BasicRack::default()),
         [
+            "set `R`: the tips of the ring are taken 0.108 modules shorter than its basic rack has them, since full ones reach below the base \
+             circle of the long: cut the blank so",
             "set `R`: 5 planets of each kind do not clear: tip circles of short and the next long \
              overlap by 5.986 modules; at most 4 clear",
             "set `R`: 5 planets cannot be assembled at equal angles: their number must divide 6; 3 would do",
-            "set `R`: short and sun b must lie in different planes: their tip circles overlap",
         ]
     );
-    assert_eq!(all.iter().map(ToothWarning::is_note).collect::<Vec<_>>(), [false, false, true]);
+    let all = gearbox.set_checks(&BasicRack::default(), |_| vec![]).checks;
+    let planes = all.iter().find(|check| check.rule == "planes").unwrap();
+    assert_eq!(planes.severity, Severity::Remark);
+    assert_eq!(
+        planes.miss.as_deref(),
+        Some("short and sun b must lie in different planes: their tip circles overlap")
+    );
     let gearbox = start().compound_set(set(73)).build().unwrap();
     assert_eq!(
-        gearbox.tooth_checks(&BasicRack::default())[0].to_string(),
+        gearbox.tooth_checks(&BasicRack::default())[1],
         "set `R`: long (18 teeth) is 27 modules from the axis by the sun b (36 teeth) and 27.5 by the ring \
          (73 teeth): equal centre distances need shifted profiles"
     );
@@ -94,26 +99,14 @@ fn every_fault_of_a_simple_set_is_told() {
     assert_eq!(
         found(short(SetKind::Simple, 12, 72, &[]).planet_count(8)),
         [
-            "set `P`: 8 planets do not clear each other: tip circles of neighbours (planet) overlap by 15.927 \
-             modules; at most 3 clear",
+            "set `P`: the sun is undercut: x = 0.0000, at least 0.2981 needed",
+            "set `P`: the tip circles of neighbours among 8 planets are -16.656 modules apart, more than 0 needed; at most 3 clear",
             "set `P`: 8 planets cannot be assembled at equal angles: their number must divide 84; 3 would do",
-            "set `P`: undercut without profile shift, below 17 teeth: sun (12 teeth)",
-        ]
-    );
-    assert_eq!(
-        found(short(SetKind::Simple, 1, 3, &[1]).planet_count(50)),
-        [
-            "set `P`: 50 planets do not clear each other: tip circles of neighbours (planet) overlap by 2.874 \
-             modules; not even 2 clear",
-            "set `P`: 50 planets cannot be assembled at equal angles: their number must divide 4",
-            "set `P`: undercut without profile shift, below 17 teeth: sun (1 tooth), planet (1 tooth)",
         ]
     );
     // (2 + 36)·sin 90° = 36 + 2: two planets around a sun of two teeth touch.
-    assert_eq!(
-        found(short(SetKind::Simple, 2, 74, &[]).planet_count(2))[0],
-        "set `P`: 2 planets do not clear each other: tip circles of neighbours (planet) touch; not even 2 clear"
-    );
+    let touching = found(short(SetKind::Simple, 2, 74, &[]).planet_count(2));
+    assert!(touching.iter().any(|word| word.contains("neighbours among 2 planets are")), "{touching:?}");
     assert_eq!(found(short(SetKind::Simple, 24, 72, &[24]).planet_count(4)), [""; 0]);
     assert_eq!(
         found(short(SetKind::SteppedSunRing, 20, 40, &[36, 41])),
@@ -129,20 +122,48 @@ fn every_fault_of_a_simple_set_is_told() {
     );
 }
 
-/// A planet of 40 teeth at 20°: its tips are free in rings of 9 teeth more, not of 8. The condition is tested where it is made.
+/// A planet of 40 teeth at 20° in a ring with few teeth more, whose tips are shortened to stay out of the fillets: in a ring of 41 the planet encloses the
+/// tips of the ring. The condition is tested where it is made.
 #[test]
 fn a_ring_with_few_teeth_more_meets_the_tips_of_its_planet() {
-    let set = |ring| short(SetKind::SteppedRings, 100, ring, &[30, 40]);
-    let words =
-        |set| found(set).into_iter().filter(|word| word.contains("tips of planet")).collect::<Vec<_>>();
-    assert_eq!(
-        words(set(46)),
-        [
-            "set `P`: tips of planet 2 (40 teeth) and ring 2 (46 teeth) meet outside the mesh without profile shift; from 49 teeth of \
-             the ring on they are free"
-        ]
-    );
-    assert_eq!([48, 49].map(|ring| words(set(ring)).len()), [1, 0]);
+    let check = |ring: u32| {
+        let gearbox = start().set(short(SetKind::SteppedRings, 100, ring, &[30, 40])).build().unwrap();
+        let all = gearbox.set_checks(&BasicRack::default(), |_| vec![]).checks;
+        let own = |check: &&SetCheck| {
+            check.rule == "trochoidal-interference"
+                && check.subject == Subject::Mesh("planet 2".into(), "ring 2".into())
+        };
+        all.iter().find(own).unwrap().clone()
+    };
+    assert_eq!(check(41).value, f64::NEG_INFINITY);
+    assert!(check(41).miss.unwrap().ends_with("so that teeth always meet"));
+    for ring in [42, 43, 46, 48] {
+        assert!(
+            check(ring).miss.unwrap().contains("overlap after they have left the line of action"),
+            "{ring}"
+        );
+    }
+    assert_eq!(check(49).miss, None);
+}
+
+/// Modules that are stated of both meshes of a stepped planet, and of one.
+#[test]
+fn steps_of_a_planet_share_a_centre_distance() {
+    let found = |ring: u32, step: u32, modules: [Option<f64>; 2]| {
+        let gearbox = start().set(short(SetKind::SteppedSunRing, 20, ring, &[20, step])).build().unwrap();
+        let all = gearbox.set_checks(&BasicRack::default(), |_| modules.to_vec()).checks;
+        let steps = all
+            .into_iter()
+            .filter(|check| ["step-module", "step-centre-distance", "across-axis"].contains(&check.rule));
+        steps.map(|check| (check.rule, check.severity, check.value)).collect::<Vec<_>>()
+    };
+    // 20 and 25 modules: not with one module, but with 1 and 0.8 mm.
+    assert_eq!(found(80, 30, [Some(1.0), Some(1.0)]), [("step-centre-distance", Severity::Error, 5.0)]);
+    assert_eq!(found(80, 30, [Some(1.0), Some(0.8)]), []);
+    assert_eq!(found(80, 30, [Some(1.0), None]), [("step-module", Severity::Warning, 0.8)]);
+    assert_eq!(found(80, 30, [None, None]), [("step-module", Severity::Remark, 0.8)]);
+    // A step as large as the centre distance.
+    assert_eq!(found(80, 40, [Some(1.0), None]), [("across-axis", Severity::Error, 1.0)]);
 }
 
 #[test]
@@ -165,13 +186,21 @@ fn whether_planets_fit_is_said_only_where_it_is_known() {
 }
 
 #[test]
-fn a_pair_is_only_held_against_undercut() {
-    let pair = SetSpec::teeth("F", SetKind::InternalPair, ["a", "b", "ground"], 14, 15).unwrap();
-    let gearbox = start().set(pair).set(short(SetKind::Simple, 24, 72, &[])).build().unwrap();
-    let form = BasicRack::default();
-    let words: Vec<String> = gearbox.tooth_checks(&form).iter().map(ToothWarning::to_string).collect();
-    assert_eq!(words, ["set `F`: undercut without profile shift, below 17 teeth: sun (14 teeth)"]);
-    // 2/sin²25° = 11.2.
-    let steep = BasicRack { pressure_angle: degrees(25.0), ..BasicRack::default() };
-    assert_eq!(gearbox.tooth_checks(&steep), []);
+fn a_pair_has_the_checks_of_its_mesh() {
+    let pair = |pinion, ring| {
+        SetSpec::teeth("F", SetKind::InternalPair, ["a", "b", "ground"], pinion, ring).unwrap()
+    };
+    let found = |set: SetSpec| {
+        let gearbox = start().set(set).set(short(SetKind::Simple, 24, 72, &[24])).build().unwrap();
+        let words = gearbox.tooth_checks(&BasicRack::default());
+        words.into_iter().filter(|word| word.starts_with("set `F`")).collect::<Vec<_>>()
+    };
+    let fouls = found(pair(40, 44));
+    assert!(
+        fouls.iter().any(|word| word.contains("overlap after they have left the line of action")),
+        "{fouls:?}"
+    );
+    assert_eq!(found(pair(24, 72)), [""; 0]);
+    let undercut = found(pair(14, 60));
+    assert!(undercut.iter().any(|word| word.contains("is undercut: x = 0.0000")), "{undercut:?}");
 }

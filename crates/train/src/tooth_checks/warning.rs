@@ -1,15 +1,15 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
-use epicyclic_gears::involute::check::Check;
+use epicyclic_gears::involute::check::Severity;
 use std::fmt;
 
 /// A gear with its teeth, by name.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NamedGear {
+pub(super) struct NamedGear {
     /// What it is called: `sun`, `planet long.2`.
-    pub name: String,
+    pub(super) name: String,
     /// Its teeth.
-    pub teeth: u32,
+    pub(super) teeth: u32,
 }
 
 /// What profile shifts of both meshes of a planet make up at the most, in modules: sums of `x` from about −0.5 to 1.5.
@@ -17,12 +17,9 @@ const MOST_SHIFT: f64 = 2.0;
 
 /// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum ToothWarning {
+pub(super) enum ToothWarning {
     /// A simple set without planet teeth, whose sun and ring leave its planets none that are whole.
     HalfTooth {
-        /// The set.
-        set: String,
         /// Teeth of the sun, `z_a`.
         sun: u32,
         /// Teeth of the ring, `z_b`.
@@ -30,28 +27,13 @@ pub enum ToothWarning {
     },
     /// A ring with no more teeth than the planet in it.
     RingTooSmall {
-        /// The set.
-        set: String,
         /// The ring.
         ring: NamedGear,
         /// The planet's gear.
         planet: NamedGear,
-    },
-    /// A ring with so few teeth more than the planet in it that their tips meet after they have left the mesh.
-    TipsMeet {
-        /// The set.
-        set: String,
-        /// The ring.
-        ring: NamedGear,
-        /// The planet's gear.
-        planet: NamedGear,
-        /// The fewest teeth of a ring whose tips are free; `None` where none near it are.
-        least: Option<u32>,
     },
     /// Two central gears that ask one gear of a planet for different radii.
     UnequalCentreDistances {
-        /// The set.
-        set: String,
         /// The planet's gear.
         planet: NamedGear,
         /// The central gears.
@@ -61,8 +43,6 @@ pub enum ToothWarning {
     },
     /// Two planets in mesh that cannot stand at their radii.
     NoTriangle {
-        /// The set.
-        set: String,
         /// The planets.
         planets: [String; 2],
         /// Radii of their centres, in modules of their mesh.
@@ -72,8 +52,6 @@ pub enum ToothWarning {
     },
     /// Planets that overlap their neighbours.
     PlanetsOverlap {
-        /// The set.
-        set: String,
         /// The gears that overlap: of one kind of planet, or of two.
         gears: [String; 2],
         /// How many of each there are.
@@ -85,8 +63,6 @@ pub enum ToothWarning {
     },
     /// Planets at equal angles that cannot be assembled.
     Assembly {
-        /// The set.
-        set: String,
         /// How many of each there are.
         planets: u32,
         /// What their number must divide, `G`.
@@ -96,61 +72,106 @@ pub enum ToothWarning {
         /// The next larger number that assembles and clears.
         more: Option<u32>,
     },
-    /// External gears with so few teeth that a rack undercuts them.
-    Undercut {
-        /// The set.
-        set: String,
-        /// The gears.
-        gears: Vec<NamedGear>,
-        /// The fewest teeth that are not undercut.
-        least: u32,
-    },
-    /// A set with profile shift whose gears do not run together.
-    ShiftFault {
-        /// The set.
-        set: String,
-        /// What is wrong.
-        fault: Check,
-    },
     /// Shifts that leave a set no teeth or no mesh.
     ShiftsRefused {
-        /// The set.
-        set: String,
         /// What is wrong.
         error: epicyclic_gears::Error,
     },
+    /// Steps of one planet whose meshes ask for different radii with their modules.
+    StepsApart {
+        /// The central gears in mesh with them.
+        centrals: [NamedGear; 2],
+        /// Centre distance to each, in modules of the first.
+        distances: [f64; 2],
+    },
+    /// Steps of one planet that lie on one centre distance with one module of the second mesh alone.
+    StepModule {
+        /// The second step.
+        step: String,
+        /// The central gears in mesh with the steps.
+        centrals: [NamedGear; 2],
+        /// Module of the second mesh over that of the first.
+        ratio: f64,
+        /// Whether that of the first is stated.
+        is_stated: bool,
+    },
+    /// A step of a planet that reaches across the main axis.
+    AcrossAxis {
+        /// The gear.
+        gear: String,
+        /// By how much, in modules.
+        by: f64,
+    },
     /// Two gears not in mesh whose tip circles overlap: they cannot lie in one plane.
     DifferentPlanes {
-        /// The set.
-        set: String,
         /// The gears.
         gears: [String; 2],
     },
 }
 
 impl ToothWarning {
-    /// The set it is about.
-    #[must_use]
-    pub fn set(&self) -> &str {
+    /// How grave it is: gears that only must be arranged so, and steps whose modules are not stated, are a remark.
+    pub(super) const fn severity(&self) -> Severity {
         match self {
-            Self::HalfTooth { set, .. }
-            | Self::RingTooSmall { set, .. }
-            | Self::TipsMeet { set, .. }
-            | Self::UnequalCentreDistances { set, .. }
-            | Self::NoTriangle { set, .. }
-            | Self::PlanetsOverlap { set, .. }
-            | Self::Assembly { set, .. }
-            | Self::Undercut { set, .. }
-            | Self::ShiftFault { set, .. }
-            | Self::ShiftsRefused { set, .. }
-            | Self::DifferentPlanes { set, .. } => set,
+            Self::DifferentPlanes { .. } | Self::StepModule { is_stated: false, .. } => Severity::Remark,
+            Self::StepModule { .. } | Self::HalfTooth { .. } => Severity::Warning,
+            Self::UnequalCentreDistances { distances: [one, other], .. }
+            | Self::StepsApart { distances: [one, other], .. } => {
+                if (*one - *other).abs() <= MOST_SHIFT {
+                    Severity::Warning
+                } else {
+                    Severity::Error
+                }
+            }
+            _ => Severity::Error,
         }
     }
 
-    /// Whether it only tells how the gears must be arranged: usual in some sets, and no fault.
-    #[must_use]
-    pub fn is_note(&self) -> bool {
-        matches!(self, Self::DifferentPlanes { .. })
+    /// Name of the rule, value, limit, their unit, and what helps.
+    pub(super) fn figures(&self) -> (&'static str, f64, f64, &'static str, &'static str) {
+        let apart = |[one, other]: &[f64; 2]| (one - other).abs();
+        match self {
+            Self::HalfTooth { sun, ring, .. } => {
+                let planet = (f64::from(*ring) - f64::from(*sun)) / 2.0;
+                ("whole-planet", planet, planet.floor(), "teeth", "state `planet_teeth` and `profile_shifts`")
+            }
+            Self::RingTooSmall { ring, planet, .. } => {
+                let limit = f64::from(planet.teeth) + 1.0;
+                ("ring-larger", f64::from(ring.teeth), limit, "teeth", "give the ring more teeth")
+            }
+            Self::UnequalCentreDistances { distances, .. } => (
+                "centre-distance",
+                apart(distances),
+                0.0,
+                "modules",
+                "state `profile_shifts`, or take other teeth",
+            ),
+            Self::StepsApart { distances, .. } => {
+                ("step-centre-distance", apart(distances), 0.0, "modules", "take other teeth or modules")
+            }
+            Self::StepModule { ratio, .. } => {
+                ("step-module", *ratio, 1.0, "", "take other teeth, or this module in the second mesh")
+            }
+            Self::AcrossAxis { by, .. } => ("across-axis", *by, 0.0, "modules", "give the step fewer teeth"),
+            Self::NoTriangle { distance, radii, .. } => (
+                "planet-triangle",
+                *distance,
+                radii[0] + radii[1],
+                "modules",
+                "take other teeth of the planets",
+            ),
+            Self::PlanetsOverlap { overlap, .. } => {
+                ("planet-gap", -overlap, 0.0, "modules", "take fewer planets")
+            }
+            Self::Assembly { planets, slots, .. } => {
+                let left = (*slots % u64::from(*planets)) as f64;
+                ("assembly", left, 0.0, "positions", "take another number of planets, or unequal angles")
+            }
+            Self::ShiftsRefused { .. } => {
+                ("teeth", 0.0, 1.0, "", "change `profile_shifts` or `tip_alterations`")
+            }
+            Self::DifferentPlanes { .. } => ("planes", 0.0, 0.0, "", "lay the gears beside each other"),
+        }
     }
 }
 
@@ -164,9 +185,9 @@ fn teeth(count: u32) -> String {
     if count == 1 { "1 tooth".to_owned() } else { format!("{count} teeth") }
 }
 
+/// The warning, without the name of its set.
 impl fmt::Display for ToothWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "set `{}`: ", self.set())?;
         match self {
             Self::HalfTooth { sun, ring, .. } => write!(
                 f,
@@ -176,13 +197,6 @@ impl fmt::Display for ToothWarning {
             ),
             Self::RingTooSmall { ring, planet, .. } => {
                 write!(f, "{ring} is not larger than the {planet} in it")
-            }
-            Self::TipsMeet { ring, planet, least, .. } => {
-                write!(f, "tips of {planet} and {ring} meet outside the mesh without profile shift")?;
-                match least {
-                    Some(least) => write!(f, "; from {least} teeth of the ring on they are free"),
-                    None => Ok(()),
-                }
             }
             Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => {
                 write!(
@@ -224,7 +238,6 @@ impl fmt::Display for ToothWarning {
                     None => f.write_str("not even 2 clear"),
                 }
             }
-            Self::ShiftFault { fault, .. } => fault.fmt(f),
             Self::ShiftsRefused { error, .. } => error.fmt(f),
             Self::Assembly { planets, slots, fewer, more, .. } => {
                 write!(
@@ -237,9 +250,25 @@ impl fmt::Display for ToothWarning {
                     (None, None) => Ok(()),
                 }
             }
-            Self::Undercut { gears, least, .. } => {
-                let gears: Vec<String> = gears.iter().map(NamedGear::to_string).collect();
-                write!(f, "undercut without profile shift, below {}: {}", teeth(*least), gears.join(", "))
+            Self::StepsApart { centrals: [one, other], distances, .. } => {
+                let apart = (distances[0] - distances[1]).abs();
+                write!(
+                    f,
+                    "the steps of a planet are {:.4} modules from the axis by the {one} and {:.4} by the {other}: ",
+                    distances[0], distances[1]
+                )?;
+                if apart <= MOST_SHIFT {
+                    f.write_str("equal centre distances need shifted profiles")
+                } else {
+                    write!(f, "no profile shift makes up {apart:.4} modules; take other teeth or modules")
+                }
+            }
+            Self::StepModule { step, centrals: [one, other], ratio, .. } => write!(
+                f,
+                "the steps of a planet share a centre distance only where the mesh of {step} and {other} has {ratio:.4} times the module of the mesh with the {one}"
+            ),
+            Self::AcrossAxis { gear, by, .. } => {
+                write!(f, "the tips of {gear} reach {by:.3} modules across the main axis")
             }
             Self::DifferentPlanes { gears: [one, other], .. } => {
                 write!(f, "{one} and {other} must lie in different planes: their tip circles overlap")

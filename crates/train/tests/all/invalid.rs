@@ -152,7 +152,7 @@ fn shifted_profiles_are_a_matter_of_tooth_checks() {
     assert_eq!(gearbox.warnings(), []);
     let found = gearbox.tooth_checks(&BasicRack::default());
     assert_eq!(
-        found.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        found,
         [
             "set `2`: planet (17 teeth) is 19.5 modules from the axis by the sun (22 teeth) and 20.5 by the ring (58 \
           teeth): equal centre distances need shifted profiles"
@@ -166,8 +166,7 @@ fn shifts_given_are_checked_in_place_of_what_they_would_have_to_mend() {
         let set = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 18, 93).unwrap();
         let set = set.planet_teeth(ToothCount::new(36).unwrap(), None).planet_count(3).shifted(shifts);
         let gearbox = sound().set(set).build().unwrap();
-        let found = gearbox.tooth_checks(&BasicRack::default());
-        found.iter().map(ToString::to_string).collect::<Vec<_>>()
+        gearbox.tooth_checks(&BasicRack::default())
     };
     // As printed of a wind gearbox, to four digits.
     let shifts = Shifts { profile: [0.389, 0.5039, 0.1171], tips: Some([-0.0833, -0.0833, 0.0]) };

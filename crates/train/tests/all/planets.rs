@@ -9,7 +9,6 @@ use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::planet_bearings::{Lack, MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{GearOf, MeshKind};
 use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::tooth_checks::ToothWarning;
 use epicyclic_train::{Gearbox, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -242,10 +241,12 @@ fn of((kind, suns, planets, rings, count): Drawn) -> Gearbox {
 
 /// The numbers that assemble instead, where this one does not.
 fn assembly(gearbox: &Gearbox) -> Option<(Option<u32>, Option<u32>)> {
-    gearbox.tooth_checks(&BasicRack::default()).into_iter().find_map(|found| match found {
-        ToothWarning::Assembly { fewer, more, .. } => Some((fewer, more)),
-        _ => None,
-    })
+    let all = gearbox.set_checks(&BasicRack::default(), |_| vec![]).checks;
+    let miss = all.into_iter().find(|check| check.rule == "assembly")?.miss?;
+    // "…; 3 would do", "…; 3 or 8 would do"
+    let numbers = miss.split_once("; ").and_then(|(_, rest)| rest.strip_suffix(" would do"));
+    let mut numbers = numbers.unwrap_or_default().split(" or ").filter_map(|number| number.parse().ok());
+    Some((numbers.next(), numbers.next()))
 }
 
 /// Each central gear beside the one of reference, the first unless a mesh says otherwise, with the planets on the way.
@@ -360,8 +361,8 @@ fn random_sets_of_every_form_meet_both_answers() {
             counter[drawn.0] += 1;
         }
         let drawn = teeth().new_tree(&mut runner).unwrap().current();
-        let found = of(drawn).tooth_checks(&BasicRack::default());
-        let is_none = found.iter().any(|found| matches!(found, ToothWarning::NoTriangle { .. }));
+        let found = of(drawn).set_checks(&BasicRack::default(), |_| vec![]).checks;
+        let is_none = found.iter().any(|check| check.rule == "planet-triangle");
         let counter = if is_none { &mut stands_not } else { &mut stands };
         counter[drawn.0] += 1;
     }
@@ -439,7 +440,7 @@ proptest! {
     ) {
         let set = form(0, [sun, 1], [planet, 1, 1], [sun + planet, 1], count);
         let form = BasicRack { addendum, ..BasicRack::default() };
-        let found = alone(set).tooth_checks(&form);
+        let found = alone(set).set_checks(&form, |_| vec![]).checks;
         let radius = f64::from(sun + planet) / 2.0;
         let at = |place: u32| {
             let (sin, cos) = libm::sincos(TAU * f64::from(place) / f64::from(count));
@@ -451,12 +452,10 @@ proptest! {
         };
         let overlap = (1..count).map(gap).fold(f64::INFINITY, f64::min);
         prop_assume!(overlap.abs() > 1e-6);
-        let warned = found.iter().find_map(|one| match one {
-            ToothWarning::PlanetsOverlap { overlap, .. } => Some(*overlap),
-            _ => None,
-        });
+        let gaps = found.iter().filter(|check| check.rule == "planet-gap");
+        let warned = gaps.filter(|check| check.miss.is_some()).map(|check| check.value).reduce(f64::min);
         prop_assert_eq!(warned.is_some(), overlap < 0.0);
-        prop_assert!(warned.is_none_or(|warned| (warned + overlap).abs() < 1e-9));
+        prop_assert!(warned.is_none_or(|warned| (warned - overlap).abs() < 1e-9));
     }
 }
 

@@ -1,0 +1,430 @@
+//! The checks of the teeth of each set as a list: what was checked, what could not be, what does not hold.
+
+use super::{Checks, ToothWarning};
+use crate::Gearbox;
+use crate::planet_places::{central_mesh, planet_of, teeth_of};
+use crate::planet_set::{GearOf, MeshKind, PlanetSet};
+use crate::tolerance::PRINTED_SHIFTS;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::check::{
+    Check, Limits, Place as SimplePlace, Rule, Severity, gear_checks, mesh_checks,
+};
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
+use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::rack::BasicRack;
+use std::fmt;
+
+/// What a check of a set is of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Subject {
+    /// The set itself.
+    Set,
+    /// A gear, by name.
+    Gear(String),
+    /// A mesh, by the names of its gears.
+    Mesh(String, String),
+    /// The tips of the first gear in the mesh with the second.
+    Tips(String, String),
+    /// So many planets beside each other.
+    Planets(u32),
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Set => f.write_str("the set"),
+            Self::Gear(gear) => write!(f, "the {gear}"),
+            Self::Mesh(one, other) => write!(f, "the mesh of {one} and {other}"),
+            Self::Tips(one, other) => write!(f, "the tips of the {one}, mesh with the {other},"),
+            Self::Planets(planets) => write!(f, "{planets} planets"),
+        }
+    }
+}
+
+/// A check of a set: its value, its limit, and whether it holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetCheck {
+    /// The set.
+    pub set: String,
+    /// Of what.
+    pub subject: Subject,
+    /// Name of the rule.
+    pub rule: &'static str,
+    /// The value.
+    pub value: f64,
+    /// The limit.
+    pub limit: f64,
+    /// Unit of both; empty of a plain number.
+    pub unit: &'static str,
+    /// How grave a miss is.
+    pub severity: Severity,
+    /// What is missed, with its figures; `None` where the check holds.
+    pub miss: Option<String>,
+    /// What helps.
+    pub remedy: &'static str,
+}
+
+/// A set of which checks are left out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotChecked {
+    /// The set.
+    pub set: String,
+    /// The keys of the file without which they cannot be made.
+    pub missing: Vec<&'static str>,
+}
+
+/// The checks of all sets.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SetChecks {
+    /// Each check, set by set.
+    pub checks: Vec<SetCheck>,
+    /// What could not be checked.
+    pub not_checked: Vec<NotChecked>,
+}
+
+impl Gearbox {
+    /// The checks of the teeth of all sets: those of [`tooth_checks`](Self::tooth_checks), and all that hold.
+    ///
+    /// `modules` are those that are stated of the meshes of a set, in any unit; with them the steps of planets are compared.
+    #[must_use]
+    pub fn set_checks(
+        &self,
+        rack: &BasicRack,
+        modules: impl Fn(&PlanetSet) -> Vec<Option<f64>>,
+    ) -> SetChecks {
+        let mut all = SetChecks::default();
+        for set in &self.sets {
+            let checks = Checks::new(set, *rack, &modules(set));
+            all.checks.extend(checks.list());
+            let missing = checks.missing();
+            if !missing.is_empty() {
+                all.not_checked.push(NotChecked { set: set.id().to_owned(), missing });
+            }
+        }
+        all
+    }
+}
+
+impl SetChecks {
+    /// Those that do not hold but for remarks, in words.
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
+        let missed = self.checks.iter().filter(|check| check.severity > Severity::Remark);
+        missed.filter_map(|check| Some(format!("set `{}`: {}", check.set, check.miss.as_ref()?)))
+    }
+}
+
+impl Checks<'_> {
+    /// Toothed gears of a simple set on one centre distance.
+    fn toothed(&self) -> Option<Result<InvoluteSet, epicyclic_gears::Error>> {
+        self.set.short()?.toothed_set(&self.rack)
+    }
+
+    /// Every check of the set.
+    pub(super) fn list(&self) -> Vec<SetCheck> {
+        let mut all: Vec<SetCheck> = vec![];
+        let toothed = self.toothed();
+        match &toothed {
+            Some(Ok(set)) => {
+                for check in set.checks(&Limits::default()) {
+                    let own = set.gears().into_iter().zip(SimpleGear::ALL);
+                    let own = own
+                        .filter(|(_, gear)| check.place == SimplePlace::Gear(*gear))
+                        .map(|(of, _)| of)
+                        .next();
+                    all.push(self.of_simple(check, own));
+                }
+                all.extend(self.ring_tips(set));
+            }
+            Some(Err(error)) => all.push(self.missed(&ToothWarning::ShiftsRefused { error: error.clone() })),
+            None => all.extend(self.of_meshes()),
+        }
+        all.extend(self.structure(toothed.is_some()).iter().map(|warning| self.missed(warning)));
+        all
+    }
+
+    /// A check of a simple set by the words of this crate.
+    fn of_simple(&self, check: Check, gear: Option<&InvoluteGear>) -> SetCheck {
+        let subject = match check.place {
+            SimplePlace::Gear(gear) => Subject::Gear(gear.to_string()),
+            SimplePlace::Mesh(mesh) => {
+                let [one, other] = mesh.gears();
+                Subject::Mesh(one.to_string(), other.to_string())
+            }
+            SimplePlace::Tips(gear, mesh) => {
+                let mate = mesh.gears().into_iter().find(|of| *of != gear).unwrap_or(gear);
+                Subject::Tips(gear.to_string(), mate.to_string())
+            }
+            SimplePlace::Planets(planets) => Subject::Planets(planets),
+        };
+        let check = Check { rule: check.rule, place: subject, value: check.value, limit: check.limit };
+        self.made(&check, gear)
+    }
+
+    /// A check in words, of a gear with why its tool does not cut it.
+    fn made(&self, check: &Check<Subject>, gear: Option<&InvoluteGear>) -> SetCheck {
+        let is_rounding = match check.rule {
+            Rule::Backlash => check.value >= -PRINTED_SHIFTS,
+            // Without shift the nearest whole number counts, as handbooks have it: 17 teeth at 20°.
+            Rule::Undercut if check.value == 0.0 => self.is_nearest_whole(&check.place),
+            _ => false,
+        };
+        let most = (check.rule == Rule::PlanetGap).then(|| self.most_that_clear()).flatten();
+        let fault = gear.and_then(InvoluteGear::tool_fault).filter(|_| check.rule == Rule::Tool);
+        let words = || match (most, fault) {
+            (Some(most), _) => format!("{check}; at most {most} clear"),
+            (None, Some(fault)) => format!("{check}: {fault}"),
+            (None, None) => check.to_string(),
+        };
+        SetCheck {
+            set: self.name(),
+            subject: check.place.clone(),
+            rule: check.rule.name(),
+            value: check.value,
+            limit: check.limit,
+            unit: check.rule.unit(),
+            severity: check.rule.severity(),
+            miss: (!check.holds() && !is_rounding).then(words),
+            remedy: check.rule.remedy(),
+        }
+    }
+
+    /// Whether a gear has the least whole number of teeth that counts as not undercut.
+    fn is_nearest_whole(&self, subject: &Subject) -> bool {
+        let Subject::Gear(name) = subject else { return false };
+        let gears = self.gears();
+        let own = gears.into_iter().find(|gear| self.plain_name(*gear) == *name);
+        own.and_then(|gear| self.whole_teeth(gear)).is_some_and(|teeth| !self.rack.undercuts(teeth))
+    }
+
+    /// Teeth of a gear; of the planet of a simple set those that equal centre distances leave it, where they are whole.
+    fn whole_teeth(&self, gear: GearOf) -> Option<ToothCount> {
+        let teeth = teeth_of(self.set, gear).filter(|teeth| teeth.fract() == 0.0 && *teeth >= 1.0)?;
+        ToothCount::new(teeth as u32).ok()
+    }
+
+    /// Central gears with teeth, and the gears of the planets.
+    fn gears(&self) -> Vec<GearOf> {
+        let centrals = (0..self.set.centrals().len()).map(GearOf::Central);
+        let planets = (0..self.set.planets().len()).flat_map(|planet| self.gears_of(planet));
+        centrals.chain(planets).collect()
+    }
+
+    /// The gear of a simple set by its kind, of others by its name.
+    fn plain_name(&self, gear: GearOf) -> String {
+        let is_simple = self.toothed().is_some();
+        match gear {
+            GearOf::Central(0) if is_simple => "sun".to_owned(),
+            GearOf::Central(1) if is_simple => "ring".to_owned(),
+            GearOf::Planet(..) if is_simple => "planet".to_owned(),
+            _ => self.set.gear_name(gear),
+        }
+    }
+
+    /// The largest number of planets alike that clears.
+    fn most_that_clear(&self) -> Option<u32> {
+        let planets = self.set.planet_count()?;
+        let neighbours = self.neighbours();
+        (2..planets).rev().find(|&fewer| self.clears(&neighbours, fewer))
+    }
+
+    /// By how much the tips of the ring of a simple set are shorter than its basic rack has them, where the file says nothing of tips.
+    fn ring_tips(&self, set: &InvoluteSet) -> Option<SetCheck> {
+        let spec = self.set.short()?;
+        if spec.shifts.is_some_and(|shifts| shifts.tips.is_some()) {
+            return None;
+        }
+        let [_, planet, ring] = set.gears();
+        let full = ring.with_tip_alteration(0.0).ok()?;
+        let pair = Pair::at_centre_distance(*planet, full, set.centre_distance()).ok()?;
+        Some(self.shortened(&pair, ring, &["planet".to_owned(), "ring".to_owned()]))
+    }
+
+    /// The check that a ring runs with its full teeth: a remark where their tips reach into fillets alone, and a warning where they reach below the base
+    /// circle of the mate.
+    fn shortened(&self, full: &Pair, ring: &InvoluteGear, [one, other]: &[String; 2]) -> SetCheck {
+        let by = ring.tip_alteration();
+        let below_base = full.interference().is_some_and(|free| free.base < 0.0);
+        let miss = (by < 0.0).then(|| {
+            let reach = if below_base { "reach below the base circle of the" } else { "reach into the fillets of the" };
+            format!(
+                "the tips of the {other} are taken {:.3} modules shorter than its basic rack has them, since full ones {reach} {one}: cut the blank so",
+                -by
+            )
+        });
+        SetCheck {
+            set: self.name(),
+            subject: Subject::Tips(other.clone(), one.clone()),
+            rule: "full-tips",
+            value: by,
+            limit: 0.0,
+            unit: "modules",
+            severity: if below_base { Severity::Warning } else { Severity::Remark },
+            miss,
+            remedy: "state `tip_alterations`, or take other teeth or profile shifts",
+        }
+    }
+
+    /// Checks of gears and meshes without profile shift, each mesh on its own centre distance.
+    fn of_meshes(&self) -> Vec<SetCheck> {
+        let mut all = vec![];
+        // The virtual teeth of bevel gears depend on angles that nothing gives; helical sets of which teeth are missing have no spur teeth.
+        if self.is_bevel() || self.set.short().is_some_and(crate::set::SetSpec::is_helical) {
+            return all;
+        }
+        let profile = Profile::of_rack(self.rack);
+        let toothed = |gear: GearOf| {
+            let kind = self.gear_kind(gear)?;
+            InvoluteGear::new(kind, self.whole_teeth(gear)?, profile, 0.0).ok()
+        };
+        let mut seen: Vec<GearOf> = vec![];
+        for mesh in self.set.meshes() {
+            let [first, second] = match mesh.gears {
+                [one, other] if self.gear_kind(one) == Some(GearKind::Internal) => [other, one],
+                gears => gears,
+            };
+            let names = [first, second].map(|gear| self.set.gear_name(gear));
+            let (Some(one), Some(other)) = (toothed(first), toothed(second)) else { continue };
+            let Ok(full) = Pair::without_backlash(one, other) else { continue };
+            let pair = full.with_clear_ring_tips().unwrap_or(full);
+            if mesh.kind == MeshKind::Internal {
+                all.push(self.shortened(&full, &pair.gears()[1], &names));
+            }
+            let limits = Limits::default();
+            for ((gear, name), of) in [first, second].into_iter().zip(&names).zip(pair.gears()) {
+                if !seen.contains(&gear) {
+                    seen.push(gear);
+                    let subject = Subject::Gear(name.clone());
+                    gear_checks(&subject, of, &limits, &mut |check| all.push(self.made(&check, Some(of))));
+                }
+            }
+            let mut see = |check: Check<Subject>| all.push(self.made(&check, None));
+            let [one, other] = names;
+            let tips = [Subject::Tips(one.clone(), other.clone()), Subject::Tips(other.clone(), one.clone())];
+            mesh_checks(&Subject::Mesh(one, other), &tips, &pair, &limits, &mut see);
+        }
+        all
+    }
+
+    /// What does not fit of the numbers of teeth and planets; `is_toothed` of a simple set whose teeth share a centre distance.
+    pub(super) fn structure(&self, is_toothed: bool) -> Vec<ToothWarning> {
+        let mut found = vec![];
+        found.extend(self.small_rings());
+        if !is_toothed && !self.set.is_pair() {
+            found.extend(self.half_tooth());
+            found.extend(self.centre_distances());
+            if !self.set.short().is_some_and(crate::set::SetSpec::is_helical) {
+                found.extend(self.steps());
+                found.extend(self.triangles());
+                found.extend(self.overlaps());
+            }
+        }
+        if !self.set.is_pair() {
+            found.extend(self.assembly());
+        }
+        if !is_toothed {
+            found.extend(self.planes());
+        }
+        found
+    }
+
+    /// A warning as a check that does not hold.
+    fn missed(&self, warning: &ToothWarning) -> SetCheck {
+        let (rule, value, limit, unit, remedy) = warning.figures();
+        SetCheck {
+            set: self.name(),
+            subject: Subject::Set,
+            rule,
+            value,
+            limit,
+            unit,
+            severity: warning.severity(),
+            miss: Some(warning.to_string()),
+            remedy,
+        }
+    }
+
+    /// Steps of one planet whose meshes have different centre distances with the modules that are stated, and steps that reach across the axis.
+    fn steps(&self) -> Vec<ToothWarning> {
+        let mut found = vec![];
+        for planet in 0..self.set.planets().len() {
+            let of_planet = |mesh: &usize| {
+                central_mesh(self.set, *mesh).is_some_and(|(_, gear)| planet_of(gear) == Some(planet))
+            };
+            let meshes: Vec<usize> = (0..self.set.meshes().len()).filter(of_planet).collect();
+            let placed = |mesh: usize| {
+                let (central, gear) = central_mesh(self.set, mesh)?;
+                let distance = super::centre_distance(self.set, mesh)?;
+                Some((mesh, self.named(GearOf::Central(central))?, gear, distance))
+            };
+            let all: Vec<_> = meshes.into_iter().filter_map(placed).collect();
+            let Some((first, central, gear, distance)) = all.first() else { continue };
+            for (mesh, other, step, teeth) in all.iter().skip(1).filter(|(_, _, step, _)| step != gear) {
+                let ratio = distance / teeth;
+                match (self.stated[*first], self.stated[*mesh]) {
+                    (Some(one), Some(two)) if (one * distance - two * teeth).abs() > super::TOUCH * one => {
+                        found.push(ToothWarning::StepsApart {
+                            centrals: [central.clone(), other.clone()],
+                            distances: [one * distance, two * teeth].map(|distance| distance / one),
+                        });
+                    }
+                    (one, None) if (ratio - 1.0).abs() > super::TOUCH => {
+                        found.push(ToothWarning::StepModule {
+                            step: self.set.gear_name(*step),
+                            centrals: [central.clone(), other.clone()],
+                            ratio,
+                            is_stated: one.is_some(),
+                        });
+                    }
+                    _ => {}
+                }
+            }
+            // About an axis without a sun a single planet may turn as an eccentric does.
+            let has_sun = all.iter().any(|(mesh, ..)| self.set.meshes()[*mesh].kind == MeshKind::External);
+            for gear in self.gears_of(planet).filter(|_| has_sun) {
+                let (Some(radius), Some(tip)) = (self.places.radii[planet], self.tip(gear)) else { continue };
+                if tip >= radius {
+                    let module = self.module(gear).unwrap_or(1.0);
+                    found.push(ToothWarning::AcrossAxis {
+                        gear: self.set.gear_name(gear),
+                        by: (tip - radius) / module,
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    /// The keys without which checks are left out.
+    fn missing(&self) -> Vec<&'static str> {
+        let mut missing = vec![];
+        let is_pair = self.set.is_pair();
+        let has = |gear: GearOf| self.set.teeth(gear).is_some();
+        let mut centrals = (0..self.set.centrals().len())
+            .filter(|central| self.gear_kind(GearOf::Central(*central)).is_some());
+        if !centrals.all(|central| has(GearOf::Central(central))) {
+            missing.push("teeth");
+        }
+        let mut planets = (0..self.set.planets().len()).flat_map(|planet| self.gears_of(planet));
+        if !is_pair && !planets.all(|gear| self.whole_teeth(gear).is_some()) {
+            missing.push(if self.set.short().is_some() { "planet_teeth" } else { "planet_gears" });
+        }
+        if !is_pair && self.set.planet_count().is_none() {
+            missing.push("planets");
+        }
+        missing
+    }
+
+    /// External or internal; `None` of a planet shaft.
+    fn gear_kind(&self, gear: GearOf) -> Option<GearKind> {
+        use crate::compound::CentralKind;
+        match gear {
+            GearOf::Planet(..) => Some(GearKind::External),
+            GearOf::Central(central) => match self.set.centrals()[central].kind {
+                CentralKind::Sun => Some(GearKind::External),
+                CentralKind::Ring => Some(GearKind::Internal),
+                _ => None,
+            },
+        }
+    }
+}
