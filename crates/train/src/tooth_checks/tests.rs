@@ -104,9 +104,6 @@ fn every_fault_of_a_simple_set_is_told() {
             "set `P`: 8 planets cannot be assembled at equal angles: their number must divide 84; 3 would do",
         ]
     );
-    // (2 + 36)·sin 90° = 36 + 2: two planets around a sun of two teeth touch.
-    let touching = found(short(SetKind::Simple, 2, 74, &[]).planet_count(2));
-    assert!(touching.iter().any(|word| word.contains("neighbours among 2 planets are")), "{touching:?}");
     assert_eq!(found(short(SetKind::Simple, 24, 72, &[24]).planet_count(4)), [""; 0]);
     assert_eq!(
         found(short(SetKind::SteppedSunRing, 20, 40, &[36, 41])),
@@ -137,7 +134,7 @@ fn a_ring_with_few_teeth_more_meets_the_tips_of_its_planet() {
     };
     assert_eq!(check(41).value, f64::NEG_INFINITY);
     assert!(check(41).miss.unwrap().ends_with("so that teeth always meet"));
-    for ring in [42, 43, 46, 48] {
+    for ring in [42, 43, 44] {
         assert!(
             check(ring).miss.unwrap().contains("overlap after they have left the line of action"),
             "{ring}"
