@@ -4,6 +4,7 @@ use super::{Checks, ToothWarning};
 use crate::Gearbox;
 use crate::planet_places::{central_mesh, planet_of, teeth_of};
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
+use crate::set::SetKind;
 use crate::tolerance::PRINTED_SHIFTS;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
@@ -137,10 +138,17 @@ impl Checks<'_> {
                 all.extend(self.ring_tips(set));
             }
             Some(Err(error)) => all.push(self.missed(&ToothWarning::ShiftsRefused { error: error.clone() })),
+            None if self.needs_shifts() => {}
             None => all.extend(self.of_meshes()),
         }
         all.extend(self.structure(toothed.is_some()).iter().map(|warning| self.missed(warning)));
         all
+    }
+
+    /// Whether it is a simple set whose teeth share a centre distance with profile shifts alone; none are stated, so nothing is known of its teeth.
+    fn needs_shifts(&self) -> bool {
+        let is_simple = self.set.short().is_some_and(|spec| spec.kind == SetKind::Simple);
+        is_simple && self.gears().into_iter().all(|gear| self.set.teeth(gear).is_some())
     }
 
     /// A check of a simple set by the words of this crate.
@@ -408,6 +416,9 @@ impl Checks<'_> {
         let mut planets = (0..self.set.planets().len()).flat_map(|planet| self.gears_of(planet));
         if !is_pair && !planets.all(|gear| self.whole_teeth(gear).is_some()) {
             missing.push(if self.set.short().is_some() { "planet_teeth" } else { "planet_gears" });
+        }
+        if self.toothed().is_none() && self.needs_shifts() {
+            missing.push("profile_shifts");
         }
         if !is_pair && self.set.planet_count().is_none() {
             missing.push("planets");

@@ -174,7 +174,7 @@ fn shifts_given_are_checked_in_place_of_what_they_would_have_to_mend() {
     let long = Shifts { tips: Some([0.3, -0.0833, 0.0]), ..shifts };
     assert_eq!(
         with(long)[1],
-        "set `2`: the tips of the sun, sun–planet mesh, clear the roots of the mate by -0.133 modules, at least 0 needed"
+        "set `2`: the tips of the sun, mesh with the planet, clear the roots of the mate by -0.133 modules, at least 0 needed"
     );
     let pointed = with(Shifts { profile: [3.0, 0.5, 0.1], ..shifts });
     let start = "set `2`: external gear of 18 teeth, profile shift x = 3, tip alteration k = 0: its teeth are pointed";
