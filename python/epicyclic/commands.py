@@ -1915,7 +1915,9 @@ def motor(
 
     A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that
     roll on both. The numbers leave one distance free: ``l``, ``a`` or ``part`` choose it. Torque and flow are
-    theoretical; ``oil``, ``gaps`` and ``friction`` add losses, ``ports`` the ports as they are made.
+    theoretical; ``oil``, ``gaps`` and ``friction`` add losses, ``ports`` the ports as they are made. Module: 0.001 to
+    1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the stator's nominal radius m·Z₃/2. A rotor that reaches
+    into the stator is refused.
 
     Parameters
     ----------
@@ -2041,7 +2043,7 @@ def motor_search(
     z3: Values | None = None,
     zs: Values | None = None,
     divisor: Literal["any", "one", "common"] | None = None,
-    with_teeth: bool = False,
+    any_teeth: bool = False,
     objectives: Values | None = None,
     by: Values | None = None,
     places: Values | None = None,
@@ -2074,7 +2076,9 @@ def motor_search(
     Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits,
     the motors remain that no other surpasses in all objectives together. The module is chosen from a list and the
     width follows, or the other way round. Between the places tried a motor may be better: by how much is estimated
-    and said. The teeth are of one form, as `motor` has it. Ranges include both ends and may be open: 3..6, ..90.
+    and said. The teeth are of one form, as `motor` has it; every motor listed keeps its limits and can have ideal
+    ports. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the stator's nominal radius
+    m·Z₃/2. Ranges include both ends and may be open: 3..6, ..90.
 
     Parameters
     ----------
@@ -2109,9 +2113,9 @@ def motor_search(
     divisor
         Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the pitch
         points
-    with_teeth
-        Only designs on which the teeth keep their limits. They are taken from the front: motors that it surpasses are
-        not brought back for their teeth
+    any_teeth
+        Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no ideal ports
+        (default: such motors are left out)
     objectives
         What the designs are held against each other by: see below
     by
@@ -2181,7 +2185,7 @@ def motor_search(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--with-teeth": with_teeth, "--objectives": objectives, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--save": save, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--flank-ripple": flank_ripple, "--least-torque": least_torque}, progress, output=output)
+    return _call.answer(["motor", "search"], [], {"--displacement": displacement, "--torque": torque, "--pressure": pressure, "--speed": speed, "--module": module, "--width": width, "--tolerance": tolerance, "--width-over-diameter": width_over_diameter, "--outer-diameter": outer_diameter, "--ripple": ripple, "--stator": stator, "--rotor": rotor, "--z3": z3, "--zs": zs, "--divisor": divisor, "--any-teeth": any_teeth, "--objectives": objectives, "--by": by, "--places": places, "--resolution": resolution, "--every": every, "--limit": limit, "--design": design, "--save": save, "--angle": angle, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--flank-ripple": flank_ripple, "--least-torque": least_torque}, progress, output=output)
 
 
 def motor_forms(

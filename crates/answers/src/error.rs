@@ -46,14 +46,6 @@ pub enum Error {
     /// A search with free tooth forms in which no motor passes with any.
     #[error("no motor within the limits: {0}")]
     NoMotorForm(Box<crate::motor_forms::Funnel>),
-    /// A search whose every design has teeth that break their limits, or none.
-    #[error(
-        "no motor within the limits: on none of the {designs} designs that pass do the teeth keep their limits"
-    )]
-    NoTeethHold {
-        /// Designs that pass otherwise.
-        designs: usize,
-    },
     /// A number of a design that a search has not found.
     #[error("{design}: there are designs 1 to {designs}")]
     NoSuchDesign {
@@ -378,7 +370,6 @@ impl Error {
             Self::Drive(error) => error.name(),
             Self::Motor(error) => error.name(),
             Self::NoMotor(_) | Self::NoMotorForm(_) => "no-motor",
-            Self::NoTeethHold { .. } => "no-teeth-hold",
             Self::NoSuchDesign { .. } => "no-such-design",
             Self::PressureDrop => "pressure-drop",
             Self::RotorSpeed => "rotor-speed",
@@ -438,8 +429,7 @@ impl Error {
             Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
             | Self::NoMotor(_)
             | Self::NoMotorForm(_)
-            | Self::NoSize { .. }
-            | Self::NoTeethHold { .. } => true,
+            | Self::NoSize { .. } => true,
             Self::Drive(why) => {
                 matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
             }

@@ -6,21 +6,23 @@ mod flanks;
 mod made;
 mod moving;
 mod over_angle;
+pub(crate) mod practice;
 pub(crate) mod saved;
 mod shape;
 mod teeth;
 
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
 pub use design::{Chosen, Designed, Place, Question, design, of_file};
+pub(crate) use flanks::contact_stresses;
 pub use flanks::{
     AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
 };
-pub(crate) use made::Point;
 pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
 pub use made::ports::{
     ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
 };
 pub use made::{Groups, Made};
+pub(crate) use made::{Point, steel};
 pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use shape::{Arcs, CosineLaw, FamilyLimit, HarmonicRange, Interval, Rotor};
@@ -33,6 +35,7 @@ use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
+use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length, Pressure};
@@ -74,7 +77,7 @@ pub struct Motor {
     pub chambers: Vec<Chamber>,
     /// The satellites at that angle.
     pub satellites: Vec<Satellite>,
-    /// What fails, and what there is not.
+    /// What exceeds an allowed pressure or stress first; what fails, what there is not, what is unusual.
     pub warnings: Vec<Warning>,
 }
 
@@ -392,12 +395,24 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
     };
     let made = &designed.made;
     warnings.extend(made.port_warnings());
+    if made.ports.is_none()
+        && let Err(why) = PortPlate::of_ideal_holes(motor, IDEAL_PART).and_then(|plate| plate.timing())
+    {
+        let message = format!("no ideal ports: {why}");
+        warnings.push(Warning { name: "no-ideal-ports", message });
+    }
+    let work = Work::of(designed)?;
+    let mut beyond = practice::of_pressure(work.pressure_pa, flanks.as_ref());
+    beyond.append(&mut warnings);
+    let mut warnings = beyond;
+    let ripple = flanks.as_ref().map_or(work.ripple, |flanks| flanks.ripple);
+    warnings.extend(practice::of_work(work.pressure_pa, ripple, made));
     Ok(Motor {
         numbers: Numbers::of(motor),
         arcs,
         cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
         rotor: Rotor::of(motor),
-        work: Work::of(designed)?,
+        work,
         flanks,
         ports: Ports::of(motor),
         made_ports: made.port_figures.clone(),

@@ -4,12 +4,13 @@ mod choices;
 mod funnel;
 
 pub use choices::{Crest, Family, Objective};
-pub use funnel::{Funnel, Reason, Refused};
+pub use funnel::{Funnel, Refused};
 
+use crate::motor::practice::{self, Borne};
 use crate::motor::{Designed, GoverningLimit, Groups};
 use crate::motor_designs::{Drawn, Listed, Origin, nearest_half, nth};
 use crate::number::{maybe_si, plain, si};
-use crate::{Answer, Error};
+use crate::{Answer, Error, Warning};
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch, FormSize};
@@ -73,6 +74,8 @@ pub struct MotorForms {
     pub designs: Vec<Design>,
     /// The space of motors and tooth forms, and what became of its points.
     pub funnel: Funnel,
+    /// Contact stress and pressure beyond what the material allows or limits of practice.
+    pub warnings: Vec<Warning>,
 }
 
 /// A design: a motor with a tooth form, and the size shown of it.
@@ -151,6 +154,13 @@ pub struct Flanks {
     pub root_on_path_pa: Option<f64>,
     /// The pressure drop that the material allows; null without limits of it.
     pub allowed: Option<Allowed>,
+}
+
+impl Flanks {
+    fn borne(&self) -> Option<Borne> {
+        let allowed = self.allowed.as_ref().map(|allowed| Borne::Allowed(allowed.on_path_pa));
+        allowed.or(self.contact_on_path_pa.map(Borne::Contact))
+    }
 }
 
 /// The pressure drop that limits of the material allow.
@@ -232,7 +242,11 @@ impl Searched {
         let Self { wanted, found } = self;
         let listed =
             Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
+        let designs: Vec<Design> =
+            listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
+        let borne: Vec<Borne> = designs.iter().filter_map(|design| design.flanks.as_ref()?.borne()).collect();
         MotorForms {
+            warnings: practice::of_designs(maybe_si(wanted.search.requirements.pressure_drop), &borne),
             displacement_m3: si(wanted.search.requirements.displacement),
             objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
             order: wanted.order,
@@ -240,7 +254,7 @@ impl Searched {
             found: found.designs.len(),
             first_of_each_set: wanted.first_of_each_set,
             hidden: listed.hidden,
-            designs: listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect(),
+            designs,
             funnel: Funnel::of(found),
         }
     }

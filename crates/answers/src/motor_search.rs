@@ -8,11 +8,12 @@ pub use funnel::{Funnel, Reason, Refused};
 pub use objective::Objective;
 pub use teeth::{AtFlanks, TeethLimits};
 
+use crate::motor::practice::{self, Borne};
 use crate::motor::{Designed, Groups, Subject};
 use crate::motor_designs::{Drawn, Listed, Origin, nearest_half, nth};
 use crate::motor_forms::Form;
 use crate::number::{maybe_si, plain, si};
-use crate::{Answer, Error};
+use crate::{Answer, Error, Warning};
 use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -24,8 +25,6 @@ use uom::si::f64::Angle;
 pub struct Wanted {
     /// What is searched; the teeth of its flanks are also those of limits and drawings.
     pub search: Search,
-    /// Whether designs on which the teeth do not keep their limits are left out of the front.
-    pub with_teeth: bool,
     /// What the designs are ordered by.
     pub order: Objective,
     /// Whether only the first design of each set of lobes and teeth is told.
@@ -46,8 +45,8 @@ pub struct MotorSearch {
     pub order: Objective,
     /// The tooth form.
     pub form: Form,
-    /// Whether designs on which its teeth do not keep their limits were left out.
-    pub with_teeth: bool,
+    /// Whether every design has teeth that keep their limits and ideal ports; else teeth and ports were not judged.
+    pub made: bool,
     /// How many non-dominated designs there are.
     pub found: usize,
     /// Whether only the first of each set of lobes and teeth is told.
@@ -62,6 +61,8 @@ pub struct MotorSearch {
     pub spacing_error: SpacingError,
     /// By how much refinement found better motors than there are at even places.
     pub refinement_gain: SpacingError,
+    /// Contact stress and pressure beyond limits of practice.
+    pub warnings: Vec<Warning>,
 }
 
 /// A design: a shape, and the size shown of it.
@@ -98,6 +99,8 @@ pub struct Design {
     pub least_radius_in_modules: f64,
     /// Whether the teeth keep their limits.
     pub teeth_limits: TeethLimits,
+    /// The greatest contact stress of steel teeth where one pair of flanks carries alone, at the pressure; null without it or without teeth.
+    pub contact_stress_pa: Option<f64>,
     /// The check of the centrodes with least to spare.
     pub nearest_check: Subject,
     /// How much that is, relative to the limit.
@@ -166,27 +169,17 @@ pub struct Searched {
     wanted: Wanted,
     /// With the designs in the order that is wanted.
     found: Found,
-    /// Designs before those were left out whose teeth do not hold.
-    apart: usize,
 }
 
 /// Searches; `watch` is told how far it is, from any thread.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes, [`Error::NoTeethHold`] where on
-/// none of them the teeth keep their limits.
+/// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes.
 pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     let form = wanted.search.flanks.form;
-    let apart = found.designs.len();
-    if apart == 0 {
-        return Err(Error::NoMotor(Box::new(Funnel::of(&found, apart))));
-    }
-    if wanted.with_teeth {
-        found.designs.retain(|design| TeethLimits::of(design, form) == TeethLimits::Hold);
-        if found.designs.is_empty() {
-            return Err(Error::NoTeethHold { designs: apart });
-        }
+    if found.designs.is_empty() {
+        return Err(Error::NoMotor(Box::new(Funnel::of(&found))));
     }
     let order = wanted.order;
     if order.of_search().is_of_flanks() {
@@ -195,7 +188,7 @@ pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error>
         }
     }
     found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
-    Ok(Searched { wanted: wanted.clone(), found, apart })
+    Ok(Searched { wanted: wanted.clone(), found })
 }
 
 /// The answer of a search.
@@ -210,21 +203,26 @@ impl Searched {
     /// The answer.
     #[must_use]
     pub fn answer(&self) -> MotorSearch {
-        let Self { wanted, found, apart } = self;
+        let Self { wanted, found } = self;
         let listed =
             Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
-        let designs = listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
+        let designs: Vec<Design> =
+            listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
+        let borne: Vec<Borne> =
+            designs.iter().filter_map(|design| design.contact_stress_pa.map(Borne::Contact)).collect();
+        let warnings = practice::of_designs(maybe_si(wanted.search.requirements.pressure_drop), &borne);
         MotorSearch {
+            warnings,
             displacement_m3: si(wanted.search.requirements.displacement),
             objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
             order: wanted.order,
             form: Form::of(&wanted.search.flanks.form),
-            with_teeth: wanted.with_teeth,
+            made: wanted.search.made,
             found: found.designs.len(),
             first_of_each_set: wanted.first_of_each_set,
             hidden: listed.hidden,
             designs,
-            funnel: Funnel::of(found, *apart),
+            funnel: Funnel::of(found),
             spacing_error: self.error(found.spacing_error),
             refinement_gain: self.error(found.refinement_gain),
         }
@@ -255,7 +253,7 @@ impl Searched {
     fn design(&self, place: usize, design: &search::Design) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
-        let teeth = Teeth::of(design, self.wanted.search.flanks.form);
+        let teeth = Teeth::of(design, &self.wanted.search);
         let (at_flanks, without_flanks) = match teeth.at_flanks {
             Ok(at_flanks) => (Some(at_flanks), None),
             Err(why) => (None, Some(why)),
@@ -278,6 +276,7 @@ impl Searched {
             without_flanks,
             least_radius_in_modules: plain(design.least_radius),
             teeth_limits: teeth.limits,
+            contact_stress_pa: teeth.contact_stress_pa,
             nearest_check: Subject::of(design.nearest_check),
             nearest_margin: plain(design.nearest_margin),
             spacing_error: self.error(design.spacing_error),

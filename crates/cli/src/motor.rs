@@ -27,7 +27,8 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 ///
 /// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that roll on both.
 /// The numbers leave one distance free: --l, --a or --part choose it. Torque and flow are theoretical; --oil, --gaps and
-/// --friction add losses, --ports the ports as they are made.
+/// --friction add losses, --ports the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the
+/// stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is refused.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 #[command(override_usage = "\

@@ -240,17 +240,21 @@ pub fn place(error: &MotorError) -> Path {
         MotorError::NoTeeth { wheel }
         | MotorError::TooManyTeeth { wheel, .. }
         | MotorError::TeethPerLobe { wheel, .. } => of_wheel(wheel, "z3", "z3", "zs"),
-        MotorError::SatelliteTooLarge { .. } | MotorError::NoFamily | MotorError::NoCosineRotor { .. } => {
-            "zs"
-        }
-        MotorError::NoSecondHarmonicRotor { .. } => "zs",
+        MotorError::SatelliteTooLarge { .. }
+        | MotorError::NoFamily { .. }
+        | MotorError::NoCosineRotor { .. }
+        | MotorError::NoSecondHarmonicRotor { .. }
+        | MotorError::RotorInStator { .. }
+        | MotorError::NoChamber { .. } => "zs",
         MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",
         MotorError::CannotHold { .. } => "teeth.pressure_angle",
         MotorError::PortOutside { .. }
         | MotorError::PortsOverlap
-        | MotorError::SatelliteAcrossRay
+        | MotorError::SteepCentrode { .. }
+        | MotorError::SatelliteAcrossRay { .. }
+        | MotorError::SatelliteInWheel { .. }
         | MotorError::PortNeverOpens { .. }
         | MotorError::PortNeverCloses { .. }
         | MotorError::NoOpening { .. } => "ports",

@@ -47,10 +47,11 @@ use std::f64::consts::PI;
 
 use uom::si::f64::{Angle, Length};
 
+use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::real::Real;
 use crate::roots::bracketed;
-use crate::units::{angle, finite_angle, length, positive_length, positive_modules};
+use crate::units::{angle, finite_angle, length, positive_modules};
 use crate::{Error, units};
 
 /// System (1) in units of the module, solved for two distances; generic, so that its derivatives come with it.
@@ -190,7 +191,7 @@ impl StatorArcs {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn with(numbers: MotorNumbers, module: Length, known: [Known; 2]) -> Result<Vec<Self>, Error> {
-        let module = positive_length(Quantity::Module, module)?;
+        let module = machine::module(module)?;
         let theta3 = PI / f64::from(numbers.stator_lobes());
         let half_length = half_length(numbers);
         let [first, second] = known.map(Known::quantity);

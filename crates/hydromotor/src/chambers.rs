@@ -32,7 +32,7 @@ use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
 use crate::satellites::Point;
-use crate::units::{area, finite_angle, positive_length, volume};
+use crate::units::{area, finite_angle, volume};
 use std::f64::consts::PI;
 
 /// A chamber at an instant.
@@ -147,7 +147,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width.
     pub fn displacement(&self, width: Length) -> Result<Volume, Error> {
-        let width = positive_length(Quantity::Width, width)?;
+        let width = crate::machine::width(width)?;
         Ok(volume(self.displacement_kernel(), self.module(), width))
     }
 

@@ -47,28 +47,26 @@
 //! depends on `N`, `Z_s/Z_3` and the distances alone), and scan for roots without use of it.
 //!
 //! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens: it starts where `R₁ = 0` and ends where the rotor
-//! gets a cusp, or goes on as arc 1 becomes straight. Of few lobes and small satellites, such as 3×1, it has a gap where
+//! gets a cusp, or at the greatest `l` of a machine ([`crate::machine`]), where arc 1 is nearly straight. Of few lobes and small satellites, such as 3×1, it has a gap where
 //! the stator's flank would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The tests hold the
 //! intervals against a scan over every seventh admissible set.
 //!
 //! # Source
 //! The source has no such condition: it draws the rotor and does not check that it closes.
 
-use crate::quantity::Quantity;
+use crate::quantity::{FamilyFault, Quantity};
 use std::f64::consts::PI;
 
 use uom::si::f64::Length;
 
 use crate::Error;
 use crate::arcs::{Arcs, StatorArcs, half_length};
+use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::real::{Dual, Real};
 use crate::roots::{bracketed, quadrature};
 use crate::tolerance::{EDGE_ANGLE, WITHIN};
-use crate::units::{length, millimetres, positive_length, positive_modules};
-
-/// The greatest distance `l` in modules that the crate reckons with; arc 1 is straight to a billionth then.
-pub const GREATEST_DISTANCE: f64 = 1e9;
+use crate::units::{length, millimetres, positive_modules};
 
 /// `(l² − R₁²)·J(K₁, M₁, x)` on arc 1, `t = tan(x/2)`.
 pub(crate) fn trough_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
@@ -200,8 +198,8 @@ pub enum Limit {
     RotorCusp,
     /// The flank of stator and rotor becomes radial where the arcs meet, `cos μ = 0`.
     RadialFlank,
-    /// Arc 1 becomes a straight line; `l` has no bound.
-    StraightArc,
+    /// `l` reaches [`GREATEST_RADIUS`](crate::machine::GREATEST_RADIUS) times the stator's nominal radius: arc 1 is nearly straight.
+    GreatestRadius,
 }
 
 /// An end of an interval, not a motor itself.
@@ -213,7 +211,7 @@ pub struct End {
 }
 
 impl End {
-    /// The arcs there; none of [`Limit::StraightArc`].
+    /// The arcs there; none where rounding leaves no root at a cusp.
     #[must_use]
     pub fn arcs(&self) -> Option<&StatorArcs> {
         self.arcs.as_ref()
@@ -262,9 +260,9 @@ impl Family {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn new(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
-        let module = positive_length(Quantity::Module, module)?;
-        let intervals = Kernel::of(numbers).intervals(module);
-        if intervals.is_empty() { Err(Error::NoFamily) } else { Ok(Self { numbers, module, intervals }) }
+        let module = machine::module(module)?;
+        let intervals = Kernel::of(numbers).intervals(module).map_err(|why| Error::NoFamily { why })?;
+        Ok(Self { numbers, module, intervals })
     }
 
     /// The numbers.
@@ -295,7 +293,7 @@ impl Family {
             let inverse = l.recip();
             inverse < interval.lower.inverse() && inverse > interval.upper.inverse()
         };
-        let inside = l <= GREATEST_DISTANCE && self.intervals.iter().any(inside);
+        let inside = self.intervals.iter().any(inside);
         match Kernel::of(self.numbers).solve(l).filter(|_| inside) {
             Some(arcs) => Ok(StatorArcs { arcs, module: self.module }),
             None => Err(self.outside(trough_distance)),
@@ -326,7 +324,7 @@ impl Family {
         for interval in &self.intervals {
             let ends = [&interval.lower, &interval.upper].map(|end| match end.arcs {
                 Some(arcs) => Some((arcs.arcs.l.recip(), arcs.arcs.a)),
-                None => kernel.solve(GREATEST_DISTANCE).map(|arcs| (arcs.l.recip(), arcs.a)),
+                None => None,
             });
             let [Some(lower), Some(upper)] = ends else { continue };
             if a > lower.1 && a < upper.1 {
@@ -369,13 +367,13 @@ impl Family {
                 break;
             }
         }
-        self.at(length(inverse.max(GREATEST_DISTANCE.recip()).recip(), self.module))
+        self.at(length(inverse.recip(), self.module))
     }
 
     /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves no root.
     pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
         let (from, to) = (interval.lower.inverse(), interval.upper.inverse());
-        let inverse = (from + (to - from) * part).max(GREATEST_DISTANCE.recip());
+        let inverse = from + (to - from) * part;
         let kernel = Kernel::of(self.numbers);
         let arcs = kernel.solve(inverse.recip()).filter(|arcs| kernel.is_regular(arcs))?;
         Some(StatorArcs { arcs, module: self.module })
@@ -393,10 +391,10 @@ impl Family {
 /// # Errors
 /// As [`Family::new`] and [`Family::at`].
 pub fn arcs_at(numbers: MotorNumbers, module: Length, trough_distance: Length) -> Result<StatorArcs, Error> {
-    let module = positive_length(Quantity::Module, module)?;
+    let module = machine::module(module)?;
     let l = positive_modules(Quantity::TroughDistance, trough_distance, module)?;
     let kernel = Kernel::of(numbers);
-    match kernel.solve(l).filter(|arcs| l <= GREATEST_DISTANCE && kernel.is_regular(arcs)) {
+    match kernel.solve(l).filter(|arcs| l < kernel.greatest && kernel.is_regular(arcs)) {
         Some(arcs) => Ok(StatorArcs { arcs, module }),
         None => Err(Family::new(numbers, module)?.outside(trough_distance)),
     }
@@ -409,6 +407,8 @@ struct Kernel {
     half_length: f64,
     r: f64,
     wanted: f64,
+    /// The greatest `l`.
+    greatest: f64,
 }
 
 impl Kernel {
@@ -418,6 +418,7 @@ impl Kernel {
             half_length: half_length(numbers),
             r: f64::from(numbers.satellite_teeth()) / 2.0,
             wanted: PI / f64::from(numbers.rotor_lobes()),
+            greatest: machine::greatest_distance(numbers.stator_teeth()),
         }
     }
 
@@ -486,13 +487,16 @@ impl Kernel {
 
     /// Where both curves are smooth and turn one way about the axis, by rising `l`.
     ///
-    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to 0. The crest only sharpens on the way, so
+    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to the greatest `l` of a machine. The crest only sharpens on the way, so
     /// that there is one such place. `cos μ` where the arcs meet falls to a least value and rises again: golden section finds
     /// it, and where it is below 0, a root on either side bounds the gap.
-    fn intervals(&self, module: Length) -> Vec<Interval> {
+    fn intervals(&self, module: Length) -> Result<Vec<Interval>, FamilyFault> {
         let corner = self.lower_end();
-        if corner.r2 <= self.r || least_stretch(&corner, self.r) <= 0.0 {
-            return Vec::new();
+        if corner.r2 <= self.r {
+            return Err(FamilyFault::CrestRadius);
+        }
+        if least_stretch(&corner, self.r) <= 0.0 {
+            return Err(FamilyFault::RotorCusp);
         }
         let end =
             |limit, arcs: Option<Arcs>| End { limit, arcs: arcs.map(|arcs| StatorArcs { arcs, module }) };
@@ -501,9 +505,9 @@ impl Kernel {
         };
         let stretch = |inverse: f64| of_arcs(inverse, least_stretch);
         let flank = |inverse: f64| of_arcs(inverse, flank);
-        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - WITHIN));
+        let (straight, start) = (self.greatest.recip(), corner.l.recip() * (1.0 - WITHIN));
         let (last, upper) = if stretch(straight) > 0.0 {
-            (straight, end(Limit::StraightArc, None))
+            (straight, end(Limit::GreatestRadius, self.solve(self.greatest)))
         } else {
             let cusp = bracketed(straight, start, stretch);
             (cusp, end(Limit::RotorCusp, self.solve(cusp.recip())))
@@ -511,7 +515,7 @@ impl Kernel {
         let lower = end(Limit::NoTroughArc, Some(corner));
         let lowest = lowest(last, start, flank);
         if flank(lowest) > 0.0 {
-            return vec![Interval { lower, upper }];
+            return Ok(vec![Interval { lower, upper }]);
         }
         let radial = |from: f64| {
             let place = bracketed(from, lowest, flank);
@@ -526,7 +530,7 @@ impl Kernel {
         if flank(last) > 0.0 {
             intervals.push(Interval { lower: radial(last), upper });
         }
-        intervals
+        if intervals.is_empty() { Err(FamilyFault::RadialFlank) } else { Ok(intervals) }
     }
 }
 

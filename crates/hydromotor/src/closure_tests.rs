@@ -44,14 +44,18 @@ fn the_ends_of_the_family_are_where_it_says() {
 }
 
 #[test]
-fn a_family_can_go_on_to_a_straight_arc() {
+fn a_family_can_go_on_to_the_greatest_radius_of_a_machine() {
     let flat = family(3, 2, 45, 7);
     let upper = flat.intervals()[0].upper;
-    assert_eq!((upper.limit, upper.arcs()), (Limit::StraightArc, None));
-    let straight = flat.at(mm(1e8)).unwrap();
-    assert!((straight.crest_distance().get::<millimeter>() - 9.757).abs() < 0.01);
-    let message = flat.at(mm(1e10)).unwrap_err().to_string();
-    assert!(message.contains("mm on, however great"), "{message}");
+    // 100 · 45/2 modules.
+    assert_eq!(upper.limit, Limit::GreatestRadius);
+    assert!((upper.arcs().unwrap().arcs.l - 2250.0).abs() < 1e-9);
+    assert!(flat.at(mm(2249.9)).is_ok() && arcs_at(flat.numbers(), mm(1.0), mm(2249.9)).is_ok());
+    for l in [2250.1, 1e8] {
+        let message = flat.at(mm(l)).unwrap_err().to_string();
+        assert!(message.ends_with(" to 2250.000000 mm"), "{message}");
+        assert_eq!(arcs_at(flat.numbers(), mm(1.0), mm(l)).unwrap_err().to_string(), message);
+    }
 }
 
 #[test]
@@ -70,7 +74,7 @@ fn a_family_can_have_a_gap() {
 #[test]
 fn numbers_without_a_family_are_refused() {
     let numbers = MotorNumbers::new(5, 3, 55, 3).unwrap();
-    assert_eq!(Family::new(numbers, mm(1.0)), Err(Error::NoFamily));
+    assert!(matches!(Family::new(numbers, mm(1.0)), Err(Error::NoFamily { .. })));
     assert!(matches!(Family::new(numbers, mm(0.0)), Err(Error::NotPositive { .. })));
     assert!(five_at_part(0.0).is_err() && five_at_part(1.0).is_err() && five_at_part(f64::NAN).is_err());
 }
@@ -253,6 +257,17 @@ proptest! {
         let by_l = (span(l + h, a) - span(l - h, a)) / (2.0 * h);
         prop_assert!((found.by_crest_distance - by_a).abs() < 1e-6 * by_a.abs().max(0.01));
         prop_assert!((found.by_trough_distance - by_l).abs() < 1e-6 * by_l.abs().max(0.01));
+    }
+
+    /// No radius of a motor exceeds 100 times the stator's.
+    #[test]
+    fn no_radius_is_beyond_a_machine(motor in any_motor(), beside_end in 0.0..1e-6) {
+        let family = Family::new(motor.0, mm(1.0)).unwrap();
+        for part in [motor.1, 1.0 - 1e-9 - beside_end] {
+            let arcs = family.at_part(part).unwrap().arcs;
+            let stator = arcs.a + arcs.r2;
+            prop_assert!(arcs.r1.max(arcs.r2) <= 100.0 * stator, "{} {} {stator}", arcs.r1, arcs.r2);
+        }
     }
 
     #[test]

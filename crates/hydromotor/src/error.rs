@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{ArcsFault, Choice, OpenPair, PortSide, Quantity, WheelKind};
+use crate::quantity::{ArcsFault, Choice, FamilyFault, OpenPair, PortSide, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -164,7 +164,7 @@ pub enum Error {
     OutsideFamily {
         /// The distance given, mm.
         l_mm: f64,
-        /// The family's intervals, mm; the last may be infinite, where it goes on to a straight arc 1.
+        /// The family's intervals, mm.
         intervals_mm: Vec<(f64, f64)>,
     },
     /// A distance `a` that no motor of these numbers has.
@@ -176,11 +176,32 @@ pub enum Error {
         intervals_mm: Vec<(f64, f64)>,
     },
     /// Numbers for which no pair of arcs closes.
+    #[error("no motor of two arcs closes with these numbers: {why}; take more satellite teeth")]
+    NoFamily {
+        /// The condition that fails.
+        why: FamilyFault,
+    },
+    /// A rotor that reaches into the stator as it turns.
     #[error(
-        "no motor of two arcs closes with these numbers: where R_1 vanishes, the rotor already has cusps or \
-         the stator's flank is more than radial; take more satellite teeth"
+        "the rotor reaches {:.4} mm into the stator: its crests lie {rotor_mm:.4} mm from the axis, the stator's troughs \
+         {stator_mm:.4} mm; take more satellite teeth, which makes the lobes lower",
+        .rotor_mm - .stator_mm
     )]
-    NoFamily,
+    RotorInStator {
+        /// The rotor's greatest radius, mm.
+        rotor_mm: f64,
+        /// The stator's least radius, mm.
+        stator_mm: f64,
+    },
+    /// A chamber that vanishes or is less than nothing.
+    #[error(
+        "the least area of a chamber is {area_mm2:.4} mm²; it must be above 0: take more satellite teeth, which makes the lobes \
+         lower"
+    )]
+    NoChamber {
+        /// The least area, mm².
+        area_mm2: f64,
+    },
     /// Numbers for which no cosine-law rotor closes.
     #[error(
         "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude:.6}, where \
@@ -347,12 +368,41 @@ pub enum Error {
     /// Ports of both pressures that share an area.
     #[error("a high-pressure and a low-pressure port overlap: move them apart, or make them smaller")]
     PortsOverlap,
-    /// A rotor that reaches into the stator, centrodes steeper than 45°, or a satellite that reaches across the ray through its neighbour's contacts or into a wheel.
+    /// Centrodes too steep for ports.
     #[error(
-        "ports of this motor: its rotor's crests reach into the stator, its centrodes are steeper than 45°, or a satellite reaches across the ray through its neighbour's contacts or into a \
-         wheel, so that the rays do not part the chambers; choose an l or numbers with less steep centrodes"
+        "ports of this motor: its centrodes slope by {slope_deg:.4}° against the circle about the axis, and ports need at most \
+         {most_deg}°; take more satellite teeth, or leave the ports out"
     )]
-    SatelliteAcrossRay,
+    SteepCentrode {
+        /// The greatest slope `|μ|`, degrees.
+        slope_deg: f64,
+        /// The greatest that is allowed, degrees.
+        most_deg: f64,
+    },
+    /// A satellite that reaches across the ray through its neighbour's contacts.
+    #[error(
+        "ports of this motor: a satellite reaches {by_mm:.4} mm across the ray from the axis through its neighbour's contacts with the \
+         rotor at {rotation_deg:.4}°, so that the ray does not part the chambers; take other numbers or another l, or leave the ports out"
+    )]
+    SatelliteAcrossRay {
+        /// How far, at most, mm.
+        by_mm: f64,
+        /// A rotation of the rotor at which it is so, degrees.
+        rotation_deg: f64,
+    },
+    /// A satellite that cuts into a wheel away from its contact.
+    #[error(
+        "ports of this motor: the pitch circle of a satellite reaches {by_mm:.4} mm into the {wheel} beside its contact with the rotor at \
+         {rotation_deg:.4}°; take more satellite teeth or another l, or leave the ports out"
+    )]
+    SatelliteInWheel {
+        /// The wheel.
+        wheel: WheelKind,
+        /// How far, at most, mm.
+        by_mm: f64,
+        /// A rotation of the rotor at which it is so, degrees.
+        rotation_deg: f64,
+    },
     /// A port that stays covered.
     #[error(
         "the {side} ports never open: satellites, rotor or stator cover them at every angle; a port that opens \
@@ -445,7 +495,9 @@ impl Error {
             Self::NoArcs { .. } => "no-arcs",
             Self::OutsideFamily { .. } => "outside-family",
             Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
-            Self::NoFamily => "no-family",
+            Self::NoFamily { .. } => "no-family",
+            Self::RotorInStator { .. } => "rotor-in-stator",
+            Self::NoChamber { .. } => "no-chamber",
             Self::NoCosineRotor { .. } => "no-cosine-rotor",
             Self::OutsideHarmonic { .. } => "outside-harmonic",
             Self::NoSecondHarmonicRotor { .. } => "no-second-harmonic-rotor",
@@ -465,7 +517,9 @@ impl Error {
             Self::TooManySets { .. } => "too-many-sets",
             Self::PortOutside { .. } => "port-outside",
             Self::PortsOverlap => "ports-overlap",
-            Self::SatelliteAcrossRay => "satellite-across-ray",
+            Self::SteepCentrode { .. } => "steep-centrode",
+            Self::SatelliteAcrossRay { .. } => "satellite-across-ray",
+            Self::SatelliteInWheel { .. } => "satellite-in-wheel",
             Self::PortNeverOpens { .. } => "port-never-opens",
             Self::PortNeverCloses { .. } => "port-never-closes",
             Self::NoOpening { .. } => "no-opening",
@@ -482,12 +536,6 @@ fn spaced(unit: &str) -> String {
 }
 
 fn ranges(intervals_mm: &[(f64, f64)]) -> String {
-    let range = |&(low, high): &(f64, f64)| {
-        if high.is_finite() {
-            format!("from {low:.6} to {high:.6} mm")
-        } else {
-            format!("from {low:.6} mm on, however great")
-        }
-    };
+    let range = |&(low, high): &(f64, f64)| format!("from {low:.6} to {high:.6} mm");
     intervals_mm.iter().map(range).collect::<Vec<_>>().join(" or ")
 }

@@ -18,9 +18,7 @@ use crate::Error;
 use crate::contact::Conjugate;
 use crate::motor::Motor;
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
-use crate::units::{
-    area, finite_angle, finite_pressure, finite_speed, positive_length, power, torque, volume, volume_rate,
-};
+use crate::units::{area, finite_angle, finite_pressure, finite_speed, power, torque, volume, volume_rate};
 use std::f64::consts::TAU;
 
 /// Pieces in which a smooth stretch of the flow is looked at.
@@ -135,7 +133,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the speed.
     pub fn mean_flow(&self, width: Length, speed: AngularVelocity) -> Result<VolumeRate, Error> {
-        let (width, speed) = (positive_length(Quantity::Width, width)?, finite_speed(speed)?);
+        let (width, speed) = (crate::machine::width(width)?, finite_speed(speed)?);
         Ok(volume_rate(volume(self.displacement_kernel() / TAU, self.module(), width), speed))
     }
 
@@ -163,7 +161,7 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn theoretical_torque(&self, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length(Quantity::Width, width)?;
+        let width = crate::machine::width(width)?;
         let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
         Ok(torque(volume(self.displacement_kernel() / TAU, self.module(), width), pressure_drop))
     }
@@ -173,7 +171,7 @@ impl Motor {
     /// # Errors
     /// As [`theoretical_torque`](Self::theoretical_torque), and [`Error::NotFinite`] for the rotation.
     pub fn torque(&self, rotation: Angle, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length(Quantity::Width, width)?;
+        let width = crate::machine::width(width)?;
         let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
         let (flow, _) = self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?);
         Ok(torque(volume(flow, self.module(), width), pressure_drop))

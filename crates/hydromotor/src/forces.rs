@@ -24,7 +24,7 @@ use uom::si::f64::{Angle, Force, Length, Pressure};
 use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
-use crate::units::{angle, finite_angle, finite_pressure, force, positive_length};
+use crate::units::{angle, finite_angle, finite_pressure, force};
 
 /// The force of the pressures on a satellite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +95,7 @@ impl Motor {
         low: Pressure,
     ) -> Result<Vec<SatelliteForce>, Error> {
         let rotation = finite_angle(Quantity::Rotation, rotation)?;
-        let width = positive_length(Quantity::Width, width)?;
+        let width = crate::machine::width(width)?;
         let (high, low) =
             (finite_pressure(Quantity::HighPressure, high)?, finite_pressure(Quantity::LowPressure, low)?);
         let count = self.numbers().satellites();

@@ -21,6 +21,7 @@
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
 //! | [`ports`] | ports as made: openings, timing, trapped pressure, throttling |
+//! | [`machine`] | bounds of a motor's size; whether the rotor turns within the stator |
 //! | [`leakage`] | leakage through the gaps at the end faces |
 //! | [`friction`] | friction of flanks and end gaps, starting torque |
 //! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
@@ -72,6 +73,7 @@ pub mod forces;
 pub mod friction;
 pub mod junction;
 pub mod leakage;
+pub mod machine;
 pub mod motor;
 pub mod numbers;
 pub mod ports;

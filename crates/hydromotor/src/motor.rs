@@ -12,10 +12,11 @@ use crate::arcs::StatorArcs;
 use crate::closure::arcs_at;
 use crate::contact::{By, Conjugate, Contact};
 use crate::cosine::{Cosine, Law};
+use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::second_harmonic::{self, HarmonicLaw};
 use crate::two_arcs::TwoArcs;
-use crate::units::{angle, finite_angle, finite_modules, length, positive_length};
+use crate::units::{angle, finite_angle, finite_modules, length, millimetres, square_millimetres};
 
 /// A closed motor.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +38,7 @@ impl Motor {
     /// A motor whose stator consists of two arcs, at the distance `l` of its family.
     ///
     /// # Errors
-    /// As [`crate::closure::arcs_at`].
+    /// As [`crate::closure::arcs_at`]; [`Error::RotorInStator`], [`Error::NoChamber`].
     ///
     /// # Example
     /// ```
@@ -54,10 +55,10 @@ impl Motor {
         module: Length,
         trough_distance: Length,
     ) -> Result<Self, Error> {
-        Ok(Self::of_closed_arcs(numbers, arcs_at(numbers, module, trough_distance)?))
+        Self::of_closed_arcs(numbers, arcs_at(numbers, module, trough_distance)?).turning()
     }
 
-    /// From arcs known to close.
+    /// From arcs known to close; whether the rotor turns is not asked.
     pub(crate) fn of_closed_arcs(numbers: MotorNumbers, arcs: StatorArcs) -> Self {
         let lobe = TwoArcs::new(&arcs.arcs, f64::from(numbers.satellite_teeth()) / 2.0);
         Self { numbers, module: arcs.module, shape: Shape::Arcs(arcs, lobe) }
@@ -66,16 +67,17 @@ impl Motor {
     /// The motor with a cosine-law rotor ([`crate::cosine`]).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the module, [`Error::NoCosineRotor`] where none closes.
+    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NoCosineRotor`] where none closes;
+    /// [`Error::RotorInStator`], [`Error::NoChamber`].
     pub fn of_cosine_law(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
-        let module = positive_length(Quantity::Module, module)?;
-        Ok(Self { numbers, module, shape: Shape::Cosine(Cosine::new(numbers)?) })
+        let module = machine::module(module)?;
+        Self { numbers, module, shape: Shape::Cosine(Cosine::new(numbers)?) }.turning()
     }
 
     /// The motor with a second-harmonic rotor of an amplitude `ε₂` ([`crate::second_harmonic`]); with 0 that of the cosine law.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`, [`Error::OutsideHarmonic`] where none closes without cusps
+    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NotFinite`] for `ε₂`, [`Error::RotorInStator`], [`Error::NoChamber`], [`Error::OutsideHarmonic`] where none closes without cusps
     /// with this `ε₂`, [`Error::NoSecondHarmonicRotor`] where none does with any.
     ///
     /// # Example
@@ -94,13 +96,32 @@ impl Motor {
         module: Length,
         second_amplitude: f64,
     ) -> Result<Self, Error> {
-        let module = positive_length(Quantity::Module, module)?;
-        Ok(Self { numbers, module, shape: Shape::Cosine(second_harmonic::lobe(numbers, second_amplitude)?) })
+        let module = machine::module(module)?;
+        let shape = Shape::Cosine(second_harmonic::lobe(numbers, second_amplitude)?);
+        Self { numbers, module, shape }.turning()
     }
 
-    /// From a law known to close without cusps.
+    /// From a law known to close without cusps; whether the rotor turns is not asked.
     pub(crate) fn of_law(numbers: MotorNumbers, module: Length, law: Law) -> Self {
         Self { numbers, module, shape: Shape::Cosine(Cosine::of_law(law)) }
+    }
+
+    /// The motor, if its rotor turns within the stator and its least chamber has an area ([`crate::machine`]).
+    pub(crate) fn turning(self) -> Result<Self, Error> {
+        let [rotor, stator] = self.facing_radii();
+        if rotor >= stator {
+            let [rotor_mm, stator_mm] =
+                [rotor, stator].map(|value| millimetres(length(value, self.module())));
+            return Err(Error::RotorInStator { rotor_mm, stator_mm });
+        }
+        let [least, _] = self.chamber_extremes();
+        let area_mm2 = square_millimetres(least);
+        if area_mm2 > 0.0 { Ok(self) } else { Err(Error::NoChamber { area_mm2 }) }
+    }
+
+    /// The rotor's greatest radius and the stator's least, in modules: the radii of crest and trough where they face each other.
+    pub(crate) fn facing_radii(&self) -> [f64; 2] {
+        [self.shape.at(By::Phase, 0.0).rho1, self.shape.trough().rho3]
     }
 
     /// The numbers.

@@ -153,6 +153,15 @@ words! {
 }
 
 words! {
+    /// Why no motor of two arcs closes with some numbers.
+    FamilyFault {
+        CrestRadius "where R₁ vanishes, the satellite does not fit into the stator's crests"
+        RotorCusp "where R₁ vanishes, the rotor already has cusps"
+        RadialFlank "the stator's flank is more than radial for every l"
+    }
+}
+
+words! {
     /// The condition of two arcs that fails.
     ArcsFault {
         NoSolution "the equation for Γ has no solution"

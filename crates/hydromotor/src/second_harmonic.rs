@@ -33,10 +33,11 @@ use uom::si::f64::Length;
 
 use crate::Error;
 use crate::cosine::{Cosine, Law, Numbers};
+use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::quantity::Quantity;
 use crate::roots::{bracketed, golden};
-use crate::units::{degrees, length, positive_length};
+use crate::units::{degrees, length};
 
 /// The law of a rotor with a second harmonic, or without.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +83,7 @@ impl HarmonicLaw {
 /// # Ok::<(), epicyclic_hydromotor::Error>(())
 /// ```
 pub fn closure(numbers: MotorNumbers, module: Length, second_amplitude: f64) -> Result<HarmonicLaw, Error> {
-    let module = positive_length(Quantity::Module, module)?;
+    let module = machine::module(module)?;
     let second = finite(second_amplitude)?;
     match Numbers::of(numbers).at_second(second) {
         Some(law) => Ok(HarmonicLaw::of(&law, module)),

@@ -247,6 +247,10 @@ pub(crate) fn positive_area(quantity: Quantity, value: Area) -> Result<f64, Erro
     Ok(value.get::<square_meter>())
 }
 
+pub(crate) fn square_millimetres(value: Area) -> f64 {
+    value.get::<square_millimeter>()
+}
+
 pub(crate) fn square_metres(value: Area) -> f64 {
     value.get::<square_meter>()
 }

@@ -8,7 +8,7 @@ pub(crate) use lists::subject;
 
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked, words};
-use crate::report::{Part, Report, Row, Section, Text, warned};
+use crate::report::{Part, Report, Row, Section, Text, headline, warned};
 use crate::{AsReport, Error, text};
 use epicyclic_answers::motor;
 use epicyclic_answers::motor::{
@@ -69,7 +69,8 @@ impl AsReport for Motor {
             paragraphs: vec![made::neglected(self.made_ports.is_some(), self.losses.as_ref())],
             ..Text::default()
         }));
-        Report { title: Some(title(&self.numbers)), parts, warnings: warned(&self.warnings) }
+        let title = headline(title(&self.numbers), &self.warnings);
+        Report { title: Some(title), parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -187,7 +188,7 @@ fn limit(limit: FamilyLimit) -> &'static str {
         FamilyLimit::NoTroughArc => "R₁ vanishes",
         FamilyLimit::RotorCusp => "the rotor gets cusps",
         FamilyLimit::RadialFlank => "flanks become radial",
-        FamilyLimit::StraightArc => "no end: arc 1 straight",
+        FamilyLimit::GreatestRadius => "100 × the stator's radius",
     }
 }
 

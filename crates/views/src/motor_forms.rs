@@ -6,7 +6,7 @@ use crate::motor_designs::{
     Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
 };
 use crate::quantities::{column, words};
-use crate::report::{Column, Part, Records, Report, Row, Section, Text, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
 use epicyclic_answers::motor::GoverningLimit;
 use epicyclic_answers::motor_forms::{Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
 use epicyclic_formats::Dimension::{Angle, Length, Pressure, Volume};
@@ -16,9 +16,12 @@ impl AsReport for MotorForms {
         let wanted = words(Volume, self.displacement_m3, 5);
         let designs = if self.found == 1 { "design" } else { "designs" };
         Report {
-            title: Some(format!(
-                "Hydromotors of {wanted} a revolution, tooth form free: {} non-dominated {designs}",
-                self.found
+            title: Some(headline(
+                format!(
+                    "Hydromotors of {wanted} a revolution, tooth form free: {} non-dominated {designs}",
+                    self.found
+                ),
+                &self.warnings,
             )),
             parts: vec![
                 Part::Records(records(self)),
@@ -31,7 +34,7 @@ impl AsReport for MotorForms {
                 }),
                 Part::Text(Text::paragraph(completeness(self))),
             ],
-            warnings: None,
+            warnings: warned(&self.warnings),
         }
     }
 }

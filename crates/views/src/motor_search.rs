@@ -7,10 +7,10 @@ use crate::motor_designs::{
     Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
 };
 use crate::quantities::{column, words};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
 use epicyclic_answers::motor::Subject;
 use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLimits};
-use epicyclic_formats::Dimension::{Length, Volume};
+use epicyclic_formats::Dimension::{Length, Pressure, Volume};
 
 /// The objectives, of which the error is stated.
 const OBJECTIVES: &[(&str, &str)] = &[
@@ -26,9 +26,9 @@ impl AsReport for MotorSearch {
         let wanted = words(Volume, self.displacement_m3, 5);
         let designs = if self.found == 1 { "design" } else { "designs" };
         Report {
-            title: Some(format!(
-                "Hydromotors of {wanted} a revolution: {} non-dominated {designs}",
-                self.found
+            title: Some(headline(
+                format!("Hydromotors of {wanted} a revolution: {} non-dominated {designs}", self.found),
+                &self.warnings,
             )),
             parts: vec![
                 Part::Records(records(self)),
@@ -50,7 +50,7 @@ impl AsReport for MotorSearch {
                     note: "",
                 }),
             ],
-            warnings: None,
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -73,27 +73,36 @@ fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row
 }
 
 fn records(search: &MotorSearch) -> Records {
+    let judged = if search.made {
+        "the form keeps its limits, and ideal ports can be made."
+    } else {
+        "whether the form keeps its limits (hold, fail) or gives no teeth (none); teeth and ports were not judged."
+    };
+    let has_contact = search.designs.iter().any(|design| design.contact_stress_pa.is_some());
+    let contact = if has_contact {
+        " σ_H: greatest contact stress of steel teeth where one pair of flanks carries alone."
+    } else {
+        ""
+    };
     let (hidden, of_set) = (hidden(search.hidden), of_set(search.first_of_each_set));
+    let mut shape_columns = vec![
+        "design",
+        "lobes",
+        "teeth",
+        "displacement_by_volume",
+        "ripple",
+        "flank_ripple",
+        "least_radius_in_modules",
+        "nearest",
+        "teeth_limits",
+    ];
+    shape_columns.extend(has_contact.then_some("contact_stress"));
     let shapes = View {
         note: format!(
             "q/V: displacement over the cylinder about the stator's centrode. δ: ripple of flow and torque, satellites \
-             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. Teeth: whether the form keeps its limits \
-             (hold, fail) or gives no teeth (none); the search does not ask, --with-teeth leaves out what fails.{hidden}"
+             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. Teeth: {judged}{contact}{hidden}"
         ),
-        ..View::new(
-            "Designs",
-            &[
-                "design",
-                "lobes",
-                "teeth",
-                "displacement_by_volume",
-                "ripple",
-                "flank_ripple",
-                "least_radius_in_modules",
-                "nearest",
-                "teeth_limits",
-            ],
-        )
+        ..View::new("Designs", &shape_columns)
     };
     let none = if search.designs.iter().any(|design| design.at_flanks.is_none()) {
         " Without teeth there is nothing at the flanks (-)."
@@ -139,6 +148,7 @@ fn records(search: &MotorSearch) -> Records {
         Column::words("without_flanks", ""),
         Column::number("least_radius_in_modules", "ϱ/m"),
         Column::words("teeth_limits", "teeth"),
+        Column::headed("contact_stress", "σ_H, MPa", Pressure),
         Column::words("nearest_check", "nearest limit"),
         Column::words("nearest", "nearest limit").for_people(),
         Column::number("nearest_margin", "spare"),
@@ -199,6 +209,7 @@ fn row(design: &Design) -> Vec<Figure> {
             TeethLimits::Fail => Figure::answer("fail", "fail"),
             TeethLimits::None => Figure::answer("none", "none"),
         },
+        column(Pressure, design.contact_stress_pa),
         Figure::Text(subject(design.nearest_check).to_owned()),
         Figure::Text(short(design.nearest_check).to_owned()),
         Figure::Share(design.nearest_margin),
@@ -252,8 +263,5 @@ fn funnel(search: &MotorSearch) -> Vec<Row> {
     rows.push(row("accepted", "motors that pass", funnel.accepted));
     rows.push(row("front", "… that no other surpasses", funnel.front));
     rows.push(row("apart", "designs, alike ones once", funnel.apart));
-    if funnel.with_teeth < funnel.apart {
-        rows.push(row("with_teeth", "… on which the teeth hold", funnel.with_teeth));
-    }
     rows
 }

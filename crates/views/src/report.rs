@@ -158,6 +158,14 @@ pub struct Column {
     pub is_for_people: bool,
 }
 
+/// A title behind the first warning of its answer, which is the gravest.
+pub(crate) fn headline(title: String, warnings: &[Warning]) -> String {
+    match warnings.first() {
+        Some(Warning { message, .. }) => format!("Warning: {message}. {title}"),
+        None => title,
+    }
+}
+
 /// Warnings of an answer as a report has them.
 pub(crate) fn warned(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
     Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())

@@ -157,7 +157,7 @@ impl Flanks {
         motor.greatest_flank_forces(profile.form().pressure_angle, held.0, held.1)?;
         let ripple = profile.flank_ripple(SealingContact::default());
         let (contact, roots) = match designed.pressure {
-            Some(drop) => (contact(designed, profile, drop)?, roots(profile, drop)?),
+            Some(drop) => (contact_stresses(profile, designed.made.modulus, drop)?, roots(profile, drop)?),
             None => (vec![], vec![]),
         };
         let mean = motor.ripple().mean;
@@ -216,7 +216,12 @@ impl ForceAt {
     }
 }
 
-fn contact(designed: &Designed, profile: &Profile, drop: Pressure) -> Result<Vec<ContactStresses>, Error> {
+/// Stresses of Hertz in both meshes.
+pub(crate) fn contact_stresses(
+    profile: &Profile,
+    modulus: Pressure,
+    drop: Pressure,
+) -> Result<Vec<ContactStresses>, Error> {
     let record = |one: &ContactStress| {
         let pressure = |peak: Option<PeakPressure>| maybe_si(peak.map(|peak| peak.pressure));
         let offset = |peak: Option<PeakPressure>| maybe_si(peak.map(|peak| peak.offset));
@@ -233,7 +238,7 @@ fn contact(designed: &Designed, profile: &Profile, drop: Pressure) -> Result<Vec
             on_path_offset_m: offset(one.on_path),
         }
     };
-    Ok(profile.contact_stresses(drop, designed.made.modulus)?.iter().map(record).collect())
+    Ok(profile.contact_stresses(drop, modulus)?.iter().map(record).collect())
 }
 
 fn roots(profile: &Profile, drop: Pressure) -> Result<Vec<RootStresses>, Error> {

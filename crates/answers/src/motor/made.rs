@@ -39,7 +39,7 @@ pub struct Made {
     /// Ports as made, and when they open and close.
     pub ports: Option<(PortPlate, Timing)>,
     pub(super) port_figures: Option<MadePorts>,
-    most_trapped: Option<Pressure>,
+    pub(super) most_trapped: Option<Pressure>,
     pub(super) bulk_modulus: Option<Pressure>,
     pub(super) dead_area: Area,
     pub(super) losses: Option<Losses>,
@@ -99,6 +99,11 @@ impl Made {
     pub(super) fn port_warnings(&self) -> Vec<Warning> {
         self.port_figures.as_ref().map(|ports| ports.warnings(self.most_trapped)).unwrap_or_default()
     }
+}
+
+/// Effective modulus of steel teeth.
+pub(crate) fn steel() -> Result<Pressure, Error> {
+    material(&Groups::default()).map(|(modulus, _)| modulus)
 }
 
 /// Effective modulus and limits.

@@ -45,7 +45,7 @@ pub struct Interval {
     pub from_m: f64,
     /// What ends it there.
     pub from_limit: FamilyLimit,
-    /// Its greatest `l`; null where it goes on to a straight arc.
+    /// Its greatest `l`; null where rounding leaves none at a cusp.
     pub to_m: Option<f64>,
     /// What ends it there.
     pub to_limit: FamilyLimit,
@@ -61,8 +61,8 @@ pub enum FamilyLimit {
     RotorCusp,
     /// The stator's flanks become radial.
     RadialFlank,
-    /// The arcs at the troughs become straight: there is no end.
-    StraightArc,
+    /// The arcs at the troughs reach 100 times the stator's nominal radius, the most that a machine has.
+    GreatestRadius,
 }
 
 /// A rotor by the cosine law.
@@ -166,7 +166,7 @@ impl FamilyLimit {
             closure::Limit::NoTroughArc => Self::NoTroughArc,
             closure::Limit::RotorCusp => Self::RotorCusp,
             closure::Limit::RadialFlank => Self::RadialFlank,
-            closure::Limit::StraightArc => Self::StraightArc,
+            closure::Limit::GreatestRadius => Self::GreatestRadius,
         }
     }
 }

@@ -1,12 +1,14 @@
 //! The teeth of a design: whether they keep their limits, and flow and torque where satellites seal at their flanks.
 
 use super::shown_size;
+use crate::motor::{contact_stresses, practice, steel};
 use crate::number::plain;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::search;
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::Pressure;
 
 /// Whether teeth of the form keep their limits on a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -35,19 +37,29 @@ pub(super) struct Teeth {
     pub(super) limits: TeethLimits,
     /// Or why there is none.
     pub(super) at_flanks: Result<AtFlanks, String>,
+    /// Of steel, at the pressure of the search.
+    pub(super) contact_stress_pa: Option<f64>,
 }
 
 impl Teeth {
-    pub(super) fn of(design: &search::Design, form: ToothForm) -> Self {
-        let profile = profile(design, form);
+    pub(super) fn of(design: &search::Design, search: &search::MotorSearch) -> Self {
+        let profile = profile(design, search.flanks.form);
         let at_flanks = match &profile {
             Err(why) => Err(why.clone()),
             Ok(profile) => search::AtFlanks::of_profile(profile)
                 .map(|at| AtFlanks { ripple: plain(at.ripple), least_over_mean: plain(at.least_over_mean) })
                 .ok_or_else(|| "the flanks give no ripple above 0".to_owned()),
         };
-        Self { limits: TeethLimits::of_profile(profile.as_ref().ok()), at_flanks }
+        let drop = search.requirements.pressure_drop;
+        let contact_stress_pa =
+            profile.as_ref().ok().zip(drop).and_then(|(profile, drop)| contact(profile, drop));
+        Self { limits: TeethLimits::of_profile(profile.as_ref().ok()), at_flanks, contact_stress_pa }
     }
+}
+
+/// The greatest contact stress where one pair of flanks carries alone; none where the flanks cannot hold a satellite.
+fn contact(profile: &Profile, drop: Pressure) -> Option<f64> {
+    practice::greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
 }
 
 /// The teeth of a design, or why there are none.
@@ -63,10 +75,6 @@ pub(super) fn at_flanks(design: &search::Design, form: ToothForm) -> Option<sear
 }
 
 impl TeethLimits {
-    pub(super) fn of(design: &search::Design, form: ToothForm) -> Self {
-        Self::of_profile(profile(design, form).ok().as_ref())
-    }
-
     fn of_profile(profile: Option<&Profile>) -> Self {
         match profile {
             Some(profile) if profile.limits().iter().all(Limit::holds) => Self::Hold,

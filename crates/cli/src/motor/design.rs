@@ -111,7 +111,9 @@ fn of_motor(error: &Error) -> Option<&'static str> {
         }
         Error::LobesNotMore { .. } | Error::LobesTooDifferent { .. } => Some("--stator, --rotor"),
         Error::TeethPerLobeDiffer { .. } => Some("--z1"),
-        Error::SatelliteTooLarge { .. } => Some("--zs"),
+        Error::SatelliteTooLarge { .. } | Error::RotorInStator { .. } | Error::NoChamber { .. } => {
+            Some("--zs")
+        }
         Error::OutsideFamily { .. } => Some("--l"),
         Error::OutsideFamilyByCrest { .. } => Some("--a"),
         Error::NoCosineRotor { .. } | Error::NoSecondHarmonicRotor { .. } => Some("--cosine"),

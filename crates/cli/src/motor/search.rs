@@ -23,7 +23,8 @@ const PLACES_IN_A_SECOND: f64 = 2e4;
 /// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits, the motors
 /// remain that no other surpasses in all objectives together. The module is chosen from a list and the width follows, or the other way
 /// round. Between the places tried a motor may be better: by how much is estimated and said. The teeth are of one form, as `motor` has
-/// it. Ranges include both ends and may be open: 3..6, ..90.
+/// it; every motor listed keeps its limits and can have ideal ports. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100
+/// times the stator's nominal radius m·Z₃/2. Ranges include both ends and may be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "\
 epicyclic motor search [OPTIONS] --displacement <DISPLACEMENT>
@@ -44,10 +45,10 @@ pub(crate) struct Args {
     #[command(flatten)]
     sought: Sought,
 
-    /// Only designs on which the teeth keep their limits. They are taken from the front: motors that it
-    /// surpasses are not brought back for their teeth.
+    /// Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no ideal ports (default: such
+    /// motors are left out).
     #[arg(long)]
-    with_teeth: bool,
+    any_teeth: bool,
 
     /// What the designs are held against each other by: see below.
     #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, radius")]
@@ -93,7 +94,6 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let outlet = args.shown.outlet()?;
     let wanted = Wanted {
         search: search(args)?,
-        with_teeth: args.with_teeth,
         order: args.by,
         first_of_each_set: outlet.first_of_each_set(),
         most: outlet.most(),
@@ -137,6 +137,7 @@ fn search(args: &Args) -> Result<MotorSearch, Failure> {
             ripple: share(args.flanks.flank_ripple),
             least_torque: share(args.flanks.least_torque),
         },
+        made: !args.any_teeth,
         objectives: objectives.into_iter().map(Objective::of_search).collect(),
         points: args.places,
         resolution: Some(args.resolution.0.si()),

@@ -715,7 +715,6 @@ const RUNS: &[(&str, &[&str])] = &[
             "..66",
             "--zs",
             "2..20",
-            "--with-teeth",
             "--places",
             "4",
             "--resolution",

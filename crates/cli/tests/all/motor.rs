@@ -266,7 +266,7 @@ fn a_search_for_programs() {
 fn searches_that_find_nothing_or_make_no_sense() {
     let more: [&[&str]; 17] = [
         &["--ripple", "0.1 %"],
-        &["--zs", "8", "--with-teeth"],
+        &["--zs", "8"],
         &["--outer-diameter", "10 mm"],
         &["--ripple", "-1 %"],
         &["--ripple", "0"],

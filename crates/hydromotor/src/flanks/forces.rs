@@ -29,7 +29,7 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::Side;
 use crate::tolerance::BESIDE_JUMP;
-use crate::units::{angle, finite_angle, finite_pressure, force, positive_length, torque, volume};
+use crate::units::{angle, finite_angle, finite_pressure, force, torque, volume};
 
 /// Which way the pressure pushes a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -108,7 +108,7 @@ impl Load {
     pub(super) fn new(alpha: Angle, width: Length, pressure_drop: Pressure) -> Result<Self, Error> {
         Ok(Self {
             alpha: pressure_angle(alpha)?,
-            width: positive_length(Quantity::Width, width)?,
+            width: crate::machine::width(width)?,
             pressure_drop: finite_pressure(Quantity::PressureDrop, pressure_drop)?,
         })
     }

@@ -28,7 +28,7 @@ use crate::contact::Conjugate;
 use crate::friction::FrictionRange;
 use crate::profile::Profile;
 use crate::quantity::Quantity;
-use crate::units::{angle, metres, positive_length, positive_pascals, torque_of_newton_metres};
+use crate::units::{angle, metres, positive_pascals, torque_of_newton_metres};
 
 /// The least torque over a revolution at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +103,7 @@ impl Profile {
             let [whole, lost] = torques(&pieces[piece].1, r, load.alpha, rotation);
             [0.0, low, high].map(|friction| friction * lost - whole)
         });
-        let unit = drop * metres(positive_length(Quantity::Width, width)?) * metres(motor.module()).powi(2);
+        let unit = drop * metres(crate::machine::width(width)?) * metres(motor.module()).powi(2);
         let torque = |number: f64| torque_of_newton_metres(-number * unit);
         Ok(StartingTorque {
             frictionless: torque(none.value),

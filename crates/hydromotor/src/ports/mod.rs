@@ -34,9 +34,9 @@ use uom::si::f64::{Angle, Area, Length};
 use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
-use crate::quantity::{PortSide, Quantity};
+use crate::quantity::{PortSide, Quantity, WheelKind};
 use crate::satellites::Point;
-use crate::units::{angle, area, finite_angle, length, millimetres};
+use crate::units::{angle, area, degrees, finite_angle, length, millimetres};
 use outline::{Piece, Port};
 use overlap::Region;
 use std::f64::consts::TAU;
@@ -124,6 +124,12 @@ pub struct OutlineVertex {
     pub bulge: f64,
 }
 
+/// The part of the greatest diameter that a satellite covers with which ports of a motor are tried that has none: a land remains.
+pub const IDEAL_PART: f64 = 0.95;
+
+/// The steepest contact that ports admit, `|μ|`.
+const STEEPEST: f64 = 0.125 * TAU;
+
 /// The cosine of the steepest contact, `μ` from the radius, is above this: [`rays_part_chambers`] admits none beyond 45° and looks at
 /// 64 phases.
 const LEAST_COSINE: f64 = 0.65;
@@ -136,7 +142,7 @@ impl PortPlate {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`] and [`Error::OutOfRange`] for the sizes of a shape; [`Error::PortOutside`];
-    /// [`Error::PortsOverlap`]; [`Error::SatelliteAcrossRay`].
+    /// [`Error::PortsOverlap`]; [`Error::SteepCentrode`], [`Error::SatelliteAcrossRay`], [`Error::SatelliteInWheel`].
     ///
     /// # Example
     /// ```
@@ -158,9 +164,7 @@ impl PortPlate {
         let module = motor.module();
         let lobes = motor.numbers().stator_lobes();
         let ports = [Port::new(high, module, lobes)?, Port::new(low, module, lobes)?];
-        if !rays_part_chambers(motor) {
-            return Err(Error::SatelliteAcrossRay);
-        }
+        rays_part_chambers(motor)?;
         let (crest, trough) = (motor.shape.within(By::Phase, 0.0), motor.shape.trough());
         for (side, port) in SIDES.into_iter().zip(&ports) {
             let [from, to] = port.radii();
@@ -296,29 +300,60 @@ impl PortPlate {
     }
 }
 
-/// Whether the rays through the contacts part the chambers: the rotor passes within the stator's troughs, no contact is steeper than 45°,
-/// no satellite reaches across its neighbour's ray, and none cuts into a wheel. Looked at for 64 phases of a cycle, and at 64 points of a
-/// satellite.
-fn rays_part_chambers(motor: &Motor) -> bool {
+/// Why the rays through the contacts do not part the chambers, by the first of three causes with its greatest extent: a contact steeper than
+/// 45°, a satellite across its neighbour's ray, a satellite that cuts into a wheel. Looked at for 64 phases of a cycle and where the curvature
+/// jumps, and at 64 points of a satellite.
+pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     const PLACES: u32 = 64;
     let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());
-    motor.shape.within(By::Phase, 0.0).rho1 < motor.shape.trough().rho3
-        && (0..PLACES).all(|i| {
-            let phase = cycle * f64::from(i) / f64::from(PLACES);
-            let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
-            let beyond = |[x, y]: [f64; 2], theta: f64| y * libm::cos(theta) - x * libm::sin(theta);
-            let turn = front.contact.theta3 - back.contact.theta3;
-            let apart = beyond(front.centre, back.contact.theta3) >= r
-                && -beyond(back.centre, front.contact.theta3) >= r;
-            let is_free = |j: u32| {
+    let phases = || (0..PLACES).map(|i| cycle * f64::from(i) / f64::from(PLACES));
+    let mm = |modules: f64| millimetres(motor.length(modules));
+    let slopes = phases().map(|phase| motor.place_at(phase).contact.mu);
+    let steepest = slopes
+        .chain(motor.shape.kink_contact().map(|contact| contact.mu))
+        .fold(0.0_f64, |most, mu| most.max(mu.abs()));
+    if steepest > STEEPEST {
+        let [slope_deg, most_deg] = [steepest, STEEPEST].map(degrees);
+        return Err(Error::SteepCentrode { slope_deg, most_deg });
+    }
+    let across = phases().filter_map(|phase| {
+        let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
+        let beyond = |[x, y]: [f64; 2], theta: f64| y * libm::cos(theta) - x * libm::sin(theta);
+        let least = beyond(front.centre, back.contact.theta3).min(-beyond(back.centre, front.contact.theta3));
+        let is_beside = front.contact.theta3 - back.contact.theta3 <= 0.25 * TAU;
+        (is_beside && least < r).then_some((r - least, phase))
+    });
+    if let Some((by, phase)) = greatest(across) {
+        return Err(Error::SatelliteAcrossRay { by_mm: mm(by), rotation_deg: degrees(phase) });
+    }
+    // The other half of the cycle mirrors this one.
+    for (wheel, is_stator) in [(WheelKind::Stator, true), (WheelKind::Rotor, false)] {
+        let within = phases().take(PLACES as usize / 2 + 1).flat_map(|phase| {
+            let [x, y] = motor.place_at(phase).centre;
+            (0..PLACES).map(move |j| {
                 let (sin, cos) = libm::sincos(TAU * f64::from(j) / f64::from(PLACES));
-                let [x, y] = [back.centre[0] + r * cos, back.centre[1] + r * sin];
-                let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
-                rho <= motor.shape.at(By::StatorAngle, theta).rho3 + crate::tolerance::MET
-                    && rho >= motor.shape.at(By::RotorAngle, theta - phase).rho1 - crate::tolerance::MET
+                ([x + r * cos, y + r * sin], phase)
+            })
+        });
+        let cut = within.map(|([x, y], phase)| {
+            let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
+            let by = if is_stator {
+                rho - motor.shape.at(By::StatorAngle, theta).rho3
+            } else {
+                motor.shape.at(By::RotorAngle, theta - phase).rho1 - rho
             };
-            back.contact.mu.abs() <= 0.125 * TAU && (apart || turn > 0.25 * TAU) && (0..PLACES).all(is_free)
-        })
+            (by, phase)
+        });
+        if let Some((by, phase)) = greatest(cut.filter(|(by, _)| *by > crate::tolerance::MET)) {
+            return Err(Error::SatelliteInWheel { wheel, by_mm: mm(by), rotation_deg: degrees(phase) });
+        }
+    }
+    Ok(())
+}
+
+/// The greatest extent, and its phase.
+fn greatest(extents: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
+    extents.reduce(|most, other| if other.0 > most.0 { other } else { most })
 }
 
 /// The place of a pressure in a pair.

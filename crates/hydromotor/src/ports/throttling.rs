@@ -22,8 +22,8 @@ use crate::ports::{PortPlate, of};
 use crate::quantity::{PortSide, Quantity};
 use crate::tolerance::OPEN;
 use crate::units::{
-    angle, area, degrees, metres, positive_density, positive_length, positive_speed, power_of_watts,
-    pressure_of_pascals, ranging, square_metres,
+    angle, area, degrees, metres, positive_density, positive_speed, power_of_watts, pressure_of_pascals,
+    ranging, square_metres,
 };
 
 /// Rotations of a period that are looked at.
@@ -64,7 +64,7 @@ impl PortPlate {
     /// [`Error::NotPositive`] for width, speed and density, [`Error::OutOfRange`] for the discharge coefficient, [`Error::NoOpening`] where all ports of
     /// the pressure are closed at once.
     pub fn throttling(&self, side: PortSide, through: Through) -> Result<Throttling, Error> {
-        let width = metres(positive_length(Quantity::Width, through.width)?);
+        let width = metres(crate::machine::width(through.width)?);
         let speed = positive_speed(through.speed)?;
         let density = positive_density(through.density)?;
         let discharge =

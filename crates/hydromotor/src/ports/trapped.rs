@@ -32,8 +32,8 @@ use crate::ports::timing::{AtExtreme, Closed, Stretch, Timing};
 use crate::quantity::Quantity;
 use crate::tolerance::WITHIN;
 use crate::units::{
-    angle, area, area_from_zero, finite_angle, finite_pascals, positive, positive_area, positive_length,
-    positive_pascals, pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
+    angle, area, area_from_zero, finite_angle, finite_pascals, positive, positive_area, positive_pascals,
+    pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
 };
 
 /// A chamber at its greatest or least.
@@ -141,7 +141,7 @@ impl Motor {
         bulk_modulus: Pressure,
         dead_area: Area,
     ) -> Result<Volume, Error> {
-        let width = crate::units::metres(positive_length(Quantity::Width, width)?);
+        let width = crate::units::metres(crate::machine::width(width)?);
         let drop = finite_pascals(Quantity::PressureDrop, pressure_drop)?;
         let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;

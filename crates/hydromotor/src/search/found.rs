@@ -1,14 +1,14 @@
 //! What a search finds: designs with everything a table needs, and how many motors fell where.
 
-use crate::quantity::Quantity;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
 
 use crate::Error;
 use crate::arcs::StatorArcs;
 use crate::checks::Subject;
+use crate::machine;
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
-use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
+use crate::units::{length, length_of_metres, power, torque, volume, volume_rate};
 
 use super::front::Value;
 use super::objective::AtFlanks;
@@ -155,7 +155,7 @@ impl Design {
     /// # Errors
     /// [`Error::NotPositive`].
     pub fn arcs(&self, module: Length) -> Result<StatorArcs, Error> {
-        let module = positive_length(Quantity::Module, module)?;
+        let module = machine::module(module)?;
         Ok(StatorArcs { module, ..self.arcs })
     }
 

@@ -11,7 +11,7 @@
 //!
 //! These three are [usual](Objective::USUAL). Ripple and least torque over the mean with satellites that seal at the flanks
 //! ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) beside them or in their place; they depend on a tooth form
-//! ([`FlankTerms`]), whose limits are not looked at. Every motor that passes the checks is then looked at for its teeth, which takes about
+//! ([`FlankTerms`]). Every motor that passes the checks is then looked at for its teeth, which takes about
 //! twelve times as long.
 //!
 //! None depends on module or width, so that the shape is sought first and every size that serves it is listed with it
@@ -34,6 +34,13 @@
 //! A cell is left when its estimate exceeds some motor of the front by at most half the [resolution](MotorSearch::resolution) in
 //! every objective, or when by the same estimate no motor in it is admissible; others are halved, up to ten times. Then of motors
 //! of one set that differ by less than the other half in every objective one stays; the best of the set in each objective do.
+//!
+//! # Which motors can be made
+//! A motor whose rotor reaches into the stator, or whose least chamber has no area, is refused. Unless [`MotorSearch::made`] is false, every
+//! motor of the front keeps every limit of the teeth of the form ([`crate::profile::limits`]), and ideal ports can be made for it
+//! ([`crate::ports::PortPlate::of_ideal_holes`]). This is asked of motors on the front alone, before and after every refinement: one that
+//! fails is refused, and those that it surpassed come to the front and are asked in turn, until all that are left pass. So the front is that
+//! of all motors that can be made, though most others are never asked; [`Funnel::accepted`] counts these too.
 //!
 //! Bounds of figures at the flanks act as that of the ripple at the pitch points: a motor beyond them is refused, last of all, and how far
 //! it is beyond tells cells that may have motors within them. A motor to which the form gives no teeth is refused where such a figure is bounded or an
@@ -85,9 +92,11 @@ use crate::Error;
 use crate::checks::{Subject, ToothHeights, finite_heights};
 use crate::closure::Family;
 use crate::numbers::{Bounds, MotorNumbers};
+use crate::profile::limits::LimitKind;
 use crate::threads::{map, map_mut};
 use crate::units::length_of_metres;
 use branch::Branch;
+use forms::FormRefusal;
 use front::{Cover, Value, apart, front};
 use point::Yardstick;
 use requirements::{Sizing, positive};
@@ -115,6 +124,9 @@ pub struct MotorSearch {
     pub limits: Limits,
     /// The teeth for figures at the flanks, and what is asked of these.
     pub flanks: FlankTerms,
+    /// Whether motors alone are listed that can be made: on which the teeth of the [form](FlankTerms::form) keep every limit, and for which
+    /// ideal ports can be made. True by default.
+    pub made: bool,
     /// What motors are held against each other by, [`Objective::USUAL`] by default.
     pub objectives: Vec<Objective>,
     /// Evenly spaced places in each interval of a family, 16 by default.
@@ -211,14 +223,19 @@ pub enum Reason {
     NotClosed,
     /// A check; the curvatures, the rotor's least radius, the neighbours.
     Check(Subject),
+    /// The rotor reaches into the stator.
+    RotorInStator,
+    /// The least chamber has no area.
+    NoChamber,
     /// [`Limits::least_radius`].
     LeastRadius,
     /// No choice of the size is within [`SizeLimits`] and tolerance.
     Size,
     /// [`Limits::ripple`].
     Ripple,
-    /// The [form](FlankTerms::form) gives no teeth, where figures at the flanks are objectives or bounded.
-    NoTeeth,
+    /// It cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports; looked at last of all, where
+    /// [`MotorSearch::made`] is asked for or figures at the flanks are.
+    Made(FormRefusal),
     /// [`FlankTerms::ripple`].
     FlankRipple,
     /// [`FlankTerms::least_torque`], or the torque vanishes at some angle.
@@ -227,7 +244,7 @@ pub enum Reason {
 
 impl Reason {
     /// All of them, in their order.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 29] = [
         Self::NotClosed,
         Self::Check(Subject::StatorBulge),
         Self::Check(Subject::StatorHollow),
@@ -235,12 +252,28 @@ impl Reason {
         Self::Check(Subject::RotorHollow),
         Self::Check(Subject::RotorLeastRadius),
         Self::Check(Subject::Neighbours),
+        Self::RotorInStator,
+        Self::NoChamber,
         Self::LeastRadius,
         Self::Size,
         Self::Ripple,
-        Self::NoTeeth,
         Self::FlankRipple,
         Self::LeastTorque,
+        Self::Made(FormRefusal::NoTeeth),
+        Self::Made(FormRefusal::Check(Subject::StatorBulge)),
+        Self::Made(FormRefusal::Check(Subject::RotorBulge)),
+        Self::Made(FormRefusal::Check(Subject::RotorLeastRadius)),
+        Self::Made(FormRefusal::Check(Subject::Neighbours)),
+        Self::Made(FormRefusal::Limit(LimitKind::Undercut)),
+        Self::Made(FormRefusal::Limit(LimitKind::TipCusp)),
+        Self::Made(FormRefusal::Limit(LimitKind::SatelliteRoot)),
+        Self::Made(FormRefusal::Limit(LimitKind::WheelRoot)),
+        Self::Made(FormRefusal::Limit(LimitKind::TipThickness)),
+        Self::Made(FormRefusal::Limit(LimitKind::ContactPath)),
+        Self::Made(FormRefusal::Limit(LimitKind::RootCurve)),
+        Self::Made(FormRefusal::Limit(LimitKind::TipCurve)),
+        Self::Made(FormRefusal::Limit(LimitKind::Wheels)),
+        Self::Made(FormRefusal::Ports),
     ];
 }
 
@@ -275,6 +308,7 @@ impl MotorSearch {
             heights: ToothHeights::default(),
             limits: Limits::default(),
             flanks: FlankTerms::default(),
+            made: true,
             objectives: Objective::USUAL.to_vec(),
             points: 16,
             resolution: Some(0.02),
@@ -312,8 +346,7 @@ impl MotorSearch {
         let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
         funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
 
-        let objectives = self.objectives.as_slice();
-        let mut values = front_values(&branches, objectives);
+        let mut values = judged_front(&yardstick, &mut branches);
         let grid = Cover::new(values.clone());
         // Half of the resolution, as logarithms.
         let half = self.resolution.map(|resolution| 0.5 * libm::log1p(resolution));
@@ -324,7 +357,7 @@ impl MotorSearch {
                 let refined =
                     map_mut(&mut branches, |branch| pass.part(branch.refine(&yardstick, &cover, slack)));
                 let added: usize = refined.into_iter().sum();
-                values = front_values(&branches, objectives);
+                values = judged_front(&yardstick, &mut branches);
                 if added == 0 {
                     break;
                 }
@@ -359,7 +392,8 @@ impl MotorSearch {
         self.flanks.checked()?;
         let flanks = self.flanks.are_needed(&self.objectives).then_some(self.flanks);
         let objectives = self.objectives.clone();
-        Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius, objectives, flanks })
+        let made = self.made.then_some(self.flanks.form);
+        Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius, objectives, flanks, made })
     }
 
     fn found(
@@ -451,10 +485,28 @@ fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<V
     (places, values)
 }
 
-/// The values of the front of all accepted points.
-fn front_values(branches: &[Branch], objectives: &[Objective]) -> Vec<Value> {
-    let values = accepted(branches, objectives).1;
-    front(&values).into_iter().map(|k| values[k]).collect()
+/// The values of the front of all accepted points. Whether its motors can be made is asked until all that are left can: those that
+/// others surpass need not be asked.
+fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
+    loop {
+        let (places, values) = accepted(branches, &yardstick.objectives);
+        let on_front = front(&values);
+        let open: Vec<Place> = on_front
+            .iter()
+            .map(|&k| places[k])
+            .filter(|place| !branches[place.branch].points[place.point].judged)
+            .collect();
+        let Some(form) = yardstick.made.filter(|_| !open.is_empty()) else {
+            return on_front.into_iter().map(|k| values[k]).collect();
+        };
+        let verdicts = map(&open, |place: &Place| {
+            let branch = &branches[place.branch];
+            branch.points[place.point].made(form, branch.family.numbers())
+        });
+        for (place, verdict) in open.iter().zip(verdicts) {
+            branches[place.branch].points[place.point].judge_made(verdict);
+        }
+    }
 }
 
 /// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member by.

@@ -40,7 +40,7 @@ impl Objective {
 /// The tooth form with which figures at the flanks are calculated, and what is asked of them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlankTerms {
-    /// The form of the teeth. Its limits are not looked at.
+    /// The form of the teeth. Its limits are those of [`MotorSearch::made`](super::MotorSearch::made).
     pub form: ToothForm,
     /// Greatest ripple with satellites that seal at the flanks.
     pub ripple: Option<f64>,

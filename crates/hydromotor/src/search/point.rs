@@ -6,8 +6,12 @@ use crate::closure::{Family, Interval};
 use crate::contact::Conjugate;
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
+use crate::ports::{IDEAL_PART, PortPlate};
+use crate::profile::ToothForm;
+use crate::profile::kept::{Room, SatelliteForm, contact_ratio};
 
 use super::Reason;
+use super::forms::FormRefusal;
 use super::front::Value;
 use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};
@@ -22,6 +26,8 @@ pub(super) struct Yardstick {
     pub(super) objectives: Vec<Objective>,
     /// Where an objective or a bound needs them of every motor.
     pub(super) flanks: Option<FlankTerms>,
+    /// The teeth that every motor of the front must have, where this is asked.
+    pub(super) made: Option<ToothForm>,
 }
 
 /// A motor at a place of its family, in units of the module.
@@ -43,6 +49,8 @@ pub(super) struct Point {
     pub(super) working: Option<Working>,
     /// The same at the flanks where every motor is looked at for them; none of one without teeth.
     pub(super) at_flanks: Option<AtFlanks>,
+    /// Whether it was asked if it can be made.
+    pub(super) judged: bool,
 }
 
 /// What a motor does.
@@ -86,6 +94,7 @@ impl Point {
             refused: None,
             working: None,
             at_flanks: None,
+            judged: false,
         };
         match point.motor(family.numbers()) {
             Some(motor) => point.judge(yardstick, &motor),
@@ -125,6 +134,10 @@ impl Point {
         let about_crest = motor.neighbour_distance(-0.5 * motor.chamber_phase());
         let least = if about_crest > limit { motor.least_neighbour_kernel().0 } else { about_crest };
         self.check(Subject::Neighbours, least, limit);
+        let [rotor, stator] = motor.facing_radii();
+        self.exceed(Reason::RotorInStator, stator / rotor - 1.0);
+        let [chamber, greatest] = motor.extremes();
+        self.exceed(Reason::NoChamber, chamber / greatest);
         self.limit(Reason::LeastRadius, at_least(self.radius, yardstick.least_radius));
         if self.refused.is_some() {
             return;
@@ -147,7 +160,7 @@ impl Point {
     /// The dearest last. A torque that vanishes at some angle is refused where the least is looked at.
     fn judge_flanks(&mut self, terms: &FlankTerms, is_by_torque: bool) {
         let Some(at) = self.at_flanks else {
-            (self.margin, self.refused) = (-1.0, Some(Reason::NoTeeth));
+            (self.margin, self.refused) = (-1.0, Some(Reason::Made(FormRefusal::NoTeeth)));
             return;
         };
         self.limit(Reason::FlankRipple, at_least(terms.ripple.unwrap_or(f64::INFINITY), at.ripple));
@@ -170,6 +183,32 @@ impl Point {
         }
     }
 
+    /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else what fails first.
+    pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), FormRefusal> {
+        let motor = self.motor(numbers).ok_or(FormRefusal::NoTeeth)?;
+        let formed = SatelliteForm::new(form, numbers.satellite_teeth()).map_err(FormRefusal::of)?;
+        let room = Room::of(&motor, motor.shape.curvature_extremes());
+        contact_ratio(&motor, &room, &formed, |_| true).map_err(FormRefusal::of)?;
+        ported(&motor)
+    }
+
+    /// Takes the answer to [`made`](Self::made).
+    pub(super) fn judge_made(&mut self, verdict: Result<(), FormRefusal>) {
+        self.judged = true;
+        if let Err(refusal) = verdict {
+            (self.margin, self.refused) = (-1.0, Some(Reason::Made(refusal)));
+        }
+    }
+
+    /// A quantity that must be above 0.
+    fn exceed(&mut self, reason: Reason, margin: f64) {
+        self.margin = self.margin.min(margin);
+        let holds = margin > 0.0;
+        if !holds {
+            self.refused = self.refused.or(Some(reason));
+        }
+    }
+
     /// A limit that may be reached.
     fn limit(&mut self, reason: Reason, margin: f64) {
         self.margin = self.margin.min(margin);
@@ -189,7 +228,7 @@ impl Point {
         let Some(motor) = self.motor(numbers) else { return };
         self.working.get_or_insert_with(|| Working::of(&motor));
         if let Some(terms) = &yardstick.flanks
-            && self.refused != Some(Reason::NoTeeth)
+            && !matches!(self.refused, Some(Reason::Made(_)))
         {
             self.at_flanks = self.at_flanks.or_else(|| AtFlanks::of(&motor, terms.form));
         }
@@ -214,6 +253,12 @@ impl Point {
     pub(super) fn accepted(&self) -> bool {
         self.refused.is_none()
     }
+}
+
+/// Whether ideal ports can be made for a motor.
+pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
+    let plate = PortPlate::of_ideal_holes(motor, IDEAL_PART).map_err(|_| FormRefusal::Ports)?;
+    plate.timing().map(|_| ()).map_err(|_| FormRefusal::Ports)
 }
 
 /// How far a value keeps above a limit, relative to it.

@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
 
 use crate::Error;
+use crate::machine::{self, MODULE_MM, WIDTH_MM};
 use crate::tolerance::SLACK;
 use crate::units::{
     cubic_centimetres, cubic_metres, displacement_of_torque, finite_speed, length_of_metres, megapascals,
@@ -139,22 +140,19 @@ impl Sizing {
             if modules.is_empty() {
                 return Err(Error::NoModules);
             }
-            modules
-                .iter()
-                .map(|&module| positive_length(Quantity::Module, module).map(metres))
-                .collect::<Result<_, _>>()
+            modules.iter().map(|&module| machine::module(module).map(metres)).collect::<Result<_, _>>()
         };
         let mut ratio = [*limits.width_over_diameter.start(), *limits.width_over_diameter.end()];
         ordered(Quantity::WidthOverDiameter, ratio, "")?;
         let choice = match &requirements.size {
             Size::Modules(list) => Choice::Modules(modules(list)?),
-            Size::Width(width) => Choice::Width(metres(positive_length(Quantity::Width, *width)?)),
+            Size::Width(width) => Choice::Width(metres(machine::width(*width)?)),
             Size::ModulesAndWidth { modules: list, width, tolerance } => {
                 if !(*tolerance > 0.0 && *tolerance <= 1.0) {
                     let (quantity, value, unit) = (Quantity::DisplacementTolerance, *tolerance, "");
                     return Err(Error::OutOfRange { quantity, value, low: 0.0, high: 1.0, unit });
                 }
-                let width = metres(positive_length(Quantity::Width, *width)?);
+                let width = metres(machine::width(*width)?);
                 Choice::Both { modules: modules(list)?, width, tolerance: *tolerance }
             }
             Size::WidthOverDiameter(part) => {
@@ -204,7 +202,9 @@ impl Sizing {
         // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
         let mut keep = |margin: f64| least = least.min(margin + SLACK);
         keep(self.diameter / diameter - 1.0);
-        for (value, [low, high]) in [(width, self.width), (ratio, self.ratio)] {
+        let [modules, widths] = [MODULE_MM, WIDTH_MM].map(|range| range.map(|mm| mm / 1e3));
+        let ranges = [(module, modules), (width, widths), (width, self.width), (ratio, self.ratio)];
+        for (value, [low, high]) in ranges {
             keep(if low > 0.0 { value / low - 1.0 } else { f64::INFINITY });
             keep(high / value - 1.0);
         }
@@ -251,13 +251,14 @@ pub(super) fn mean_flow(displacement: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// `π·D²·b` of 1e±120 is beyond the numbers, though each of its factors is not.
     #[test]
-    fn a_size_whose_volume_is_no_number_is_refused() {
+    fn a_size_beyond_a_machine_is_refused() {
         let all = [0.0, f64::INFINITY];
         let sizing =
             Sizing { displacement: 1.0, choice: Choice::Ratio(1.0), diameter: 1e200, width: all, ratio: all };
-        for (size, is_kept) in [(1e-120, false), (1e-60, true), (1.0, true), (1e60, true), (1e120, false)] {
+        for (size, is_kept) in
+            [(1e-120, false), (1e-7, false), (1e-5, true), (1.0, true), (2.0, false), (1e120, false)]
+        {
             assert_eq!(sizing.keeping([size, size], size, size) >= 0.0, is_kept, "{size:e}");
         }
     }

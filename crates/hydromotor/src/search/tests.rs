@@ -25,6 +25,8 @@ fn small(stator_lobes: RangeInclusive<u32>, stator_teeth: RangeInclusive<u32>) -
     let mut search = MotorSearch::new(Requirements::of_displacement(cm3(300.0)));
     search.requirements.size = Size::WidthOverDiameter(0.5);
     search.bounds = Bounds { stator_lobes, stator_teeth, satellite_teeth: 8..=60 };
+    // What trial by centrodes alone finds; of teeth and ports there are tests of their own.
+    search.made = false;
     search
 }
 
@@ -34,7 +36,7 @@ struct Tried {
     numbers: MotorNumbers,
     l: f64,
     objectives: [f64; 3],
-    refused: Option<Subject>,
+    refused: Option<Reason>,
 }
 
 /// The motor at a part of an interval, by the public way: every check, ripple, envelope.
@@ -45,7 +47,7 @@ fn tried(search: &MotorSearch, numbers: MotorNumbers, interval: &Interval, part:
     };
     let (from, to) = (inverse(&interval.lower), inverse(&interval.upper));
     let l = (from + (to - from) * part).recip();
-    let motor = Motor::of_two_arcs(numbers, metre, metre * l).unwrap();
+    let motor = Motor::of_closed_arcs(numbers, crate::closure::arcs_at(numbers, metre, metre * l).unwrap());
     let checks = motor.checks(search.heights).unwrap();
     let curved = [Subject::StatorBulge, Subject::StatorHollow, Subject::RotorBulge, Subject::RotorHollow];
     let radii = checks.iter().filter(|check| curved.contains(&check.subject));
@@ -54,7 +56,16 @@ fn tried(search: &MotorSearch, numbers: MotorNumbers, interval: &Interval, part:
         numbers,
         l,
         objectives: [motor.envelope().displacement_by_volume, -motor.ripple().delta, least],
-        refused: checks.iter().find(|check| !check.holds()).map(|check| check.subject),
+        refused: checks
+            .iter()
+            .find(|check| !check.holds())
+            .map(|check| Reason::Check(check.subject))
+            .or_else(|| {
+                motor.clone().turning().err().map(|error| match error {
+                    Error::RotorInStator { .. } => Reason::RotorInStator,
+                    _ => Reason::NoChamber,
+                })
+            }),
     }
 }
 
@@ -96,7 +107,7 @@ fn the_search_finds_what_trial_of_every_motor_finds() {
     let (all, without) = trial(&search, 16);
     assert_eq!((found.funnel.without_family, found.funnel.points), (without, all.len()));
     for reason in Reason::ALL {
-        let same = |tried: &&Tried| tried.refused.map(Reason::Check) == Some(reason);
+        let same = |tried: &&Tried| tried.refused == Some(reason);
         assert_eq!(found.funnel.refused(reason), all.iter().filter(same).count(), "{reason:?}");
     }
     let accepted: Vec<&Tried> = all.iter().filter(|tried| tried.refused.is_none()).collect();
@@ -196,7 +207,8 @@ fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
 fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
     let usual = small(5..=6, 55..=60).front().unwrap();
     assert_eq!(
-        [Reason::NoTeeth, Reason::FlankRipple, Reason::LeastTorque].map(|of| usual.funnel.refused(of)),
+        [Reason::Made(FormRefusal::NoTeeth), Reason::FlankRipple, Reason::LeastTorque]
+            .map(|of| usual.funnel.refused(of)),
         [0; 3]
     );
     assert!(usual.designs.iter().all(|design| design.at_flanks.is_none()));
@@ -207,9 +219,50 @@ fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
     assert!(bound.designs.iter().all(|design| design.at_flanks.unwrap().least_over_mean >= 0.95));
 }
 
+/// Where every motor of the front must have teeth and ports, the front is that of all motors that have, asked one by one the long way: every
+/// limit of the profile, every port.
+#[test]
+fn the_front_of_what_can_be_made_is_that_of_trial() {
+    let mut search = small(4..=6, 48..=54);
+    search.made = true;
+    search.resolution = None;
+    search.heights = ToothHeights { addendum: 1.05, dedendum: 1.3 };
+    let found = search.front().unwrap();
+    let form = search.flanks.form;
+    let can_be_made = |tried: &Tried| {
+        let metre = Length::new::<meter>(1.0);
+        let motor = Motor::of_two_arcs(tried.numbers, metre, metre * tried.l).unwrap();
+        let profile = crate::profile::Profile::new(&motor, form);
+        profile.is_ok_and(|profile| profile.limits().iter().all(|limit| limit.holds()))
+            && crate::ports::PortPlate::of_ideal_holes(&motor, 0.95).and_then(|plate| plate.timing()).is_ok()
+    };
+    let (all, _) = trial(&search, 16);
+    let passed: Vec<&Tried> = all.iter().filter(|tried| tried.refused.is_none()).collect();
+    let made: Vec<&Tried> = passed.iter().copied().filter(|tried| can_be_made(tried)).collect();
+    assert!(made.len() > 30 && made.len() < passed.len(), "{} of {}", made.len(), passed.len());
+    let mut front: Vec<&Tried> =
+        made.iter().copied().filter(|one| !made.iter().any(|other| dominates(other, one))).collect();
+    front.sort_by(|one, other| other.objectives[0].total_cmp(&one.objectives[0]));
+    let of =
+        |design: &Design| (design.numbers, (design.arcs(mm(1.0)).unwrap().trough_distance() / mm(1.0)).value);
+    assert_eq!(found.designs.len(), front.len());
+    for (design, tried) in found.designs.iter().zip(front) {
+        let (numbers, l) = of(design);
+        assert!(numbers == tried.numbers && (l / tried.l - 1.0).abs() < 1e-12, "{numbers:?} {l}");
+    }
+    // Fewer are asked than there are, and each refusal is counted.
+    let refused: usize = Reason::ALL
+        .into_iter()
+        .filter(|reason| matches!(reason, Reason::Made(_)))
+        .map(|reason| found.funnel.refused(reason))
+        .sum();
+    assert!(refused > 0 && refused <= passed.len() - made.len(), "{refused}");
+}
+
 #[test]
 fn the_answer_does_not_depend_on_the_number_of_threads() {
-    let search = small(3..=5, 40..=60);
+    let mut search = small(4..=5, 48..=55);
+    search.made = true;
     let answer = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| search.front()).unwrap()
@@ -476,6 +529,7 @@ proptest! {
             search.limits.least_radius = Some(radius);
         }
         search.points = points;
+        search.made = points % 2 == 0;
         if let Ok(found) = search.front() {
             for design in &found.designs {
                 prop_assert!(design.displacement_by_volume > 0.0 && design.ripple >= 0.0 && !design.dimensions.is_empty());

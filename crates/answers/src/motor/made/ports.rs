@@ -200,6 +200,11 @@ impl MadePorts {
     }
 
     /// What a maker has to mend.
+    /// The greatest change of the pressure in a closed chamber.
+    pub(in crate::motor) fn greatest_change(&self) -> Option<f64> {
+        self.closed.iter().filter_map(|one| one.change_pa.map(f64::abs)).reduce(f64::max)
+    }
+
     pub(in crate::motor) fn warnings(&self, most_trapped: Option<Pressure>) -> Vec<Warning> {
         let degrees = |rad: f64| format::quantity(Angle::from_si(rad), 4);
         let short = self.states.iter().filter(|state| state.open_to == OpenTo::Both);

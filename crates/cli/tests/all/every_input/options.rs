@@ -528,7 +528,7 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --z3 50..55
   --zs 10
   --divisor common
-  --with-teeth
+  --any-teeth
   --pressure-angle '24 deg'
   --addendum 0.8
   --clearance 0.2

@@ -234,7 +234,7 @@ fn bad_loads_are_refused() {
 fn slopes_that_no_flank_holds_are_refused() {
     let numbers = MotorNumbers::new(7, 5, 84, 8).unwrap();
     let arcs = crate::closure::Family::new(numbers, mm(1.0)).unwrap().at_part(0.01).unwrap();
-    let steep = Motor::of_two_arcs(numbers, mm(1.0), arcs.trough_distance()).unwrap();
+    let steep = Motor::of_closed_arcs(numbers, arcs);
     let refused = steep.greatest_flank_forces(angle_of_degrees(40.0), mm(1.0), mpa(1.0)).unwrap_err();
     assert_eq!(refused.name(), "cannot-hold");
     assert!(refused.to_string().contains("slopes by 61.1584° against its push"), "{refused}");

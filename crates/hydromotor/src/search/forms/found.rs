@@ -11,12 +11,12 @@ use super::refusal::{Counts, FormRefusal};
 use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
 use super::trial::Point;
 use crate::Error;
+use crate::machine;
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::profile::{Profile, ToothForm};
-use crate::quantity::Quantity;
 use crate::threads::map;
-use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
+use crate::units::{length, length_of_metres, power, torque, volume, volume_rate};
 
 /// The answer of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,7 +98,7 @@ impl FormDesign {
     /// # Errors
     /// [`Error::NotPositive`].
     pub fn motor(&self, module: Length) -> Result<Motor, Error> {
-        let module = positive_length(Quantity::Module, module)?;
+        let module = machine::module(module)?;
         Ok(motor(self.numbers, &self.curves, module))
     }
 

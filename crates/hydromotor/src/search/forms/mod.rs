@@ -295,7 +295,15 @@ impl FormSearch {
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
         // The heights of the teeth are those of the forms.
         let heights = ToothHeights::default();
-        Ok(Yardstick { heights, sizing, ripple, least_radius, objectives: Vec::new(), flanks: None })
+        Ok(Yardstick {
+            heights,
+            sizing,
+            ripple,
+            least_radius,
+            objectives: Vec::new(),
+            flanks: None,
+            made: None,
+        })
     }
 
     /// The objectives that depend on the motor alone; those that are not asked for, or depend on the form, are 0.

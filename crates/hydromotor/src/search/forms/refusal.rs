@@ -13,6 +13,8 @@ pub enum FormRefusal {
     Check(Subject),
     /// A limit of the teeth.
     Limit(LimitKind),
+    /// No ideal ports can be made: the rays through the contacts do not part the chambers, or a satellite covers no hole.
+    Ports,
     /// The flanks cannot hold a loaded satellite.
     CannotHold,
     /// The pressure of Hertz is above the wanted one.
@@ -29,7 +31,7 @@ pub enum FormRefusal {
 
 impl FormRefusal {
     /// All of them.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::NoTeeth,
         Self::Check(Subject::StatorBulge),
         Self::Check(Subject::RotorBulge),
@@ -45,6 +47,7 @@ impl FormRefusal {
         Self::Limit(LimitKind::TipCurve),
         Self::Limit(LimitKind::Neighbours),
         Self::Limit(LimitKind::Wheels),
+        Self::Ports,
         Self::CannotHold,
         Self::ContactStress,
         Self::RootStress,
@@ -53,7 +56,7 @@ impl FormRefusal {
         Self::LeastTorque,
     ];
 
-    fn of(failure: Failure) -> Self {
+    pub(crate) fn of(failure: Failure) -> Self {
         match failure {
             Failure::NoTeeth => Self::NoTeeth,
             Failure::Check(subject) => Self::Check(subject),

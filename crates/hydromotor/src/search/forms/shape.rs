@@ -33,6 +33,10 @@ impl FamilyKind {
 pub enum ShapeReason {
     /// A rounding from the end of its family nothing closes, or what the motor does is no number.
     NotClosed,
+    /// The rotor reaches into the stator.
+    RotorInStator,
+    /// The least chamber has no area.
+    NoChamber,
     /// [`Limits::least_radius`](super::super::Limits::least_radius).
     LeastRadius,
     /// No choice of the size is within [`SizeLimits`](super::super::SizeLimits) and tolerance.
@@ -43,7 +47,8 @@ pub enum ShapeReason {
 
 impl ShapeReason {
     /// All of them, in their order.
-    pub const ALL: [Self; 4] = [Self::NotClosed, Self::LeastRadius, Self::Size, Self::Ripple];
+    pub const ALL: [Self; 6] =
+        [Self::NotClosed, Self::RotorInStator, Self::NoChamber, Self::LeastRadius, Self::Size, Self::Ripple];
 }
 
 /// The curves of a motor of module 1 m.
@@ -121,6 +126,14 @@ fn judge(
     curves: Curves,
 ) -> Result<Shape, ShapeReason> {
     let motor = motor(numbers, &curves, length_of_metres(1.0));
+    let [rotor, stator] = motor.facing_radii();
+    // Neither is a number where nothing closes.
+    if rotor >= stator {
+        return Err(ShapeReason::RotorInStator);
+    }
+    if motor.extremes()[0] <= 0.0 {
+        return Err(ShapeReason::NoChamber);
+    }
     let curvatures = motor.shape.curvature_extremes();
     let radius = curvatures.iter().fold(0.0_f64, |most, &curvature| most.max(curvature)).recip();
     if at_least(radius, yardstick.least_radius) < 0.0 {

@@ -6,6 +6,7 @@ use crate::closure::Family;
 use crate::cosine::Numbers;
 use crate::flanks::{LoadedPath, MaterialLimits, SealingContact, effective_modulus};
 use crate::motor::Motor;
+use crate::ports::PortPlate;
 use crate::profile::limits::{Limit, LimitKind};
 use crate::profile::{Crest, Profile, ToothForm};
 use crate::search::{Size, SizeLimits};
@@ -60,7 +61,8 @@ fn motors(search: &FormSearch) -> Vec<Motor> {
                 for i in 0..search.places {
                     let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
                     let l = metre() / (from + (to - from) * part);
-                    all.push(Motor::of_two_arcs(numbers, metre(), l).unwrap());
+                    // None where the rotor reaches into the stator.
+                    all.extend(Motor::of_two_arcs(numbers, metre(), l));
                 }
             }
         }
@@ -75,7 +77,7 @@ fn motors(search: &FormSearch) -> Vec<Motor> {
             for i in 0..search.places {
                 let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
                 let law = Numbers::of(numbers).at_part(from + (to - from) * part).unwrap();
-                all.push(Motor::of_second_harmonic(numbers, metre(), law.second).unwrap());
+                all.extend(Motor::of_second_harmonic(numbers, metre(), law.second));
             }
         }
     }
@@ -87,6 +89,9 @@ fn trial(search: &FormSearch) -> Vec<Point> {
     let forms = search.forms.forms().unwrap();
     let mut all = Vec::new();
     for motor in motors(search) {
+        if PortPlate::of_ideal_holes(&motor, 0.95).and_then(|plate| plate.timing()).is_err() {
+            continue;
+        }
         for &form in &forms {
             let heights = ToothHeights {
                 addendum: form.addendum + form.shift,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::point::ported;
 use super::cover::{Cover, Value};
 use super::loaded::{FlankFigures, PitchBound};
 use super::refusal::Counts;
@@ -83,6 +84,7 @@ pub(super) fn tried(
     let pitch = PitchBound::of(&motor);
     let (least, needs_flanks) = (search.least_contact_ratio, search.needs_flanks());
     let mut room = None;
+    let mut ports = None;
     for (place, form) in forms {
         let chosen = all[*place];
         let at_best = |ratio: f64| search.bound(search.value(of_shape, ratio), &pitch, chosen);
@@ -111,6 +113,10 @@ pub(super) fn tried(
                 continue;
             }
         };
+        if let Err(refusal) = ports.get_or_insert_with(|| ported(&motor)) {
+            counts.refuse(*refusal);
+            continue;
+        }
         let mut value = search.value(of_shape, contact_ratio);
         let figures = match needs_flanks.then(|| search.figures(shape, chosen)).flatten() {
             Some(Err(refusal)) => {
