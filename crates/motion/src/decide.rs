@@ -23,9 +23,10 @@
 use crate::Error;
 use crate::dense::{dot, independent, largest};
 use crate::field::{Field, Trigger, push};
-use crate::model::Kind;
+use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, System, Way};
 use crate::tolerance::{ACCELERATION, MOST_AT_REST, MOST_LOSSY_MESHES, PATTERN, RANK, SLIP};
+use epicyclic_train::GROUND;
 use rustc_hash::FxHashMap;
 
 /// An element that slips from now on in this direction, since it could not hold.
@@ -73,7 +74,8 @@ impl Field<'_> {
         elements.retain(|&place| !self.is_dog(place));
         let given = elements.len() + sets.len();
         if given > MOST_AT_REST {
-            return Err(Error::TooManyAtRest { given, most: MOST_AT_REST, time_s: moment.t });
+            let (parts, _) = self.named(&elements, &sets);
+            return Err(Error::TooManyAtRest { parts, given, most: MOST_AT_REST, time_s: moment.t });
         }
         let open = Open { elements, sets };
         let mut base = self.pattern.clone();
@@ -144,15 +146,28 @@ impl Field<'_> {
             (Some((violation, pattern)), _) if violation <= PATTERN => self.take(pattern, moment, unique),
             (_, Some(refused)) => Err(refused),
             (best, None) => {
-                let of_elements = open.elements.iter().map(|&place| self.model.elements[place].name.clone());
-                let of_sets = open.sets.iter().map(|&set| self.model.mechanism.sets[set].name.clone());
-                Err(Error::NoMotion {
-                    time_s: moment.t,
-                    parts: of_elements.chain(of_sets).collect(),
-                    violation: best.map_or(f64::INFINITY, |(violation, _)| violation),
-                })
+                let (parts, links) = self.named(&open.elements, &open.sets);
+                let violation = best.map(|(violation, _)| violation);
+                Err(Error::NoMotion { time_s: moment.t, parts, links, violation })
             }
         }
+    }
+
+    /// Names of elements and sets, and of their links.
+    pub(crate) fn named(&self, elements: &[usize], sets: &[usize]) -> (Vec<String>, Vec<String>) {
+        let Model { mechanism, elements: all, .. } = self.model;
+        let names = elements.iter().map(|&place| all[place].name.clone());
+        let names = names.chain(sets.iter().map(|&set| mechanism.sets[set].name.clone())).collect();
+        let places = elements.iter().flat_map(|&place| all[place].places);
+        let of_sets = sets.iter().flat_map(|&set| [mechanism.sets[set].root, mechanism.sets[set].carrier]);
+        let mut links: Vec<String> = vec![];
+        for place in places.chain(of_sets) {
+            let name = place.map_or(GROUND, |node| mechanism.node_name(node));
+            if !links.iter().any(|link| link == name) {
+                links.push(name.to_owned());
+            }
+        }
+        (names, links)
     }
 
     /// Stuck elements that hold less than they can.
@@ -163,7 +178,8 @@ impl Field<'_> {
         open.elements.iter().copied().filter(is_firm).collect()
     }
 
-    /// The speeds a little later, as long as what is without slip remains so; else those of now.
+    /// The state a little later: twists of shafts, whose torques are what may be about to exceed a capacity, and speeds as long as what is
+    /// without slip remains so.
     fn later(&self, moment: &Moment, open: &Open) -> Vec<f64> {
         let mut later = moment.y.to_vec();
         let rates = &self.accelerations;
@@ -171,7 +187,13 @@ impl Field<'_> {
         let (elements, sets) = self.at_rest(&later, moment.speed_scale);
         let remains = open.elements.iter().all(|place| elements.contains(place))
             && open.sets.iter().all(|place| sets.contains(place));
-        if remains { later } else { moment.y.to_vec() }
+        if !remains {
+            later.copy_from_slice(moment.y);
+        }
+        for (twist, one) in later[self.parts.twist..].iter_mut().zip(&self.model.shafts) {
+            *twist += moment.ahead * dot(&one.rate, moment.y);
+        }
+        later
     }
 
     /// Ways of the open elements: first those that let go of the fewest that were stuck, then those with the most stuck.
@@ -313,7 +335,7 @@ impl Field<'_> {
             return Ok(true);
         }
         self.check_unique(unique)?;
-        self.check_redundant(&lossy)?;
+        self.check_redundant(&lossy, moment.t)?;
         for _ in 0..2 * lossy.len() + 2 {
             if !self.turn_meshes() {
                 return Ok(true);
@@ -400,7 +422,7 @@ impl Field<'_> {
     /// which nothing tells.
     ///
     /// A split that stays in balance is 1 on a dependent element and what this takes from the independent ones.
-    fn check_redundant(&self, lossy: &[usize]) -> Result<(), Error> {
+    fn check_redundant(&self, lossy: &[usize], time_s: f64) -> Result<(), Error> {
         let System { stuck, independent, meshes, .. } = &self.system;
         for (other, made) in &independent.others {
             let taken = independent.kept.iter().zip(made).map(|(&kept, factor)| (kept, -factor));
@@ -415,13 +437,10 @@ impl Field<'_> {
                 lossy.iter().find(|&&mesh| dot(meshes.row(mesh), &nodes).abs() > ACCELERATION * scale);
             if let Some(&mesh) = loaded {
                 let set = self.model.mechanism.meshes[mesh].set;
-                return Err(Error::OpenSplit {
-                    elements: split
-                        .iter()
-                        .map(|&(place, _)| self.model.elements[stuck[place]].name.clone())
-                        .collect(),
-                    set: self.model.mechanism.sets[set].name.clone(),
-                });
+                let places: Vec<usize> = split.iter().map(|&(place, _)| stuck[place]).collect();
+                let (elements, links) = self.named(&places, &[]);
+                let set = self.model.mechanism.sets[set].name.clone();
+                return Err(Error::OpenSplit { time_s, elements, links, set });
             }
         }
         Ok(())

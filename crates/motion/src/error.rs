@@ -79,11 +79,16 @@ pub enum Error {
         /// A set concerned.
         set: String,
     },
-    /// A motion without inertia.
-    #[error("{link} can move without any inertia moving: give it an inertia, or hold it")]
+    /// Links that can move while nothing with inertia does, so that no torque settles their acceleration.
+    #[error(
+        "{} can move while nothing with inertia moves: give {} an inertia, however small, or hold {} for good",
+        .links.join(", "), inertias_needed(*.missing, .links.len()), if .links.len() == 1 { "it" } else { "them" }
+    )]
     NoInertia {
-        /// A link concerned.
-        link: String,
+        /// The links concerned, none of which has an inertia that counts.
+        links: Vec<String>,
+        /// How many of them need one.
+        missing: usize,
     },
     /// Losses under which a torque has no motion, or several.
     #[error(
@@ -101,13 +106,17 @@ pub enum Error {
     },
     /// Stuck elements that share their torque over a rolling set with losses in a way that nothing tells.
     #[error(
-        "{} hold more than there is to hold while {set} rolls with losses: how they share their torque is open, and so are the losses; \
-         leave one of them open, or give {set} no losses",
-        .elements.join(", ")
+        "at {time_s} s {} on {} hold more than there is to hold while {set} rolls with losses: how they share their torque is open, \
+         and so are the losses; leave one of them open, or give {set} no losses",
+        .elements.join(", "), .links.join(", ")
     )]
     OpenSplit {
+        /// When.
+        time_s: f64,
         /// The elements.
         elements: Vec<String>,
+        /// Their links.
+        links: Vec<String>,
         /// The set.
         set: String,
     },
@@ -122,8 +131,14 @@ pub enum Error {
         most: usize,
     },
     /// More shift elements without slip than patterns are searched for.
-    #[error("{given} shift elements and loads are without slip at {time_s} s, and at most {most} are taken")]
+    #[error(
+        "at {time_s} s {given} shift elements, loads and sets are without slip, and at most {most} are taken: {}; engage for good \
+         what never slips, or give it no capacity",
+        .parts.join(", ")
+    )]
     TooManyAtRest {
+        /// The shift elements, loads and sets concerned.
+        parts: Vec<String>,
         /// How many.
         given: usize,
         /// The limit.
@@ -132,14 +147,20 @@ pub enum Error {
         time_s: f64,
     },
     /// No assumption about what holds and what slips is consistent.
-    #[error("at {time_s} s no pattern of {} holding or slipping is consistent; the best is off by {violation:.3e}", .parts.join(", "))]
+    #[error(
+        "at {time_s} s no pattern of {} on {} holding or slipping is consistent{}: leave one of them open, or give the sets no losses",
+        .parts.join(", "), .links.join(", "),
+        .violation.map_or_else(String::new, |violation| format!("; the best is off by {violation:.3e}"))
+    )]
     NoMotion {
         /// When.
         time_s: f64,
         /// The shift elements, loads and sets concerned.
         parts: Vec<String>,
-        /// By how much the best is contradicted, over the largest torque or acceleration.
-        violation: f64,
+        /// Their links.
+        links: Vec<String>,
+        /// By how much the best is contradicted, over the largest torque or acceleration; none where no pattern has a solution.
+        violation: Option<f64>,
     },
     /// A speed at which a drag is not told.
     #[error(
@@ -199,7 +220,11 @@ pub enum Error {
         slip: f64,
     },
     /// Events that accumulate at a time.
-    #[error("events accumulate at {time_s} s: {events} within {within_s:.3e} s, of {}", .parts.join(", "))]
+    #[error(
+        "events accumulate at {time_s} s: {events} within {within_s:.3e} s, of {} on {}; more inertia there, softer or more damped \
+         shafts, or sets without losses avoid it",
+        .parts.join(", "), .links.join(", ")
+    )]
     Accumulating {
         /// When.
         time_s: f64,
@@ -209,6 +234,8 @@ pub enum Error {
         within_s: f64,
         /// The parts that had events.
         parts: Vec<String>,
+        /// Their links.
+        links: Vec<String>,
     },
     /// A step shorter than time is told.
     #[error(
@@ -233,7 +260,33 @@ pub enum Error {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
+/// How many of so many links need an inertia, in words.
+fn inertias_needed(missing: usize, links: usize) -> String {
+    match (missing, links) {
+        (1, 1) => "it".into(),
+        (1, _) => "one of them".into(),
+        (missing, links) if missing == links => "each of them".into(),
+        (missing, _) => format!("{missing} of them"),
+    }
+}
+
 impl Error {
+    /// Names of the parts that it is about: shift elements, loads, shafts, drags, sets.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&str> {
+        match self {
+            Self::NoMotion { parts, .. }
+            | Self::Accumulating { parts, .. }
+            | Self::TooManyAtRest { parts, .. } => parts.iter().map(String::as_str).collect(),
+            Self::OpenSplit { elements, set, .. } => {
+                elements.iter().chain([set]).map(String::as_str).collect()
+            }
+            Self::NotUnique { sets, .. } => sets.iter().map(String::as_str).collect(),
+            Self::DragSpeed { drag, .. } => vec![drag],
+            _ => vec![],
+        }
+    }
+
     /// Name of the fault, which does not change with the message: `no-inertia`.
     #[must_use]
     pub const fn name(&self) -> &'static str {

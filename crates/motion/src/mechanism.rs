@@ -40,7 +40,7 @@ mod coordinates;
 mod sets;
 
 use crate::Error;
-use crate::dense::{Matrix, Split};
+use crate::dense::{Matrix, Split, independent};
 use crate::units::{inertia, kg_m2};
 use epicyclic_dynamics::gearbox::Masses;
 use epicyclic_train::groups::Groups;
@@ -228,7 +228,7 @@ impl Mechanism {
         }
         let value = not_negative(format!("the inertia of {name} in kg·m²"), kg_m2(inertia))?;
         if value == 0.0 {
-            return Err(Error::NoInertia { link: name.to_owned() });
+            return Err(Error::NoInertia { links: vec![name.to_owned()], missing: 1 });
         }
         let (row, column) = (self.nodes, self.freedoms());
         let mut speeds = Matrix::zeros(self.speeds.rows + 1, column + 1);
@@ -349,21 +349,37 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Refuses a mass matrix that is not positive definite, naming a coordinate in which nothing moves.
+    /// Refuses motions in which nothing with inertia moves, naming the links that move in them.
+    ///
+    /// `M = Bᵀ·J·B` is positive definite exactly if the rows of `B` of bodies with inertia span all coordinates.
     fn check_inertia(&self) -> Result<(), Error> {
-        if self.coordinates.is_empty() {
+        let n = self.freedoms();
+        if n == 0 {
             return Err(Error::NoFreedom);
         }
-        let matrix = self.masses();
-        let bare = (0..matrix.rows).find(|&row| matrix.row(row)[row] <= 0.0);
-        let link = |row: usize| self.node_name(self.coordinates[row]).to_owned();
-        match bare {
-            Some(row) => Err(Error::NoInertia { link: link(row) }),
-            None => match Split::new(matrix) {
+        let heavy = self.inertias.iter().enumerate().filter(|(_, inertia)| **inertia > 0.0);
+        let rows: Vec<&[f64]> = heavy.map(|(body, _)| self.speeds.row(body)).collect();
+        let known = independent(&rows).kept.len();
+        if known == n {
+            // Inertias so far apart that rounding leaves nothing of the lesser ones are none either.
+            return match Split::new(self.masses()) {
                 Some(split) if split.determinant > 0.0 => Ok(()),
-                _ => Err(Error::NoInertia { link: link(0) }),
-            },
+                _ => Err(Error::NoInertia { links: self.lightest(), missing: 1 }),
+            };
         }
+        let adds = |node: &usize| {
+            let with: Vec<&[f64]> = rows.iter().copied().chain([self.speeds.row(*node)]).collect();
+            independent(&with).kept.len() > known
+        };
+        let links = (0..self.nodes).filter(adds).map(|node| self.node_name(node).to_owned()).collect();
+        Err(Error::NoInertia { links, missing: n - known })
+    }
+
+    /// The node of least inertia.
+    fn lightest(&self) -> Vec<String> {
+        let least =
+            (0..self.nodes).min_by(|&one, &other| self.inertias[one].total_cmp(&self.inertias[other]));
+        least.map(|node| self.node_name(node).to_owned()).into_iter().collect()
     }
 }
 

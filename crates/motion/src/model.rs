@@ -408,7 +408,11 @@ impl Model {
 
     fn join(&mut self, name: &str, links: [&str; 2], kind: Kind) -> Result<(), Error> {
         let (places, [first, second]) = self.between(name, links)?;
-        let slip = first.iter().zip(&second).map(|(one, other)| one - other).collect();
+        let mut slip: Vec<f64> = first.iter().zip(&second).map(|(one, other)| one - other).collect();
+        // Links that the sets hold together: what is left is the rounding of their speeds.
+        if largest(&slip) <= RANK * largest(&first).max(largest(&second)) {
+            slip.fill(0.0);
+        }
         self.insert(Element { name: name.to_owned(), places, slip, kind, dry: 0.0, beside: None });
         Ok(())
     }

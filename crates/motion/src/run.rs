@@ -23,6 +23,7 @@ use crate::tolerance::{
     ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, SLIP, STEP_ERROR,
 };
 use crate::units::{seconds, time};
+use epicyclic_train::GROUND;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use uom::si::f64::Time;
@@ -469,11 +470,14 @@ impl<'m> Runner<'m> {
         if within >= allowed * self.end {
             return Ok(());
         }
-        let mut parts: Vec<String> =
-            self.recent.iter().flat_map(|(_, fired)| fired).map(|&trigger| self.name_of(trigger)).collect();
+        let fired: Vec<Trigger> = self.recent.iter().flat_map(|(_, fired)| fired).copied().collect();
+        let mut parts: Vec<String> = fired.iter().map(|&trigger| self.name_of(trigger)).collect();
         parts.sort();
         parts.dedup();
-        Err(Error::Accumulating { time_s: t, events: MOST_TOGETHER, within_s: within, parts })
+        let mut links: Vec<String> = fired.iter().flat_map(|&trigger| self.links_of(trigger)).collect();
+        links.sort();
+        links.dedup();
+        Err(Error::Accumulating { time_s: t, events: MOST_TOGETHER, within_s: within, parts, links })
     }
 
     fn name_of(&self, trigger: Trigger) -> String {
@@ -493,6 +497,30 @@ impl<'m> Runner<'m> {
             Trigger::Segment(place, _) => model.torques[place].name.clone(),
             Trigger::Passes(place) => model.thresholds[place].name.clone(),
         }
+    }
+
+    /// Links of what a trigger is of.
+    fn links_of(&self, trigger: Trigger) -> Vec<String> {
+        let model = self.model;
+        let sets = &model.mechanism.sets;
+        let places = match trigger {
+            Trigger::SlipEnds(place)
+            | Trigger::Exceeds(place)
+            | Trigger::LetsGo(place)
+            | Trigger::Meshes(place)
+            | Trigger::Curve(place, _) => model.elements[place].places,
+            Trigger::Drag(place, _) => model.drags[place].places,
+            Trigger::Flank(place, _) => model.shafts[place].places,
+            Trigger::Drive(place, _) => model.converters[place].places,
+            Trigger::RollingEnds(set) => [sets[set].root, sets[set].carrier],
+            Trigger::Reverses(mesh) => {
+                let set = &sets[model.mechanism.meshes[mesh].set];
+                [set.root, set.carrier]
+            }
+            Trigger::Segment(place, _) => [model.torques[place].place; 2],
+            Trigger::Starts | Trigger::Passes(_) => return vec![],
+        };
+        places.map(|place| place.map_or(GROUND, |node| model.mechanism.node_name(node)).to_owned()).into()
     }
 
     /// Where the run is.

@@ -7,7 +7,8 @@
 //! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ −M_0 of one-way clutches
 //! ```
 //!
-//! so that they hold as long as any split holds: they slip when τ would exceed 1. Since there are only a few, the corners of this
+//! so that they hold as long as any split holds: they slip when τ would exceed 1. Friction elements between the same links share in proportion to their
+//! capacities. A one-way or dog clutch counts with the largest torque or capacity present. Since there are only a few, the corners of this
 //! linear programme are tried all. Splits that have no element in common are found each by itself: else the most used element of one would leave
 //! the others open.
 

@@ -12,7 +12,7 @@ use crate::network::Network;
 use crate::solution::{Direction, RESTING, Run, Solution};
 use crate::state::{Verdict, classify};
 use crate::tolerance::PIVOT;
-use crate::topology::{Topology, bounded, exact, fractions, rationals};
+use crate::topology::{Topology, bounded, fractions, traced};
 use crate::{Error, Gear, Gearbox, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::BasicRatio;
@@ -262,10 +262,8 @@ pub(crate) fn verdict(gearbox: &Gearbox, topology: &Topology) -> Verdict {
     fn of<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: Option<Vec<S>>) -> Option<Verdict> {
         classify(gearbox, topology, &ratios?)
     }
-    of(gearbox, topology, Some(bounded::<true>(gearbox)))
+    of(gearbox, topology, Some(bounded(gearbox)))
         .or_else(|| of(gearbox, topology, fractions(gearbox)))
-        .or_else(|| of(gearbox, topology, rationals(gearbox)))
-        .or_else(|| of(gearbox, topology, Some(bounded::<false>(gearbox))))
-        .or_else(|| of(gearbox, topology, exact(gearbox)))
+        .or_else(|| of(gearbox, topology, traced(gearbox)))
         .unwrap_or_else(|| unreachable!("a number is a rational, and rationals of any size do not overflow"))
 }

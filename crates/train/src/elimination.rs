@@ -6,12 +6,23 @@
 //! 1. [`Bounded`]: `f64` with a bound on its error, carried through every operation. A number larger than its
 //!    bound is certainly not zero; a zero that no rounding touched certainly is one. Where every decision is
 //!    certain, the verdict is proved, and this is the fast and the usual way.
-//! 2. [`Fraction`], then [`BigRational`]: where a number is as small as its bound, or a speed has lost digits, and
-//!    all ratios are tooth counts or decimals, the elimination is done again without rounding, in 128 bits, and
-//!    where these do not hold the numbers, in as many as it takes.
-//! 3. [`Bounded`] again where some ratio is a number of no known origin: what is as small as its error bound is
-//!    zero. The bound grows with the numbers, so this scales with the gear.
-//! 4. [`BigRational`] with the numbers as they stand, where even so one overflows.
+//! 2. [`Fraction`]: where a number is as small as its bound, or a speed has lost digits, and all ratios are tooth
+//!    counts or decimals, the elimination is done again without rounding, in 128 bits.
+//! 3. [`Traced`]: where these do not hold the numbers, or some ratio has more digits than anybody writes. The
+//!    elimination has no rounding at all, in as many bits as it takes, and each number carries its exact derivatives
+//!    by these ratios.
+//!
+//! # Ratios with many digits
+//! A ratio of more than 12 digits, `k = 0.43333333333333335`, was computed and rounded. It is taken as the rational that
+//! the `f64` is. A number `v` of the elimination that these ratios leave above zero counts as zero only where a change of the
+//! ratios by a few roundings makes it zero,
+//!
+//! ```text
+//! 0 < |v| ≤ 4·ε·Σ |k_j·∂v/∂k_j|      ε = 2⁻⁵²
+//! ```
+//!
+//! so that a loop of computed ratios that is meant to close does. Equal ratios are one `k_j`: what is the
+//! difference of equal numbers is exact, however large these are.
 //!
 //! Some unknowns can be kept back until no other can serve as a pivot: what then still depends on
 //! them depends on nothing else.
@@ -126,7 +137,9 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
         let value = self.value / other.value;
         let least = other.value.abs() - other.error;
         let error = (self.error + value.abs() * other.error) / least + value.abs() * f64::EPSILON;
-        (value.is_finite() && value.abs() > f64::MIN_POSITIVE).then_some(Self { value, error })
+        // A divisor that may be 0 leaves no bound.
+        let is_bounded = !STRICT || least > 0.0;
+        (is_bounded && value.is_finite() && value.abs() > f64::MIN_POSITIVE).then_some(Self { value, error })
     }
 
     fn number(&self) -> f64 {
@@ -206,47 +219,107 @@ fn reduced(numer: i128, denom: i128) -> Option<Fraction> {
     (shared != 0).then(|| Fraction::new_raw(numer / shared, denom / shared))
 }
 
-impl Scalar for BigRational {
+/// A rational of any size, with its derivatives by the ratios that were computed.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Traced {
+    value: BigRational,
+    /// `k_j·∂value/∂k_j` by the number of the ratio, ascending; none that is 0.
+    slopes: Vec<(usize, BigRational)>,
+}
+
+impl Traced {
+    /// A ratio of tooth counts or a decimal.
+    pub(crate) fn certain(fraction: &Fraction) -> Self {
+        let [numer, denom] = [fraction.numer(), fraction.denom()].map(|one| BigInt::from(*one));
+        Self { value: BigRational::new_raw(numer, denom), slopes: vec![] }
+    }
+
+    /// A computed ratio with its number; `None` unless it is finite.
+    pub(crate) fn computed(ratio: f64, number: usize) -> Option<Self> {
+        let value = BigRational::from_float(ratio)?;
+        Some(Self { slopes: vec![(number, value.clone())], value })
+    }
+
+    /// `value` with the slopes `a·own + b·other`; zero where roundings of the ratios make it so.
+    fn new(value: BigRational, own: (&Self, &BigRational), other: (&Self, &BigRational)) -> Self {
+        let part = |(one, factor): (&Self, &BigRational), number: usize| {
+            let place = one.slopes.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+            Some(&one.slopes[place].1 * factor)
+        };
+        let mut numbers: Vec<usize> =
+            own.0.slopes.iter().chain(&other.0.slopes).map(|(number, _)| *number).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let slopes: Vec<(usize, BigRational)> = numbers
+            .into_iter()
+            .filter_map(|number| match (part(own, number), part(other, number)) {
+                (Some(one), Some(two)) => Some((number, one + two)),
+                (one, two) => Some((number, one.or(two)?)),
+            })
+            .filter(|(_, slope)| !Zero::is_zero(slope))
+            .collect();
+        let made = Self { value, slopes };
+        if made.is_rounding() { <Self as Scalar>::zero() } else { made }
+    }
+
+    /// Whether a few roundings of the computed ratios make it zero.
+    fn is_rounding(&self) -> bool {
+        if self.slopes.is_empty() || Zero::is_zero(&self.value) {
+            return false;
+        }
+        let rounding = || BigRational::from_float(ERROR_FACTOR * f64::EPSILON);
+        let change = self.slopes.iter().map(|(_, slope)| slope.abs()).sum::<BigRational>();
+        rounding().is_some_and(|rounding| self.value.abs() <= change * rounding)
+    }
+}
+
+impl Scalar for Traced {
     fn zero() -> Self {
-        <Self as Zero>::zero()
+        Self { value: BigRational::zero(), slopes: vec![] }
     }
 
     fn one() -> Self {
-        <Self as One>::one()
+        Self { value: BigRational::one(), slopes: vec![] }
     }
 
+    /// Short numbers first: they keep the others small.
     fn weight(&self) -> f64 {
-        if Zero::is_zero(self) { 0.0 } else { 1.0 / (1 + self.numer().bits() + self.denom().bits()) as f64 }
+        if Zero::is_zero(&self.value) {
+            0.0
+        } else {
+            1.0 / (1 + self.value.numer().bits() + self.value.denom().bits()) as f64
+        }
     }
 
     fn minus(&self, other: &Self) -> Option<Self> {
-        Some(self - other)
+        let one = BigRational::one();
+        Some(Self::new(&self.value - &other.value, (self, &one), (other, &-one.clone())))
     }
 
     fn times(&self, other: &Self) -> Option<Self> {
-        Some(self * other)
+        Some(Self::new(&self.value * &other.value, (self, &other.value), (other, &self.value)))
     }
 
     fn over(&self, other: &Self) -> Option<Self> {
-        (!Zero::is_zero(other)).then(|| self / other)
+        if Zero::is_zero(&other.value) {
+            return None;
+        }
+        let (value, inverse) = (&self.value / &other.value, other.value.recip());
+        let factor = -(&value * &inverse);
+        Some(Self::new(value, (self, &inverse), (other, &factor)))
     }
 
     fn number(&self) -> f64 {
         // Both may be beyond the largest number while their ratio is not.
-        let (numer, denom) = (self.numer().abs(), self.denom());
+        let (numer, denom) = (self.value.numer().abs(), self.value.denom());
         let shift = numer.bits().max(denom.bits()).saturating_sub(1000);
         let of = |big: &BigInt| (big >> shift).to_f64().unwrap_or(f64::INFINITY);
         let size = match shift {
             0 => of(&numer) / of(denom),
-            _ => self.abs().to_f64().unwrap_or_else(|| of(&numer) / of(denom)),
+            _ => self.value.abs().to_f64().unwrap_or_else(|| of(&numer) / of(denom)),
         };
-        if self.is_negative() { -size } else { size }
+        if self.value.is_negative() { -size } else { size }
     }
-}
-
-/// A fraction as a rational of any size.
-pub(crate) fn big(fraction: &Fraction) -> BigRational {
-    BigRational::new_raw(BigInt::from(*fraction.numer()), BigInt::from(*fraction.denom()))
 }
 
 /// Digits that a number written by a person may have; one with more was computed.
@@ -464,9 +537,10 @@ mod tests {
     #[test]
     fn a_long_rational_has_its_number() {
         let long = BigRational::new(BigInt::from(3) << 3000_u32, BigInt::from(1) << 3001_u32);
-        assert!((Scalar::number(&long) - 1.5).abs() < 1e-15);
-        assert!((Scalar::number(&-long) + 1.5).abs() < 1e-15);
-        assert_eq!(Scalar::number(&big(&Fraction::new(-3, 4))), -0.75);
+        let number = |value: BigRational| Traced { value, slopes: vec![] }.number();
+        assert!((number(long.clone()) - 1.5).abs() < 1e-15);
+        assert!((number(-long) + 1.5).abs() < 1e-15);
+        assert_eq!(Traced::certain(&Fraction::new(-3, 4)).number(), -0.75);
     }
 
     /// A number and the value within its error that it may stand for, from `-1` to `1` of the error.
@@ -501,7 +575,7 @@ mod tests {
         assert!(certain.is_sharp() && !Strict { value: 2.0, error: 1.0 }.is_sharp());
         assert!(Lenient { value: 2.0, error: 1.0 }.is_sharp());
         // Short fractions before long ones, and no fraction of zero.
-        let rational = |numer: i64, denom: i64| BigRational::new(numer.into(), denom.into());
+        let rational = |numer: i128, denom: i128| Traced::certain(&Fraction::new(numer, denom));
         assert_eq!(rational(0, 1).weight(), 0.0);
         assert!(rational(1, 2).weight() > rational(355, 113).weight());
         assert!(Fraction::new(1, 2).weight() > Fraction::new(355, 113).weight());
@@ -529,7 +603,7 @@ mod tests {
                 let Some(found) = found else { continue };
                 let off = (exact - BigRational::from_float(found.value).unwrap()).abs();
                 // The error itself is rounded.
-                prop_assert!(Scalar::number(&off) <= found.error * (1.0 + 1e-12), "{:?} {:?}: {:?}", a, b, found);
+                prop_assert!(off.to_f64().unwrap() <= found.error * (1.0 + 1e-12), "{:?} {:?}: {:?}", a, b, found);
             }
         }
 
@@ -539,7 +613,8 @@ mod tests {
         ) {
             let rows: Vec<&[i32]> = entries.iter().map(Vec::as_slice).collect();
             let short = Echelon::new(self::rows(&rows, |x| Fraction::from_integer(i128::from(x))), 5, &[4]).unwrap();
-            let long = Echelon::new(self::rows(&rows, |x| BigRational::from_integer(x.into())), 5, &[4]).unwrap();
+            let of = |x: i32| Traced::certain(&Fraction::from_integer(i128::from(x)));
+            let long = Echelon::new(self::rows(&rows, of), 5, &[4]).unwrap();
             let loose = Echelon::<Lenient>::new(self::rows(&rows, rounded), 5, &[4]).unwrap();
             prop_assert_eq!(short.pivots.len(), long.pivots.len());
             prop_assert_eq!(short.parts().len(), long.parts().len());

@@ -21,7 +21,7 @@ use crate::solution::Run;
 use crate::speeds::{SetMotion, set_motion};
 use crate::state::{Known, Torques};
 use crate::tolerance::LARGEST_LOAD;
-use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
+use crate::topology::{Topology, bounded, fractions, node_equations, traced};
 use crate::torques::{self, Members, demands, edge_torques};
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
 use crate::{Error, Gear, Gearbox, LinkId};
@@ -210,11 +210,9 @@ impl Gearbox {
         let topology = Topology::new(self, gear);
         let given = self.given_nodes(&topology, speeds.iter().map(|(link, _)| *link), true)?;
         let nodes: Vec<usize> = given.iter().map(|(_, node)| *node).collect();
-        let freedom = freedom(&topology, Some(bounded::<true>(self)), &nodes)
+        let freedom = freedom(&topology, Some(bounded(self)), &nodes)
             .or_else(|| freedom(&topology, fractions(self), &nodes))
-            .or_else(|| freedom(&topology, rationals(self), &nodes))
-            .or_else(|| freedom(&topology, Some(bounded::<false>(self)), &nodes))
-            .or_else(|| freedom(&topology, exact(self), &nodes))
+            .or_else(|| freedom(&topology, traced(self), &nodes))
             .unwrap_or_else(|| {
                 unreachable!("a number is a rational, and rationals of any size do not overflow")
             });
@@ -392,11 +390,9 @@ impl Gearbox {
             return Err(InputsFault::Torques { given: known, needed, candidates: names() }.into());
         }
         let links: Vec<LinkId> = terminals.iter().map(|(link, ..)| *link).collect();
-        let settled = settled(self, topology, Some(bounded::<true>(self)), &links)
+        let settled = settled(self, topology, Some(bounded(self)), &links)
             .or_else(|| settled(self, topology, fractions(self), &links))
-            .or_else(|| settled(self, topology, rationals(self), &links))
-            .or_else(|| settled(self, topology, Some(bounded::<false>(self)), &links))
-            .or_else(|| settled(self, topology, exact(self), &links))
+            .or_else(|| settled(self, topology, traced(self), &links))
             .unwrap_or_else(|| {
                 unreachable!("a number is a rational, and rationals of any size do not overflow")
             });

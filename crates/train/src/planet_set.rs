@@ -285,6 +285,10 @@ impl PlanetSet {
     /// `(ω_c − ω_H)/(ω_d − ω_H)` of two members that are not the carrier.
     #[must_use]
     pub fn ratio_between(&self, first: usize, second: usize) -> f64 {
+        // As it was given: its inverse is rounded, and 1/(1/i₀) need not be i₀.
+        if let (Some(Ok((ratio, _))), 0, 1) = (self.short().map(SetSpec::ratio), first, second) {
+            return ratio.get();
+        }
         let factor = |central: usize| self.factors[self.centrals[central].body].unwrap_or(f64::NAN);
         factor(first) / factor(second)
     }

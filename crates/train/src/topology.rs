@@ -1,10 +1,9 @@
 //! A gear as nodes and equations: the links that its engaged shift elements make one piece are one node.
 
-use crate::elimination::{Bounded, Scalar, big};
+use crate::elimination::{Bounded, Scalar, Traced};
 use crate::groups::Groups;
 use crate::{Gear, Gearbox, LinkId};
 use epicyclic_gears::simple_set::Fraction;
-use num_rational::BigRational;
 
 /// A connection that carries torque between two links: permanent, or an engaged shift element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,7 +90,7 @@ pub(crate) fn numbers(gearbox: &Gearbox) -> Vec<f64> {
 }
 
 /// The same with bounds on their errors.
-pub(crate) fn bounded<const STRICT: bool>(gearbox: &Gearbox) -> Vec<Bounded<STRICT>> {
+pub(crate) fn bounded(gearbox: &Gearbox) -> Vec<Bounded<true>> {
     gearbox.equations.iter().map(|one| Bounded::rounded(one.ratio)).collect()
 }
 
@@ -100,14 +99,22 @@ pub(crate) fn fractions(gearbox: &Gearbox) -> Option<Vec<Fraction>> {
     gearbox.equations.iter().map(|one| one.rational).collect()
 }
 
-/// The same as rationals of any size.
-pub(crate) fn rationals(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
-    gearbox.equations.iter().map(|one| one.rational.as_ref().map(big)).collect()
-}
-
-/// The numbers as they stand as rationals, for what no other kind holds.
-pub(crate) fn exact(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
-    gearbox.equations.iter().map(|one| BigRational::from_float(one.ratio)).collect()
+/// The same as rationals of any size; those that were computed, and are neither of teeth nor decimals, are numbered.
+pub(crate) fn traced(gearbox: &Gearbox) -> Option<Vec<Traced>> {
+    let mut computed: Vec<f64> = vec![];
+    let of = |one: &crate::gearbox::Equation| match &one.rational {
+        Some(rational) => Some(Traced::certain(rational)),
+        None => {
+            let size = one.ratio.abs();
+            let known = computed.iter().position(|other| *other == size);
+            let number = known.unwrap_or(computed.len());
+            if known.is_none() {
+                computed.push(size);
+            }
+            Traced::computed(one.ratio, number)
+        }
+    };
+    gearbox.equations.iter().map(of).collect()
 }
 
 /// The equations over the nodes, one after the other. A block whose factors cancel leaves nothing.

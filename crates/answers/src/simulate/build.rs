@@ -437,16 +437,44 @@ impl Scenario<'_> {
         Ok(Sampling { inner: Time::from_si(every / kept as f64), kept })
     }
 
-    /// A refusal of the run, at the key that would change it.
+    /// A refusal of the run, at the key that would change it: the entry of the first part that it names.
     pub(super) fn of_run(&self, why: motion::Error) -> Error {
         use motion::Error as E;
         let path = match &why {
             E::InitialSpeeds { .. } | E::InitialOpen { .. } | E::InitialSlip { .. } | E::Unknown { .. } => {
                 root("start")
             }
-            _ => Path::root(),
+            E::NoInertia { .. } => root("inertias"),
+            _ => {
+                why.parts().into_iter().find_map(|part| self.entry(part)).unwrap_or_else(|| root("duration"))
+            }
         };
         placed(self.document, &path, why)
+    }
+
+    /// The entry of an element, torque, shaft or converter in the scenario; else where the gearbox states it.
+    fn entry(&self, name: &str) -> Option<Path> {
+        let file = self.file;
+        fn place<'a>(mut ids: impl Iterator<Item = &'a String>, name: &str) -> Option<usize> {
+            ids.position(|id| id == name)
+        }
+        let of_scenario = [
+            ("elements", place(file.elements.iter().map(|one| &one.id), name)),
+            ("torques", place(file.torques.iter().map(|one| &one.id), name)),
+            ("shafts", place(file.shafts.iter().map(|one| &one.id), name)),
+            ("converters", place(file.converters.iter().map(|one| &one.id), name)),
+        ];
+        let found = of_scenario.into_iter().find_map(|(key, place)| Some(root(key).index(place?)));
+        found.or_else(|| {
+            let Some(gearbox) = &file.gearbox else { return Some(root("gearbox_file")) };
+            let of_gearbox = [
+                ("clutches", place(gearbox.clutches.iter().map(|one| &one.id), name)),
+                ("sets", place(gearbox.sets.iter().map(|one| &one.id), name)),
+                ("compound_sets", place(gearbox.compound_sets.iter().map(|one| &one.id), name)),
+            ];
+            let inside = of_gearbox.into_iter().find_map(|(key, place)| Some((key, place?)));
+            Some(inside.map_or(root("gearbox"), |(key, place)| root("gearbox").key(key).index(place)))
+        })
     }
 }
 

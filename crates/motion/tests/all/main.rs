@@ -8,5 +8,6 @@ mod drags;
 mod drives;
 mod exact;
 mod properties;
+mod redundant;
 mod refusals;
 mod shafts;

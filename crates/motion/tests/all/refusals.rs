@@ -35,11 +35,12 @@ fn a_clutch_that_shares_torque_over_rolling_sets_with_losses_is_refused() {
     let run = side_by_side(MeshLoss::IDEAL).unwrap();
     close(end_speed(&run, "sun"), 40.0 + 10.0 / (0.1 + 3.0 / 16.0), 1e-12);
     assert!(!run.end().is_split_unique);
-    let (elements, set) = match side_by_side(MeshLoss::Set(eta(0.97))) {
-        Err(Error::OpenSplit { elements, set }) => (elements, set),
+    let (elements, links, set) = match side_by_side(MeshLoss::Set(eta(0.97))) {
+        Err(Error::OpenSplit { elements, links, set, time_s: 0.0 }) => (elements, links, set),
         other => panic!("the split of torque is open: {:?}", other.map(|run| run.events)),
     };
     assert_eq!(elements, ["clutch"]);
+    assert_eq!(links, ["left", "right"]);
     assert!(set == "one" || set == "two");
 }
 
@@ -63,12 +64,13 @@ fn events_that_accumulate_are_named() {
     let rad = Angle::new::<radian>;
     let shaft = Shaft::new(n_m(1e23), rad(1.0)).unwrap().backlash(rad(1e-9)).unwrap();
     model.shaft("flanks", ["a", "b"], shaft).unwrap();
-    let Err(Error::Accumulating { time_s, events, within_s, parts }) =
+    let Err(Error::Accumulating { time_s, events, within_s, parts, links }) =
         model.run(&start(&[("a", 200.0), ("b", 0.0)]), s(1.0), None)
     else {
         panic!("the contacts are too many")
     };
     assert_eq!(parts, ["flanks"]);
+    assert_eq!(links, ["a", "b"]);
     assert_eq!(events, 64);
     assert!(within_s < 1e-9 && time_s < 1e-8, "{within_s} {time_s}");
 }

@@ -5,7 +5,7 @@ use super::symbol::Symbol;
 use crate::elimination::Scalar;
 use crate::groups::Groups;
 use crate::state::speed_relations;
-use crate::topology::{Topology, bounded, exact, fractions, rationals};
+use crate::topology::{Topology, bounded, fractions, traced};
 use crate::{Gear, Gearbox, LinkId};
 use epicyclic_gears::simple_set::Fraction;
 use std::collections::{BTreeMap, BTreeSet};
@@ -184,11 +184,9 @@ fn relations(gearbox: &Gearbox, topology: &Topology) -> (Vec<usize>, Vec<usize>)
         let found = speed_relations(topology, &ratios?)?;
         Some((found.pivots.iter().map(|(equation, _)| *equation).collect(), found.free))
     }
-    of(topology, Some(bounded::<true>(gearbox)))
+    of(topology, Some(bounded(gearbox)))
         .or_else(|| of(topology, fractions(gearbox)))
-        .or_else(|| of(topology, rationals(gearbox)))
-        .or_else(|| of(topology, Some(bounded::<false>(gearbox))))
-        .or_else(|| of(topology, exact(gearbox)))
+        .or_else(|| of(topology, traced(gearbox)))
         .unwrap_or_else(|| unreachable!("a number is a rational, and rationals of any size do not overflow"))
 }
 

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
-use crate::common;
+use crate::common::{self, cases};
 
 use common::oracle::{BoxPlan, Dice};
 use common::plain::{self, Motion};
@@ -270,11 +270,6 @@ fn compound_sets_have_a_state_finite_numbers_and_obey_the_laws() {
     }
     println!("{states:?}");
     assert!(states.len() == 7 && states["driven"] > 1000, "{states:?}");
-}
-
-/// So many cases, unless `PROPTEST_CASES` says how many.
-fn cases(usual: u32) -> u32 {
-    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
 }
 
 proptest! {

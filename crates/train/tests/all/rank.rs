@@ -372,6 +372,83 @@ fn planted_losses_of_rank_are_found_by_teeth_and_by_numbers() {
     assert!(met.len() >= 5 && met.values().all(|count| *count > 100), "{met:?}");
 }
 
+/// A random gearbox of ratios whose `k − 1` is anything in 1e-9…1e9, often the same for several sets.
+fn extreme(dice: &mut Dice) -> (Planted, Vec<SetSpec>) {
+    let links = 2 + dice.below(6);
+    let drawn: Vec<f64> = (0..1 + dice.below(3))
+        .map(|_| 1.0 + libm::exp10(18.0 * (dice.below(1 << 30) as f64 / (1_u64 << 30) as f64) - 9.0))
+        .filter(|k| *k <= 1e9)
+        .collect();
+    let (mut sets, mut specs) = (vec![], vec![]);
+    for id in 0..(links + dice.below(4)).saturating_sub(3).max(1) {
+        let mut places: Vec<usize> = (0..=links).collect();
+        dice.shuffle(&mut places);
+        let kind = [SetKind::Simple, SetKind::DoublePlanet, SetKind::MeshingSuns, SetKind::SteppedRings]
+            [dice.below(4)];
+        let members = [places[0], places[1], places[2]];
+        // Steps are given by their whole ratio.
+        let by_teeth = drawn.is_empty() || dice.chance(10) && !kind.is_stepped();
+        let (gearing, size) = if by_teeth {
+            let first = dice.between(15, 60);
+            let second = first + dice.between(1, 140);
+            (teeth(first, second), rational(i64::from(second), i64::from(first)))
+        } else {
+            let k = drawn[dice.below(drawn.len())];
+            (Gearing::BasicRatio(k), BigRational::from_float(k).unwrap())
+        };
+        sets.push(Exact { members, ratio: if kind.sign() < 0.0 { -size } else { size } });
+        specs.push(set(id, kind, members, gearing));
+    }
+    let input = 1 + dice.below(links);
+    let output = 1 + (input + dice.below(links - 1)) % links;
+    (Planted { links, sets, input, output }, specs)
+}
+
+/// Every state against ranks over fractions that share no code with the solver: the ratios are the rationals that their
+/// numbers are.
+#[test]
+fn ratios_near_one_and_near_a_billion_have_the_exact_state() {
+    let cases = common::cases(4000);
+    let mut dice = Dice(0xd1ce);
+    let mut met = std::collections::BTreeMap::<&str, u32>::new();
+    let (mut wrong, mut worst) = (vec![], 0.0_f64);
+    for case in 0..cases {
+        let (Planted { links, sets, input, output }, specs) = extreme(&mut dice);
+        let described =
+            specs.iter().fold(builder(links, input, output), |builder, one| builder.set(one.clone()));
+        let gearbox = described.build().unwrap();
+        let found = gearbox.analyze("g").unwrap();
+        let (motion, ratio) = expected(&sets, links, input, output);
+        let own = match found.kinematic_state() {
+            State::InputBlocked { .. } => "input blocked",
+            State::OutputAtRest { .. } => "output at rest",
+            State::OutputFree { .. } => "open",
+            State::Underdetermined { .. } if found.ratio().is_none() => "open",
+            _ => "follows",
+        };
+        // Independent equations that leave one freedom settle every torque, too.
+        let mut reduced = rows(&sets, links);
+        let order: Vec<usize> = (1..=links).collect();
+        let is_square = reduce(&mut reduced, &order).len() == sets.len() && sets.len() + 1 == links;
+        let is_driven = *found.kinematic_state() == State::Driven;
+        let differs = ratio.as_ref().map_or(0.0, |ratio| {
+            let own = found.ratio().unwrap_or(f64::NAN);
+            (own / ratio.to_f64().unwrap() - 1.0).abs()
+        });
+        if own != motion || is_square && motion == "follows" && !is_driven || !(differs < 1e-9) {
+            wrong.push(format!(
+                "{case}: {} for {motion} {ratio:?}, off by {differs}\n{specs:?}",
+                found.state()
+            ));
+        }
+        worst = worst.max(differs);
+        *met.entry(found.state().name()).or_default() += 1;
+    }
+    println!("{cases} gearboxes, {} wrong, ratios to {worst:e}: {met:?}", wrong.len());
+    assert!(wrong.is_empty(), "{} of {cases}: {}", wrong.len(), wrong[0]);
+    assert!(met.len() >= 5, "{met:?}");
+}
+
 #[test]
 fn ratios_beyond_all_numbers_are_refused() {
     for (sets, k) in [(40, 1e9), (64, 1e9), (64, 1e9 / 3.0), (64, 3000.0)] {
