@@ -1,7 +1,10 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
+use crate::spacing::Misplaced;
+use crate::units::in_degrees;
 use epicyclic_gears::involute::fault::SetFault;
 use std::fmt;
+use uom::si::f64::Angle;
 
 /// A gear with its teeth, by name.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -96,6 +99,13 @@ pub enum ToothWarning {
         /// The next larger number that assembles and clears.
         more: Option<u32>,
     },
+    /// A planet at a given angle at which it cannot be put in.
+    Misplaced {
+        /// The set.
+        set: String,
+        /// The planet and the angle.
+        at: Misplaced,
+    },
     /// External gears with so few teeth that a rack undercuts them.
     Undercut {
         /// The set.
@@ -140,6 +150,7 @@ impl ToothWarning {
             | Self::NoTriangle { set, .. }
             | Self::PlanetsOverlap { set, .. }
             | Self::Assembly { set, .. }
+            | Self::Misplaced { set, .. }
             | Self::Undercut { set, .. }
             | Self::ShiftFault { set, .. }
             | Self::ShiftsRefused { set, .. }
@@ -158,6 +169,12 @@ impl fmt::Display for NamedGear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({})", self.name, teeth(self.teeth))
     }
+}
+
+/// An angle as messages show it, to a ten-thousandth of a degree.
+fn rounded_degrees(angle: Angle) -> f64 {
+    const TEN_THOUSANDTHS: f64 = 1e4;
+    (in_degrees(angle) * TEN_THOUSANDTHS).round() / TEN_THOUSANDTHS
 }
 
 fn teeth(count: u32) -> String {
@@ -236,6 +253,14 @@ impl fmt::Display for ToothWarning {
                     (Some(one), None) | (None, Some(one)) => write!(f, "; {one} would do"),
                     (None, None) => Ok(()),
                 }
+            }
+            Self::Misplaced { at: Misplaced { planet, angle, nearest, positions }, .. } => {
+                let [angle, nearest] = [angle, nearest].map(|angle| rounded_degrees(*angle));
+                write!(
+                    f,
+                    "planet {planet} cannot be assembled at {angle} deg from the first: its teeth fit at multiples of 360/{positions} deg, \
+                     the nearest {nearest} deg"
+                )
             }
             Self::Undercut { gears, least, .. } => {
                 let gears: Vec<String> = gears.iter().map(NamedGear::to_string).collect();
