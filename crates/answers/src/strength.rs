@@ -264,7 +264,14 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let helical = sets.iter().filter(|set| set.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
-    let warnings = safeties.below(required).into_iter().chain(short_lived).chain(uneven).chain(pins::warning(subject, &turning)).chain(tilting(&helical)).collect();
+    let warnings = safeties
+        .below(required)
+        .into_iter()
+        .chain(short_lived)
+        .chain(uneven)
+        .chain(pins::warning(subject, &turning))
+        .chain(tilting(&helical))
+        .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {

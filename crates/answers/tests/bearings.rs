@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_answers::strength::records::BearingOverDuty;
+use epicyclic_answers::strength::records::{BearingOverDuty, SharingBasis};
 use epicyclic_answers::strength::{self, Strength};
 use epicyclic_formats::Document;
 use std::f64::consts::PI;
@@ -32,7 +32,7 @@ gears: [{ name: only }]
 fn strength(text: &str) -> Result<Strength, epicyclic_answers::Error> {
     let document = Document::parse_one("stage.yaml", text.as_bytes()).unwrap();
     let subject = strength::subject(&document)?;
-    strength::answer(&subject, &strength::Wanted::default())
+    strength::answer(&subject, &strength::Wanted { with_factors: true, ..Default::default() })
 }
 
 fn bearing(text: &str) -> BearingOverDuty {
@@ -121,7 +121,9 @@ fn what_is_missing_and_what_is_wrong_is_said() {
     let of_mesh = "sun_mesh_factors: { K_γ: 1.7 }, factors: { K_A: 1, K_gamma: 1.5,";
     assert_eq!(bearing(&without("factors: { K_A: 1,", of_mesh)).load_sharing, Some(1.7));
     // Without a floating member, and with one that is stated.
-    let floating = |word: &str| strength(&without("load_rating: 60 kN,", &format!("floating: {word}, load_rating: 60 kN,"))).unwrap();
+    let floating = |word: &str| {
+        strength(&without("load_rating: 60 kN,", &format!("floating: {word}, load_rating: 60 kN,"))).unwrap()
+    };
     let warned = |told: &Strength| told.warnings.iter().any(|one| one.name == "rigid-load-sharing");
     let rigid = floating("none");
     assert!((rigid.bearings[0].load_sharing.unwrap() - 1.25 * 1.15).abs() < 1e-12 && warned(&rigid));
@@ -136,11 +138,19 @@ fn what_is_missing_and_what_is_wrong_is_said() {
         (one.greatest, one.formula.clone().unwrap())
     };
     let (value, from) = factor(&rigid);
-    assert!((value - 1.25 * 1.15).abs() < 1e-12 && from.contains("without a floating member"), "{value} {from}");
-    assert_eq!(factor(&sun), (1.25, "IEC 61400-4, load sharing of planets with a floating member".to_owned()));
-    // Its table ends at 7 planets: what needs it is not rated, and the rest is.
-    let eight = strength(&without("planets: 4", "planets: 8")).unwrap();
-    assert_eq!(eight.bearings[0].missing, ["strength.factors.K_gamma (its table ends at 7 planets)"]);
+    assert!(
+        (value - 1.25 * 1.15).abs() < 1e-12 && from.contains("without a floating member"),
+        "{value} {from}"
+    );
+    assert_eq!(
+        factor(&sun),
+        (1.25, "IEC 61400-4, load sharing of planets with a floating member".to_owned())
+    );
+    // Its table ends at 7 planets: without the factor neither teeth nor bearings of 8 are rated.
+    let eight = strength(&without("planets: 4", "planets: 8")).unwrap_err().to_string();
+    assert!(eight.contains("K_γ missing: its table ends at 7 planets"), "{eight}");
+    let eight = bearing(&without("planets: 4", "planets: 8").replace("K_A: 1,", "K_A: 1, K_gamma: 1.5,"));
+    assert_eq!((eight.load_sharing, eight.missing.len()), (Some(1.5), 0));
     // A life that is too short is warned of, and with a looser requirement is not.
     let warned = |text: &str| strength(text).unwrap().warnings.iter().any(|one| one.name == "bearing-life");
     assert!(warned(&without("load_rating: 60 kN, bearing", "load_rating: 30 kN, bearing")));

@@ -77,11 +77,11 @@ pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
-use spacing::spaced;
 pub use place::{gear_place, located};
+use spacing::spaced;
 pub use strength::{
-    AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry,
-    ShaperEntry, StrengthEntry,
+    AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
+    RequiredEntry, ShaperEntry, StrengthEntry,
 };
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use vibration::{
@@ -770,14 +770,16 @@ mod tests {
     fn planets_stand_where_the_file_says() {
         use epicyclic_train::spacing::Spacing;
         let set = |keys: &str| {
-            read(&format!("{SCHEME}teeth: [26, 96], planet_teeth: [35], {keys} }}\n")).map(|gearbox| gearbox.sets()[0].clone())
+            read(&format!("{SCHEME}teeth: [26, 96], planet_teeth: [35], {keys} }}\n"))
+                .map(|gearbox| gearbox.sets()[0].clone())
         };
         let degrees = |set: &PlanetSet| -> Vec<f64> {
             let angles = set.planet_angles().unwrap();
             angles.iter().map(|angle| angle.get::<uom::si::angle::degree>()).collect()
         };
         let near = |found: &[f64], expected: &[f64]| {
-            found.len() == expected.len() && found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9)
+            found.len() == expected.len()
+                && found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9)
         };
         let step = 360.0 / 122.0;
         let placed = [0.0, 30.0 * step, 180.0, 91.0 * step];
@@ -787,14 +789,18 @@ mod tests {
         let given = set("planet_angles: [0 deg, 88.52 deg, 180 deg, 268.53 deg]").unwrap();
         assert_eq!(given.planet_count(), Some(4));
         assert!(near(&degrees(&given), &placed), "{:?}", degrees(&given));
-        let old = "vibration: { planet_bearing: 400 N/µm, planet_angles: [0 deg, 88.52 deg, 180 deg, 268.53 deg] }";
+        let old =
+            "vibration: { planet_bearing: 400 N/µm, planet_angles: [0 deg, 88.52 deg, 180 deg, 268.53 deg] }";
         assert_eq!(set(old).unwrap().spacing(), given.spacing());
         assert_eq!(*set("planets: 4, spacing: equal").unwrap().spacing(), Spacing::default());
         for (keys, message) in [
             ("planets: 3, planet_angles: [0 deg, 90 deg]", "2 planet angles are given for 3 planets"),
             ("planet_angles: [0 deg, 360 deg]", "planets 1 and 2 have the same angle"),
             ("spacing: least_unequal", "the least unequal spacing needs the number of planets"),
-            ("planets: 200, spacing: least_unequal", "200 planets need 200 assembly positions, and the teeth leave 122"),
+            (
+                "planets: 200, spacing: least_unequal",
+                "200 planets need 200 assembly positions, and the teeth leave 122",
+            ),
             ("spacing: equal, planet_angles: [0 deg, 90 deg]", "stated twice"),
             (&format!("spacing: equal, {old}"), "stated twice"),
         ] {

@@ -231,12 +231,14 @@ impl<'a> Prepared<'a> {
         let application =
             must_be_given(Symbol::Application, "it is a property of the machines that drive and are driven")?;
         let floating = self.method.floating;
-        let sharing = given.or(Side::First, Symbol::LoadSharing, floating.reference(), || match self.method.planets {
-            Some(planets) => load::load_sharing(planets, floating),
-            None => Err(Error::MissingFactor {
-                symbol: Symbol::LoadSharing,
-                because: "give it, or the number of planets",
-            }),
+        let sharing = given.or(Side::First, Symbol::LoadSharing, floating.reference(), || {
+            match self.method.planets {
+                Some(planets) => load::load_sharing(planets, floating),
+                None => Err(Error::MissingFactor {
+                    symbol: Symbol::LoadSharing,
+                    because: "give it, or the number of planets",
+                }),
+            }
         })?;
         let swinging = self.swinging(self.speed(speed_rpm));
         let line_load = force * application.value * sharing.value / self.face_mm;

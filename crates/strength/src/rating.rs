@@ -106,8 +106,10 @@ impl MeshRating {
     pub fn chain(&self, side: Side) -> impl Iterator<Item = Factor> + '_ {
         let load = &self.load_factors;
         let gear = &self.gears[side as usize];
-        let contact = gear.contact.iter().flat_map(|flank| iter::once(flank.single_contact).chain(flank.limit_factors));
-        let root = gear.root.iter().flat_map(|root| root.stress_factors.into_iter().chain(root.limit_factors));
+        let contact =
+            gear.contact.iter().flat_map(|flank| iter::once(flank.single_contact).chain(flank.limit_factors));
+        let root =
+            gear.root.iter().flat_map(|root| root.stress_factors.into_iter().chain(root.limit_factors));
         [load.application, load.sharing, load.dynamic, load.face_contact, load.transverse_contact]
             .into_iter()
             .chain(self.contact_factors)
@@ -284,9 +286,11 @@ pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<Overload
             .as_ref()
             .map_err(Clone::clone)
             .map(|flank| flank.static_limit() / prepared.contact_stress(flank, force, &factors)),
-        root: own.root.as_ref().map_err(Clone::clone).and_then(|root| {
-            Ok(root.static_limit()? / prepared.root_stress(root, force, &factors))
-        }),
+        root: own
+            .root
+            .as_ref()
+            .map_err(Clone::clone)
+            .and_then(|root| Ok(root.static_limit()? / prepared.root_stress(root, force, &factors))),
     });
     Ok(OverloadRating { edition: method.edition, gears })
 }

@@ -330,8 +330,11 @@ fn the_governing_safety_is_the_least_over_what_is_required() {
     assert_eq!(governing.is_enough(), governing.safety >= 1.0);
     // A great demand on the roots makes the weaker of them govern.
     let governing = rating.governing(1.0, 50.0).unwrap().unwrap();
-    let weaker =
-        if root(&rating.gears[0]).safety <= root(&rating.gears[1]).safety { Side::First } else { Side::Second };
+    let weaker = if root(&rating.gears[0]).safety <= root(&rating.gears[1]).safety {
+        Side::First
+    } else {
+        Side::Second
+    };
     assert_eq!((governing.side, governing.place, governing.is_enough()), (weaker, Place::Root, false));
     refused(rating.governing(0.0, 1.0), "required safety is 0; it must be finite and above 0");
 }
@@ -344,7 +347,8 @@ fn the_stiffness_of_a_pair_is_that_of_its_smaller_gear_as_pinion() {
     assert!((by_hand - 12.10_f64).abs() < 5e-3);
     for [z1, z2] in [[18, 30], [30, 18]] {
         let gear = |teeth| {
-            InvoluteGear::new(GearKind::External, ToothCount::new(teeth).unwrap(), Profile::default(), 0.0).unwrap()
+            InvoluteGear::new(GearKind::External, ToothCount::new(teeth).unwrap(), Profile::default(), 0.0)
+                .unwrap()
         };
         let pair = Pair::without_backlash(gear(z1), gear(z2)).unwrap();
         let whole = mesh_stiffness(&pair, Length::new::<millimeter>(1.0)).unwrap().value / 1e6;
@@ -441,7 +445,10 @@ fn a_part_that_cannot_be_rated_leaves_the_others() {
     let rough = Gear { root_roughness: um(50.0), ..own };
     let through = Material { class: Class::ThroughHardened, strength: None, ..own.material };
     let unknown = Gear { material: Material { hardness: Some(250.0), ..through }, ..own };
-    let soft = Gear { material: Material { hardness: None, strength: Some(own.material.root_limit), ..through }, ..own };
+    let soft = Gear {
+        material: Material { hardness: None, strength: Some(own.material.root_limit), ..through },
+        ..own
+    };
     let roots = "root";
     for (gear, part, message) in [
         (rim, roots, "rim thickness over tooth height is 0.333333333333; it must be above 0.5"),
@@ -451,13 +458,18 @@ fn a_part_that_cannot_be_rated_leaves_the_others() {
             roots,
             "factor Y_δrelT is not given and cannot be calculated: the material's class asks for its yield or tensile strength",
         ),
-        (soft, "flank", "factor Z_W is not given and cannot be calculated: the soft gear's Brinell hardness is needed"),
+        (
+            soft,
+            "flank",
+            "factor Z_W is not given and cannot be calculated: the soft gear's Brinell hardness is needed",
+        ),
     ] {
         let bad = Mesh { gears: [gear, good.gears[1]], ..good };
         let long = load(500.0, 1000.0, 1e5);
         // The same gear with the missing part given, for what its other part must be.
         let given = method().given.with_of(Side::First, Symbol::WorkHardening, 1.0);
-        let sound = Mesh { gears: [Gear { rim: None, root_roughness: um(16.0), ..gear }, good.gears[1]], ..good };
+        let sound =
+            Mesh { gears: [Gear { rim: None, root_roughness: um(16.0), ..gear }, good.gears[1]], ..good };
         let whole = rate(&sound, &long, &Method { given, ..method() }).unwrap();
         let rating = rate(&bad, &long, &method()).unwrap();
         let step = Step { share: 1.0, torque: long.torque, speed: long.speed };

@@ -225,11 +225,9 @@ fn tried(
             let torque = one.sun_torque.abs() / p;
             let outer = overload(&outer, torque, &method(0)).unwrap();
             let inner = overload(&inner, torque * zp / zs, &method(1)).unwrap();
-            outer
-                .gears
-                .into_iter()
-                .chain(inner.gears)
-                .all(|gear| gear.contact.unwrap() >= one.required_contact && gear.root.unwrap() >= one.required_root)
+            outer.gears.into_iter().chain(inner.gears).all(|gear| {
+                gear.contact.unwrap() >= one.required_contact && gear.root.unwrap() >= one.required_root
+            })
         });
     let bearing_holds = bearing.is_none_or(|bearing| {
         // Moments about the main axis and about the planet's own.

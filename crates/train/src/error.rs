@@ -635,10 +635,14 @@ pub enum SpacingFault {
         planets: [usize; 2],
     },
     /// Assembly positions that are not known.
-    #[error("the least unequal spacing needs the number of planets and the teeth of all gears; give them, or the angles of the planets")]
+    #[error(
+        "the least unequal spacing needs the number of planets and the teeth of all gears; give them, or the angles of the planets"
+    )]
     Unknown,
     /// More planets than assembly positions.
-    #[error("{planets} planets need {planets} assembly positions, and the teeth leave {positions}; give fewer planets")]
+    #[error(
+        "{planets} planets need {planets} assembly positions, and the teeth leave {positions}; give fewer planets"
+    )]
     TooFewPositions {
         /// How many planets.
         planets: u32,

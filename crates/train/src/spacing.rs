@@ -16,7 +16,7 @@
 use crate::compound::CentralKind;
 use crate::planet_set::{GearOf, PlanetSet};
 use crate::tolerance::{APART, AT_POSITION};
-use crate::units::{angle as angle_of, degrees, radians};
+use crate::units::{angle as angle_of, radians};
 use crate::{Error, SpacingFault};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::Placement;
@@ -157,7 +157,7 @@ impl PlanetSet {
             }
             _ => {
                 let planets = self.planet_count()?;
-                let angle = |place| degrees(360.0 * f64::from(place) / f64::from(planets));
+                let angle = |place| angle_of(TAU * f64::from(place) / f64::from(planets));
                 Some((0..planets).map(angle).collect())
             }
         }

@@ -445,7 +445,9 @@ impl<'a> Checks<'a> {
                 None => worst.push((one.mesh, kinds, one, gap)),
             }
         }
-        let most = (2..planets).rev().find(|&fewer| self.clears(&all, &equal_steps(fewer)));
+        let is_equal = *self.set.spacing() == Spacing::default();
+        let fits = |fewer: &u32| self.clears(&all, &equal_steps(*fewer));
+        let most = (2..planets).rev().filter(|_| is_equal).find(fits);
         let warning = |(_, _, one, gap): (bool, [usize; 2], &Neighbours, f64)| {
             let module = self.module(one.gears[0]).unwrap_or(1.0);
             ToothWarning::PlanetsOverlap {
@@ -454,6 +456,7 @@ impl<'a> Checks<'a> {
                 planets,
                 overlap: if gap.abs() <= TOUCH { 0.0 } else { -gap / module },
                 most,
+                is_equal,
             }
         };
         worst.into_iter().map(warning).collect()

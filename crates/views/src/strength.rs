@@ -295,7 +295,8 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
         let from = [from(one.formula.as_deref())];
         names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
     };
-    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     Some(Records {
         name: "factors",
@@ -335,7 +336,8 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
         let values = values.map(|value| value.map_or(Figure::None, |value| Figure::Printed(value.value, 4)));
         names.into_iter().chain(mesh).chain(values).chain([from(one.formula.as_deref())]).collect::<Vec<_>>()
     };
-    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
     Some(Records {

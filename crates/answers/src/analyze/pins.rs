@@ -58,7 +58,8 @@ pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<W
                 analysis.gear().name()
             );
             beyond.extend(turning.zip(diameter).and_then(|(n, d_m)| on_pin(&of, rolling, n, d_m)));
-            beyond.extend(carrier.zip(bearing.radius).and_then(|(omega, a)| in_orbit(&of, rolling, omega, a)));
+            beyond
+                .extend(carrier.zip(bearing.radius).and_then(|(omega, a)| in_orbit(&of, rolling, omega, a)));
         }
     }
     beyond.dedup();

@@ -166,7 +166,9 @@ impl GearFacts {
             output: gearbox.link_name(gear.output()).to_owned(),
             state: match (State::of(analysis.state()), missing_speeds, inputs) {
                 // The speeds given are of as many links as the gear keeps freedoms.
-                (State::Underdetermined, Some(missing), Some(inputs)) if inputs.speeds.len() == missing + 1 => {
+                (State::Underdetermined, Some(missing), Some(inputs))
+                    if inputs.speeds.len() == missing + 1 =>
+                {
                     State::SpeedsGiven
                 }
                 (state, ..) => state,

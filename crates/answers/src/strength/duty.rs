@@ -92,9 +92,10 @@ pub(super) fn rated(
                 .map_err(fault)?;
         let of_step = |load: &Load| rate(&set.meshes[place], load, &set.methods[place]);
         let of_steps: Vec<_> = loaded[place].iter().map(of_step).collect::<Result<_, _>>().map_err(fault)?;
-        let parts = rating.gears.each_ref().map(|gear| {
-            (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned())
-        });
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
         let both = OverDuty::both(set.id, name, &set.materials[place..], &rating, &of_steps);
         Ok((both.into(), NotRated::parts(set.id, name, parts)))
     })

@@ -80,9 +80,10 @@ pub(super) fn rated(
     let loads = both_loads(set, torque, AngularVelocity::from_si(0.0), life).map_err(fault)?;
     Partly::of_meshes(|place, mesh| {
         let rating = overload(&set.meshes[place], loads[place].torque, &set.methods[place]).map_err(fault)?;
-        let parts = rating.gears.each_ref().map(|gear| {
-            (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned())
-        });
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
         let both = Side::BOTH.map(|side| Overloaded {
             gear: peak.entry.gear.clone(),
             torque_n_m: peak.entry.torque.0.si(),

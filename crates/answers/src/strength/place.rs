@@ -50,6 +50,13 @@ impl<T> Partly<T> {
                 Err(fault) => return Err(fault),
             }
         }
+        if let ([], [first, second]) = (&all.rated[..], &all.not_rated[..]) {
+            let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
+            // What keeps both meshes from being rated is of the set.
+            if of_set(first) == of_set(second) {
+                return Err(Fault::Row(of_set(first)));
+            }
+        }
         Ok(all)
     }
 }

@@ -3,8 +3,8 @@
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 use crate::Warning;
 use epicyclic_formats::Physical;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
+use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_strength::factor::{Origin, Side};
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::mesh::Load;
@@ -219,9 +219,11 @@ impl MeshAtPoint {
 
     /// Flanks and roots that are not rated, of a set.
     pub(crate) fn not_rated(&self, set: &str) -> Vec<NotRated> {
-        let parts = self.rating.gears.each_ref().map(|gear| {
-            (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned())
-        });
+        let parts = self
+            .rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
         NotRated::parts(set, self.name, parts)
     }
 }

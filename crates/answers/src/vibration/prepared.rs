@@ -99,9 +99,9 @@ impl Of<'_> {
             _ => (None, StiffnessOrigin::Iso6336),
         };
         let planet = self.planet(vibration, by_teeth, radii)?;
-        let spacing = Spacing::of(self.set).transpose().map_err(|message| {
-            self.refused(&["planet_angles", "vibration", "planet_angles"], &message)
-        })?;
+        let spacing = Spacing::of(self.set)
+            .transpose()
+            .map_err(|message| self.refused(&["planet_angles", "vibration", "planet_angles"], &message))?;
         if let (
             Some((planets, spacing)),
             Some(radii),

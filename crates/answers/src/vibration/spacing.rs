@@ -31,7 +31,8 @@ impl Spacing {
             )));
         }
         let first = angles_rad.first().copied().unwrap_or_default();
-        let turns: Vec<f64> = angles_rad.iter().map(|angle| ((angle - first) / TAU).rem_euclid(1.0)).collect();
+        let turns: Vec<f64> =
+            angles_rad.iter().map(|angle| ((angle - first) / TAU).rem_euclid(1.0)).collect();
         let place = |turn: &f64, positions: u64| {
             let place = turn * positions as f64;
             ((place - place.round()).abs() < AT_POSITION).then_some(place.round() as u64 % positions)

@@ -143,12 +143,9 @@ fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, SetFault>> {
 
 /// Whether planets at stated angles touch: the set itself knows them as near to equal angles as they assemble.
 fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
-    let planet = TipCircle {
-        centre_radius: set.centre_distance(),
-        tip_radius: set.gears()[1].tip_diameter() / 2.0,
-    };
-    task.least_planet_angle
-        .is_some_and(|angle| planet.gap(planet, radians(angle)) <= task.limits.planet_gap)
+    let planet =
+        TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };
+    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, radians(angle)) <= task.limits.planet_gap)
 }
 
 /// The gears at every centre distance of the space; `others` is how many designs each of them has.
@@ -167,8 +164,8 @@ pub(super) fn geometries(
         if planets == 0 {
             return Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" });
         }
-        let is_placed = task.least_planet_angle.is_some()
-            || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+        let is_placed =
+            task.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
         for (module, &module_mm) in modules_mm.iter().enumerate() {
             let wanted: Vec<Option<f64>> = match task.held_shifts {
                 Some(_) => vec![None],

@@ -8,8 +8,8 @@ use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::planets::loads;
-use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::rating::overload;
+use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::spectrum::{GearDuty, Step, Worn, check_shares, rate_duty};
 use crate::units::{force, hours, length_mm, mass, mm, n_m, not_negative, positive, rad_s, um, within};
 use crate::{Error, Quantity};
@@ -390,7 +390,8 @@ impl Search<'_> {
             }
             Ok((over_duty, least(static_safeties)))
         };
-        let both: Result<_, Error> = rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
+        let both: Result<_, Error> =
+            rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
         match both {
             Ok(both) => {
                 let meshes = both.map(|(over_duty, _)| over_duty);

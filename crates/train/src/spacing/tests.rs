@@ -1,6 +1,7 @@
 use super::*;
 use crate::Gearbox;
 use crate::set::{SetKind, SetSpec};
+use crate::units::degrees;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::rack::BasicRack;
 use proptest::prelude::*;
@@ -99,7 +100,8 @@ proptest! {
 fn a_pair_of_planets_fits_at_the_difference_of_the_teeth() {
     let set = built(double(24, 16, 17, 84).planet_count(3)).unwrap();
     assert_eq!(set.assembly_positions(), Some(60));
-    let misplaced = |angle: f64| !built(double(24, 16, 17, 84).spaced(at(&[0.0, angle]))).unwrap().misplaced().is_empty();
+    let misplaced =
+        |angle: f64| !built(double(24, 16, 17, 84).spaced(at(&[0.0, angle]))).unwrap().misplaced().is_empty();
     assert!(!misplaced(126.0) && misplaced(123.0));
 }
 
@@ -107,8 +109,12 @@ fn a_pair_of_planets_fits_at_the_difference_of_the_teeth() {
 fn what_is_misplaced_is_named_with_the_nearest_position() {
     let set = simple(26, 96).spaced(at(&[10.0, 98.5, 190.0, 281.0]));
     let gearbox = Gearbox::builder("q").links(["s", "H"]).set(set).input("s").output("H").build().unwrap();
-    let told: Vec<String> =
-        gearbox.tooth_checks(&BasicRack::default()).iter().map(ToString::to_string).filter(|one| one.contains("assembled")).collect();
+    let told: Vec<String> = gearbox
+        .tooth_checks(&BasicRack::default())
+        .iter()
+        .map(ToString::to_string)
+        .filter(|one| one.contains("assembled"))
+        .collect();
     assert_eq!(
         told,
         [

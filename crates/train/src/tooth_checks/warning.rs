@@ -83,8 +83,10 @@ pub enum ToothWarning {
         planets: u32,
         /// By how much the tip circles overlap, in modules; 0 where they touch.
         overlap: f64,
-        /// The largest number of each that clears; `None` where not even two do.
+        /// The largest number of each that clears at equal angles; `None` where not even two do, and of planets at other angles.
         most: Option<u32>,
+        /// Whether they are at equal angles.
+        is_equal: bool,
     },
     /// Planets at equal angles that cannot be assembled.
     Assembly {
@@ -220,7 +222,7 @@ impl fmt::Display for ToothWarning {
                  {:.4} modules apart",
                 radii[0], radii[1], distance
             ),
-            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, .. } => {
+            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, is_equal, .. } => {
                 match one == other {
                     true => write!(
                         f,
@@ -238,7 +240,8 @@ impl fmt::Display for ToothWarning {
                 }
                 match most {
                     Some(most) => write!(f, "at most {most} clear"),
-                    None => f.write_str("not even 2 clear"),
+                    None if *is_equal => f.write_str("not even 2 clear"),
+                    None => f.write_str("give the planets larger angles from each other"),
                 }
             }
             Self::ShiftFault { fault, .. } => fault.fmt(f),

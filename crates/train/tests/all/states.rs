@@ -224,8 +224,8 @@ fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {
 /// any other ratio it does.
 #[test]
 fn fused_suns_of_one_ratio_run_and_others_are_a_block() {
-    use epicyclic_train::compound::{CompoundSpec, MeshSpec};
     use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::compound::{CompoundSpec, MeshSpec};
     let fused = |second: u32| {
         let mut set = CompoundSpec::new("T", "arm")
             .sun("core", 9)
@@ -234,10 +234,8 @@ fn fused_suns_of_one_ratio_run_and_others_are_a_block() {
             .ring("r2", 63)
             .planet("p", &[12, 24]);
         for (central, gear) in [("core", "p.1"), ("ground", "p.1"), ("core2", "p.2"), ("r2", "p.2")] {
-            set.meshes.push(MeshSpec {
-                between: [central.into(), gear.into()],
-                efficiency: MeshEfficiency::IDEAL,
-            });
+            set.meshes
+                .push(MeshSpec { between: [central.into(), gear.into()], efficiency: MeshEfficiency::IDEAL });
         }
         Gearbox::builder("solid core")
             .links(["core", "core2", "arm", "r2"])

@@ -30,7 +30,8 @@ pub(super) fn factors(strength: &Strength) -> Vec<Records> {
 fn at_point(strength: &Strength) -> Vec<(String, Vec<InMesh>)> {
     let over = |one: &Rated| {
         let required = strength.required;
-        let over = |safety: Option<f64>, required: f64| safety.map_or(f64::INFINITY, |safety| safety / required);
+        let over =
+            |safety: Option<f64>, required: f64| safety.map_or(f64::INFINITY, |safety| safety / required);
         over(one.flank_safety, required.flank).min(over(one.root_safety, required.root))
     };
     let mut sets: Vec<&str> = strength.at_point.iter().map(|one| one.set.as_str()).collect();
@@ -95,7 +96,8 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
     let longest = all.iter().max_by_key(|one| one.factors.len());
     for factor in longest.map_or(&[][..], |one| &one.factors[..]) {
         let own = |one: &'_ InMesh| one.factors.iter().position(|own| own.symbol == factor.symbol);
-        let told: Vec<Option<&Told>> = all.iter().map(|one| own(one).map(|place| &one.factors[place])).collect();
+        let told: Vec<Option<&Told>> =
+            all.iter().map(|one| own(one).map(|place| &one.factors[place])).collect();
         let mut formulas: Vec<Option<&str>> = vec![];
         for one in told.iter().flatten() {
             if !formulas.contains(&one.formula.as_deref()) {
