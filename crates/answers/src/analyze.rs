@@ -27,6 +27,7 @@ pub mod formulas;
 pub mod gear;
 pub mod inputs;
 pub mod overview;
+pub(crate) mod pins;
 pub mod planet_bearings;
 pub mod planets;
 pub mod progression;

@@ -11,12 +11,22 @@ mod gears;
 use crate::gearbox::Subject;
 use crate::number::plain;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// Planets of a set of which the file does not say how many there are, where so many have room.
 pub const SHOWN: u32 = 3;
+
+/// Angles of the planets of one kind, rad: those of the set, or so many equal ones where it does not say how many there are.
+fn group_angles(set: &PlanetSet, count: u32) -> Vec<f64> {
+    match set.planet_angles() {
+        Some(angles) => angles.into_iter().map(Physical::si).collect(),
+        None => (0..count).map(|copy| TAU * f64::from(copy) / f64::from(count)).collect(),
+    }
+}
 
 /// A gearbox from the front.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -2,7 +2,6 @@
 
 mod formulas;
 
-use crate::analyze::warnings::{PlanetSpeed, fast_planets};
 use crate::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
 use crate::number::plain;
 pub use crate::refusal::{SizeName, SizeProblem};
@@ -332,15 +331,6 @@ fn warnings(k: &[RingToSunRatio], gears: &[Gear]) -> Vec<Warning> {
         let message = format!("k{set} = {} is outside {low} to {high}", trimmed(k.get(), 5));
         all.push(Warning { name: "ring-to-sun-ratio", message });
     }
-    let planets = gears.iter().flat_map(|gear| {
-        // Schemes have at most two sets.
-        let of_set = |(set, speeds): (&'static str, &SetSpeeds)| {
-            let relative = speeds.relative_planet_of_input?;
-            Some(PlanetSpeed { gear: gear.gear.name(), set, relative })
-        };
-        ["1", "2"].into_iter().zip(&gear.sets).filter_map(of_set).collect::<Vec<_>>()
-    });
-    all.extend(fast_planets(&planets.collect::<Vec<_>>()));
     let reversed: Vec<&str> = gears
         .iter()
         .filter(|gear| gear.ratio.is_some_and(|ratio| ratio < 0.0))

@@ -273,7 +273,7 @@ fn task(
         space.face_widths = vec![width.0];
         held.push(HeldKey::FaceWidth);
     }
-    if let Some(planets) = entry.planets {
+    if let Some(planets) = set.planets {
         space.planets = vec![planets];
         held.push(HeldKey::Planets);
     }
@@ -327,6 +327,7 @@ fn task(
         ring_rim: wanted.ring_rim,
         held_ring_rim,
         planet_bore: bore,
+        least_planet_angle: set.least_planet_angle,
         objective: wanted.minimise.into(),
         space,
     };

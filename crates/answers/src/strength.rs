@@ -23,6 +23,7 @@ pub(crate) mod place;
 pub(crate) mod prepared;
 pub mod records;
 
+use crate::analyze::pins;
 use crate::analyze::warnings::tilting;
 use crate::analyze::{Input, OperatingPoint, Worked};
 #[cfg(doc)]
@@ -33,13 +34,14 @@ use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_strength::factor::Edition;
+use epicyclic_strength::load::Floating;
 use epicyclic_strength::rating::rate;
-use epicyclic_train::Gear;
+use epicyclic_train::{Gear, PlanetSet};
 use load::{both_loads, set_load};
-use place::{Fault, located, refused};
+use place::{Fault, Partly, located, refused};
 use prepared::RatedSet;
 use records::{
-    Against, AxialForce, BearingOverDuty, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty,
+    Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,
     Overloaded, Rated, Required, Safeties,
 };
 use schemars::JsonSchema;
@@ -85,6 +87,8 @@ pub struct Strength {
     pub overload: Vec<Overloaded>,
     /// The planet bearings with a load rating over the duty; empty at an operating point.
     pub bearings: Vec<BearingOverDuty>,
+    /// How planets share the load, of sets for which the file gives no `K_γ`.
+    pub load_sharing: Vec<LoadSharing>,
     /// Axial forces of sets with helical teeth, at the operating point or in each loaded step of the duty.
     pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
@@ -98,11 +102,13 @@ pub struct Strength {
 impl Strength {
     /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an overload.
     #[must_use]
-    pub const fn is_rated(&self) -> bool {
+    pub fn is_rated(&self) -> bool {
         if self.operating_point.is_some() || !self.duty.is_empty() {
-            return !self.at_point.is_empty() || !self.over_duty.is_empty();
+            let at_point = |one: &Rated| one.flank_safety.is_some() || one.root_safety.is_some();
+            let over_duty = |one: &OverDuty| one.flank.is_some() || one.root.is_some();
+            return self.at_point.iter().any(at_point) || self.over_duty.iter().any(over_duty);
         }
-        !self.overload.is_empty()
+        self.overload.iter().any(|one| one.flank_safety.is_some() || one.root_safety.is_some())
     }
 }
 
@@ -171,12 +177,17 @@ impl Found {
     /// Takes what a set gave, or why it gave nothing.
     fn take<T>(
         &mut self,
-        rated: Result<Vec<T>, Fault>,
+        rated: Result<Partly<T>, Fault>,
         to: fn(&mut Safeties) -> &mut Vec<T>,
-        row: impl FnOnce(NotRated) -> NotRated,
+        row: impl Fn(NotRated) -> NotRated,
     ) -> Result<(), Error> {
         match rated {
-            Ok(rated) => to(&mut self.safeties).extend(rated),
+            Ok(Partly { rated, not_rated }) => {
+                to(&mut self.safeties).extend(rated);
+                for one in not_rated {
+                    row(one).join(&mut self.not_rated);
+                }
+            }
             Err(Fault::Row(missing)) => row(missing).join(&mut self.not_rated),
             Err(Fault::Refused(error)) => return Err(*error),
         }
@@ -250,12 +261,22 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     }
     let Found { safeties, axial, not_rated } = found;
     let governing = safeties.governing(required);
+    let load_sharing = sharing(subject, &file, &sets, &bearings);
+    let uneven = load_sharing.iter().filter_map(LoadSharing::warning);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
     let helical = sets.iter().filter(|set| set.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
+    let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
     let tooth_checks = ToothChecks::of(subject, |of| sets.iter().any(|set| set.id == of));
-    let warnings = safeties.below(required).into_iter().chain(short_lived).chain(tilting(&helical));
-    let warnings = warnings.chain(tooth_checks.warnings()).collect();
+    let warnings = safeties
+        .below(required)
+        .into_iter()
+        .chain(short_lived)
+        .chain(uneven)
+        .chain(pins::warning(subject, &turning))
+        .chain(tilting(&helical))
+        .chain(tooth_checks.warnings())
+        .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {
@@ -271,11 +292,31 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         over_duty,
         overload,
         bearings,
+        load_sharing,
         axial_forces: axial,
         not_rated,
         tooth_checks,
         warnings,
     })
+}
+
+/// How planets share the load, of rated sets and sets with rated bearings for which the file gives no `K_γ`.
+fn sharing(
+    subject: &Subject<'_>,
+    file: &GearboxFile,
+    rated: &[RatedSet<'_>],
+    bearings: &[BearingOverDuty],
+) -> Vec<LoadSharing> {
+    let of_set = |set: &PlanetSet| {
+        let is_asked = rated.iter().any(|one| one.id == set.id() && !one.has_load_sharing())
+            || bearings.iter().any(|one| one.set == set.id() && !one.load_sharing_is_given);
+        let entry = file.sets.iter().find(|entry| entry.id == set.id());
+        let floating = entry.map_or(Floating::Assumed, prepared::floating);
+        set.planet_count()
+            .filter(|planets| is_asked && *planets > 1)
+            .and_then(|planets| LoadSharing::of(set.id(), planets, floating))
+    };
+    subject.gearbox.sets().iter().filter_map(of_set).collect()
 }
 
 /// All sets in the gears that are asked.
@@ -300,8 +341,10 @@ fn at_point(
                 found.axial.extend(axial::of(set, name, None, (torque, speed), life));
             }
             let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
-            let rated = meshes.map(|meshes| {
-                meshes.iter().flat_map(|mesh| mesh.both(name, set.id, wanted.with_factors)).collect()
+            let rated = meshes.map(|Partly { rated, mut not_rated }| {
+                let both = |mesh: &MeshAtPoint| mesh.both(name, set.id, wanted.with_factors);
+                not_rated.extend(rated.iter().flat_map(|mesh| mesh.not_rated(set.id)));
+                Partly { rated: rated.iter().flat_map(both).collect(), not_rated }
             });
             let row = |row: NotRated| row.against(Against::OperatingPoint).of_gear(name);
             found.take(rated, |all| &mut all.at_point, row)?;
@@ -317,13 +360,13 @@ fn at_load(
     torque: Torque,
     speed: AngularVelocity,
     life: Time,
-) -> Result<Vec<MeshAtPoint>, Fault> {
+) -> Result<Partly<MeshAtPoint>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
     let loads = both_loads(set, torque, speed, life).map_err(fault)?;
-    let mesh = |(place, name): (usize, MeshName)| {
+    Partly::of_meshes(|place, name| {
         let rating = rate(&set.meshes[place], &loads[place], &set.methods[place]).map_err(fault)?;
         let materials = [set.materials[place].clone(), set.materials[place + 1].clone()];
-        Ok(MeshAtPoint { name, materials, load: loads[place], rating: Box::new(rating) })
-    };
-    MeshName::BOTH.into_iter().enumerate().map(|(place, name)| mesh((place, name))).collect()
+        let mesh = MeshAtPoint { name, materials, load: loads[place], rating: Box::new(rating) };
+        Ok((vec![mesh], vec![]))
+    })
 }

@@ -12,7 +12,6 @@
 //! | `PEAK` | the interval about the speed of a greatest force, over that speed | a ten-thousandth of the sharpest peak that is allowed |
 //! | `THERMAL` | the interval about a thermal limit, over the torque there | the loss is known to as much |
 //! | `EQUAL_SPACING` | the distance of a planet from its place among equally spaced ones, rad | angles in degrees with nine digits |
-//! | `AT_TEETH` | the distance of a planet from a place where the teeth let it stand, over that of two such places | angles in degrees with two digits, of some hundred teeth |
 //! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 //! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
@@ -68,9 +67,6 @@ pub(crate) const STILL: f64 = 1e-6;
 
 /// Planets that are this near to equally spaced places, rad, are equally spaced.
 pub(crate) const EQUAL_SPACING: f64 = 1e-9;
-
-/// A planet stands where the teeth let it, within this part of the way to the next such place.
-pub(crate) const AT_TEETH: f64 = 0.02;
 
 /// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;

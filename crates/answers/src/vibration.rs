@@ -165,7 +165,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             without(None, What::Modes, Reason::Helical, vec![]);
             continue;
         }
-        let of = Of { subject, file: &file, path, entry, spec };
+        let of = Of { subject, file: &file, path, entry, spec, set };
         let prepared = match of.prepared()? {
             Ok(prepared) => prepared,
             Err(missing) => {
@@ -177,7 +177,9 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             without(None, What::Modes, Reason::UnequalPlanets, vec![]);
             continue;
         }
-        for (held, names) in holdings(gearbox, set, &gears, |gear| {
+        of.check_supports(&prepared)?;
+        let is_elastic = |member| prepared.is_elastic(member);
+        for (held, names) in holdings(gearbox, set, &gears, is_elastic, |gear| {
             without(Some(gear), What::Modes, Reason::DoesNotRoll, vec![]);
         }) {
             let found = match Found::of(&of, &prepared, held)? {
@@ -244,6 +246,10 @@ fn over_speeds(
         all.not_calculated.push(without(Reason::NoSpeeds, vec![]));
         return Ok(());
     };
+    if sun == carrier {
+        all.not_calculated.push(without(Reason::DoesNotRoll, vec![]));
+        return Ok(());
+    }
     let speeds = &settled.speeds;
     let branches = match Branches::new(found, carrier, speeds) {
         Ok(branches) => branches,
@@ -283,30 +289,56 @@ fn over_speeds(
     Ok(())
 }
 
-/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which no mesh turns is told to `locked`.
+impl Of<'_> {
+    /// Refuses a tangential support of a member that no gear holds: nothing would use it.
+    fn check_supports(&self, prepared: &Prepared) -> Result<(), Error> {
+        let gearbox = &self.subject.gearbox;
+        let gears = gearbox.gears().iter().map(Some).chain(gearbox.gears().is_empty().then_some(None));
+        let held: Vec<[bool; 3]> = gears.filter_map(|gear| held_in(gearbox, self.set, gear)).collect();
+        for (member, name) in ["sun", "ring", "carrier"].into_iter().enumerate() {
+            if prepared.is_elastic(member) && !held.iter().any(|held| held[member]) {
+                let message = format!(
+                    "a tangential support is what holds the {name} in gears in which a brake or the housing holds it; no gear does: leave it \
+                     out, or hold the {name}"
+                );
+                return Err(self.refused(&["vibration", name, "tangential_support"], &message));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What of sun, ring and carrier a set has held in a gear, or by permanent connections alone; `None` where two of them are joined otherwise.
+fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
+    let joined = joined(gearbox, gear, &[]);
+    let roots = [0, 1, 2].map(|member| joined[set.members()[member].index()]);
+    let held = roots.map(|root| root == LinkId::GROUND.index());
+    let are_one = |one: usize, other: usize| roots[one] == roots[other] && !held[one];
+    (!are_one(0, 1) && !are_one(1, 2) && !are_one(0, 2)).then_some(held)
+}
+
+/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which its members are joined, or several of them held
+/// and none of these elastically, is told to `locked`.
 fn holdings(
     gearbox: &Gearbox,
     set: &PlanetSet,
     gears: &[&Gear],
+    is_elastic: impl Fn(usize) -> bool,
     mut locked: impl FnMut(&str),
 ) -> Vec<([bool; 3], Vec<String>)> {
     let mut all: Vec<([bool; 3], Vec<String>)> = vec![];
-    let roots = |gear: Option<&Gear>| {
-        let joined = joined(gearbox, gear, &[]);
-        [0, 1, 2].map(|member| joined[set.members()[member].index()])
-    };
     if gears.is_empty() {
-        let [sun, ring, carrier] = roots(None);
-        let housing = LinkId::GROUND.index();
-        return vec![([sun, ring, carrier].map(|root| root == housing), vec![])];
+        return held_in(gearbox, set, None).into_iter().map(|held| (held, vec![])).collect();
     }
     for gear in gears {
-        let [sun, ring, carrier] = roots(Some(gear));
-        if sun == ring || ring == carrier || sun == carrier {
+        let swings = |held: &[bool; 3]| {
+            held.iter().filter(|held| **held).count() < 2
+                || (0..3).any(|member| held[member] && is_elastic(member))
+        };
+        let Some(held) = held_in(gearbox, set, Some(gear)).filter(swings) else {
             locked(gear.name());
             continue;
-        }
-        let held = [sun, ring, carrier].map(|root| root == LinkId::GROUND.index());
+        };
         let name = gear.name().to_owned();
         match all.iter_mut().find(|(same, _)| *same == held) {
             Some((_, names)) => names.push(name),

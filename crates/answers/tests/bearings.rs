@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_answers::strength::records::BearingOverDuty;
+use epicyclic_answers::strength::records::{BearingOverDuty, SharingBasis};
 use epicyclic_answers::strength::{self, Strength};
 use epicyclic_formats::Document;
 use std::f64::consts::PI;
@@ -32,7 +32,7 @@ gears: [{ name: only }]
 fn strength(text: &str) -> Result<Strength, epicyclic_answers::Error> {
     let document = Document::parse_one("stage.yaml", text.as_bytes()).unwrap();
     let subject = strength::subject(&document)?;
-    strength::answer(&subject, &strength::Wanted::default())
+    strength::answer(&subject, &strength::Wanted { with_factors: true, ..Default::default() })
 }
 
 fn bearing(text: &str) -> BearingOverDuty {
@@ -58,7 +58,8 @@ fn forces_and_lives_are_those_by_hand() {
     let a_1 = working(0.389 + 0.5039, 54.0);
     let centre = 4e-3 * 54.0 / 2.0 * libm::cos(alpha) / libm::cos(a_1);
     let a_2 = libm::acos(4e-3 * 57.0 / 2.0 * libm::cos(alpha) / centre);
-    let sharing = 1.2;
+    // Four planets, a floating member assumed.
+    let sharing = 1.25;
     let force = |torque: f64, rpm: f64| {
         let carrier = torque.abs() * (1.0 + 93.0 / 18.0);
         let sun = torque.abs() / (4.0 * centre * 18.0 / 54.0);
@@ -90,7 +91,7 @@ fn forces_and_lives_are_those_by_hand() {
     assert!((told.basic_life_s.unwrap() / 3600.0 * basic - 1.0).abs() < 1e-9);
     let own = told.modified.unwrap();
     assert!((own.life_s.unwrap() / 3600.0 * modified - 1.0).abs() < 1e-9);
-    assert_eq!((own.reliability, own.reliability_factor, told.load_sharing), (0.95, 0.64, sharing));
+    assert_eq!((own.reliability, own.reliability_factor, told.load_sharing), (0.95, 0.64, Some(sharing)));
     let greatest = force(2000.0, 0.0);
     assert!((told.greatest_force_n.unwrap() / greatest - 1.0).abs() < 1e-9);
     assert!((told.static_safety.unwrap() / (65e3 / greatest) - 1.0).abs() < 1e-9);
@@ -114,7 +115,42 @@ fn what_is_missing_and_what_is_wrong_is_said() {
     let told = bearing(&without("speed: 600", "speed: 3"));
     assert!(told.modified.is_none() && told.missing[0].ends_with("in gear only"), "{:?}", told.missing);
     let own = bearing(&without("K_A: 1,", "K_A: 1, K_gamma: 1.5,"));
-    assert_eq!(own.load_sharing, 1.5);
+    assert_eq!((own.load_sharing, own.load_sharing_is_given), (Some(1.5), true));
+    // By any spelling, and with that of the mesh of the sun before that of both.
+    assert_eq!(bearing(&without("K_A: 1,", "K_A: 1, K_γ: 1.5,")).load_sharing, Some(1.5));
+    let of_mesh = "sun_mesh_factors: { K_γ: 1.7 }, factors: { K_A: 1, K_gamma: 1.5,";
+    assert_eq!(bearing(&without("factors: { K_A: 1,", of_mesh)).load_sharing, Some(1.7));
+    // Without a floating member, and with one that is stated.
+    let floating = |word: &str| {
+        strength(&without("load_rating: 60 kN,", &format!("floating: {word}, load_rating: 60 kN,"))).unwrap()
+    };
+    let warned = |told: &Strength| told.warnings.iter().any(|one| one.name == "rigid-load-sharing");
+    let rigid = floating("none");
+    assert!((rigid.bearings[0].load_sharing.unwrap() - 1.25 * 1.15).abs() < 1e-12 && warned(&rigid));
+    assert_eq!(rigid.load_sharing[0].basis, SharingBasis::Rigid);
+    let sun = floating("sun");
+    assert_eq!((sun.bearings[0].load_sharing, warned(&sun)), (Some(1.25), false));
+    assert_eq!(sun.load_sharing[0].basis, SharingBasis::Floating);
+    assert_eq!(strength(STAGE).unwrap().load_sharing[0].basis, SharingBasis::Assumed);
+    // Its teeth have the same.
+    let factor = |told: &Strength| {
+        let one = told.over_duty[0].factors.iter().find(|factor| factor.symbol == "K_γ").unwrap();
+        (one.greatest, one.formula.clone().unwrap())
+    };
+    let (value, from) = factor(&rigid);
+    assert!(
+        (value - 1.25 * 1.15).abs() < 1e-12 && from.contains("without a floating member"),
+        "{value} {from}"
+    );
+    assert_eq!(
+        factor(&sun),
+        (1.25, "IEC 61400-4, load sharing of planets with a floating member".to_owned())
+    );
+    // Its table ends at 7 planets: without the factor neither teeth nor bearings of 8 are rated.
+    let eight = strength(&without("planets: 4", "planets: 8")).unwrap_err().to_string();
+    assert!(eight.contains("K_γ missing: its table ends at 7 planets"), "{eight}");
+    let eight = bearing(&without("planets: 4", "planets: 8").replace("K_A: 1,", "K_A: 1, K_gamma: 1.5,"));
+    assert_eq!((eight.load_sharing, eight.missing.len()), (Some(1.5), 0));
     // A life that is too short is warned of, and with a looser requirement is not.
     let warned = |text: &str| strength(text).unwrap().warnings.iter().any(|one| one.name == "bearing-life");
     assert!(warned(&without("load_rating: 60 kN, bearing", "load_rating: 30 kN, bearing")));

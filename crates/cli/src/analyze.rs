@@ -44,13 +44,14 @@ Example:
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
   sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
-        kind, planet_teeth, planets, efficiency or meshes, or with teeth
+        kind, planet_teeth, planets, spacing: least_unequal or planet_angles,
+        efficiency or meshes, or with teeth
         friction: [of the sun's mesh, of the ring's]; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
         planet_bore; for their bearings' life load_rating, bearing_rolling
   compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
         [teeth]), meshes (gears: [one, other], efficiency), and optionally
-        planets, bevels_left, bevels_right, planet_shafts
+        planets, spacing or planet_angles, bevels_left, bevels_right, planet_shafts
   brakes: id, link            clutches: id, links: [one, other], or of a one-way
                               clutch one_way: [not slower, than this]
   gears: name, engaged, and optionally input, output, speeds, torques

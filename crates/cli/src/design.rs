@@ -21,7 +21,7 @@ use epicyclic_answers::{Error, select};
 use epicyclic_formats::{Document, Number, Physical, Quantity, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating};
-use epicyclic_strength::load::load_sharing;
+use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_views::page::{self, sheet::Sheet};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -245,11 +245,11 @@ fn overload(args: &Args) -> Result<Option<f64>, Failure> {
     }
 }
 
-/// `K_γ` with 2 to 8 planets.
+/// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its table does not have, that of 7.
 fn sharing() -> Result<[f64; 7], Failure> {
     let mut all = [1.0; 7];
     for (planets, of) in (2..).zip(&mut all) {
-        *of = load_sharing(planets).map_err(Error::from)?;
+        *of = load_sharing(planets.min(7), Floating::Assumed).map_err(Error::from)?;
     }
     Ok(all)
 }

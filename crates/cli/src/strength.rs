@@ -36,7 +36,8 @@ Example:
   epicyclic strength hoist.yaml --torque '300 N·m' --speed '1450 rpm' --factors
 
 Keys of the file beyond those of `epicyclic analyze`:
-  sets: strength: materials, flank_roughness, root_roughness (of sun, planets,
+  sets: floating: sun, ring, carrier or none, for K_gamma
+        strength: materials, flank_roughness, root_roughness (of sun, planets,
         ring), shaper: teeth, shift, fillet; and optionally planet_rim,
         ring_rim, factors, sun_mesh_factors, ring_mesh_factors, sun_factors,
         planet_factors, ring_factors, accuracy (deviations for K_v, K_H_alpha

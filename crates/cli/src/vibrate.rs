@@ -40,8 +40,7 @@ Example:
     --transmission-error 3um,1um --damping 3% --response forces.svg
 
 Keys of the file beyond those of `epicyclic analyze`:
-  sets: vibration: planet_bearing, mesh_stiffness, pressure_angles, base_radii,
-        planet_angles;
+  sets: vibration: planet_bearing, mesh_stiffness, pressure_angles, base_radii;
         sun, ring, carrier, planet: mass, inertia or rotary_mass, support,
         tangential_support; sun: bore; ring: outside_diameter
   vibration: speeds, harmonics, transmission_error, ring_transmission_error,

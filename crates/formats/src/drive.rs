@@ -11,6 +11,7 @@
 //! [`DriveFile::spec`] what is meant by it.
 
 use epicyclic_dynamics::drive::DriveSpec;
+use epicyclic_gears::synthesis::Placement;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{
@@ -82,14 +83,24 @@ pub struct TeethFile {
     pub tip_gap: Option<Number>,
 }
 
-/// How the planets may be placed.
-#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+/// How the planets are placed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Spacing {
     /// At equal angles only.
     Equal,
     /// At equal angles, or as near to them as assembles.
+    #[serde(alias = "least-unequal")]
     LeastUnequal,
+}
+
+impl From<Spacing> for Placement {
+    fn from(spacing: Spacing) -> Self {
+        match spacing {
+            Spacing::Equal => Self::Equal,
+            Spacing::LeastUnequal => Self::LeastUnequal,
+        }
+    }
 }
 
 /// Efficiencies of the meshes, above 0 and up to 1.

@@ -47,6 +47,7 @@
 //! # }
 //! ```
 
+use crate::drive::Spacing;
 use crate::{Number, Quantity};
 use epicyclic_gears::involute::Profile;
 use epicyclic_gears::rack::BasicRack;
@@ -66,6 +67,7 @@ mod kind;
 mod losses;
 mod place;
 mod size;
+mod spacing;
 mod strength;
 mod tools;
 mod transmissions;
@@ -77,9 +79,10 @@ pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
 pub use place::{gear_place, located};
+use spacing::spaced;
 pub use strength::{
-    AccuracyEntry, DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry,
-    ShaperEntry, StrengthEntry,
+    AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
+    RequiredEntry, ShaperEntry, StrengthEntry,
 };
 pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit, ToolsEntry};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
@@ -99,7 +102,7 @@ pub enum DescriptionError {
         set: String,
     },
     /// A pair with a carrier, or a planet set without.
-    #[error("set `{set}`: {} is due", if *is_pair { "no carrier, since the housing carries a pair," } else { "a `carrier`" })]
+    #[error("set `{set}`: {}", if *is_pair { "a pair has no `carrier`, since the housing carries it; leave it out" } else { "`carrier` is missing" })]
     Carrier {
         /// The set.
         set: String,
@@ -217,6 +220,28 @@ pub enum DescriptionError {
         /// The clutch.
         clutch: String,
     },
+    /// Another number of values than a set has gears or meshes.
+    #[error("set `{set}`: `{key}` has {given} values; {expected} are required: {of}")]
+    Values {
+        /// The set.
+        set: String,
+        /// The key.
+        key: &'static str,
+        /// What the values are of.
+        of: &'static str,
+        /// How many are given.
+        given: usize,
+        /// How many are required.
+        expected: usize,
+    },
+    /// A spacing of planets that is stated twice.
+    #[error(
+        "set `{set}`: the spacing of the planets is stated twice; give one of `planet_angles` and `spacing` (`vibration.planet_angles` is read as `planet_angles`)"
+    )]
+    SpacingTwice {
+        /// The set.
+        set: String,
+    },
     /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
@@ -244,6 +269,8 @@ impl DescriptionError {
             Self::Set { source, .. } => source.name(),
             Self::NoSuchPlanet { .. } => "no-such-planet",
             Self::Clutch { .. } => "clutch",
+            Self::Values { .. } => "values",
+            Self::SpacingTwice { .. } => "spacing-twice",
             Self::Gearbox(error) => error.name(),
         }
     }
@@ -352,17 +379,27 @@ pub struct SetEntry {
     /// Teeth of the planet; of two planets or two steps, first the one in mesh with the sun.
     #[serde(default)]
     pub planet_teeth: Option<Vec<u32>>,
-    /// How many planets stand around the axis.
+    /// How many planets stand around the axis. Default: as many as `planet_angles`.
     #[serde(default)]
     pub planets: Option<u32>,
+    /// Spacing of the planets. Default `equal`.
+    #[serde(default)]
+    pub spacing: Option<Spacing>,
+    /// Angle of each planet on the carrier, in place of `spacing`. Only differences of angles matter.
+    #[serde(default)]
+    pub planet_angles: Option<Vec<Quantity<Angle>>>,
+    /// Member that floats: it has no bearing of its own, or a flexible one, and shares the load among the planets. The mesh load factor `K_γ` follows
+    /// from it where none is given. Default: a floating member is assumed.
+    #[serde(default)]
+    pub floating: Option<FloatingEntry>,
     /// Profile shift coefficients of sun, planets and ring of a simple set with `teeth` and `planet_teeth`; one above 0 moves the tips of the
     /// ring inwards.
     #[serde(default)]
-    pub profile_shifts: Option<[Number; 3]>,
+    pub profile_shifts: Option<Vec<Number>>,
     /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default: sun and planets as they
     /// come, the ring shortened to stay out of the fillets of the planets.
     #[serde(default)]
-    pub tip_alterations: Option<[Number; 3]>,
+    pub tip_alterations: Option<Vec<Number>>,
     /// What cuts the gears of a simple set.
     #[serde(default)]
     pub tools: Option<ToolsEntry>,
@@ -378,7 +415,7 @@ pub struct SetEntry {
     pub meshes: Option<Vec<Quantity<Ratio>>>,
     /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a simple set with teeth.
     #[serde(default)]
-    pub friction: Option<[Number; 2]>,
+    pub friction: Option<Vec<Number>>,
     /// Module of the mesh with the sun, for forces on planets.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
@@ -573,6 +610,8 @@ impl SetEntry {
         if let Some(count) = self.planets {
             spec = spec.planet_count(count);
         }
+        let in_vibration = self.vibration.as_ref().and_then(|vibration| vibration.planet_angles.as_deref());
+        spec = spec.spaced(spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), in_vibration])?);
         if self.profile_shifts.is_some() || self.tip_alterations.is_some() {
             spec = self.with_shifts(spec)?;
         }
@@ -585,11 +624,13 @@ impl SetEntry {
     fn with_shifts(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
         let set = || self.id.clone();
         let is_known = spec.planet.is_some() && spec.second_planet.is_none() && self.teeth.is_some();
-        let Some(profile) = self.profile_shifts.filter(|_| spec.kind == SetKind::Simple && is_known) else {
+        let Some(profile) = self.profile_shifts.as_ref().filter(|_| spec.kind == SetKind::Simple && is_known)
+        else {
             return Err(DescriptionError::Shifts { set: set() });
         };
-        let tips = self.tip_alterations.map(|tips| tips.map(Number::get));
-        Ok(spec.shifted(Shifts { profile: profile.map(Number::get), tips }))
+        let of = |key, values: &[Number]| numbers(&self.id, key, "sun, planets, ring", values);
+        let tips = self.tip_alterations.as_ref().map(|tips| of("tip_alterations", tips)).transpose()?;
+        Ok(spec.shifted(Shifts { profile: of("profile_shifts", profile)?, tips }))
     }
 
     fn with_helix_angle(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
@@ -604,11 +645,25 @@ impl SetEntry {
     }
 }
 
+/// The values of a key of a set, one for each of these gears or meshes.
+fn numbers<const N: usize>(
+    set: &str,
+    key: &'static str,
+    of: &'static str,
+    values: &[Number],
+) -> Result<[f64; N], DescriptionError> {
+    let wrong =
+        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
+    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
+    Ok(values.map(Number::get))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Document;
     use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::PlanetSet;
     use epicyclic_train::set::MeshLoss;
 
     fn read(text: &str) -> Result<Gearbox, String> {
@@ -705,8 +760,78 @@ mod tests {
         let pair = "gearbox: P\ninput: x\noutput: y\nsets: [{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], meshes: [0.98] }]\ngears: [{ name: only }]\n";
         let gearbox = read(pair).unwrap();
         assert_eq!(gearbox.analyze("only").unwrap().exact_ratio().unwrap().to_string(), "-3");
-        assert!(read(&pair.replace("sun: x", "carrier: z, sun: x")).unwrap_err().contains("no carrier"));
-        assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is due"));
+        assert!(read(&pair.replace("sun: x", "carrier: z, sun: x")).unwrap_err().contains("no `carrier`"));
+        assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is missing"));
+    }
+
+    /// However many values a key of a simple set has, a pair is told once that it has no such key, and a simple set how many there are.
+    #[test]
+    fn keys_of_simple_sets_are_refused_of_pairs_whatever_their_length() {
+        let pair = |key: &str| {
+            read(&format!("gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], {key} }}]\ngears: [{{ name: only }}]\n"))
+                .unwrap_err()
+        };
+        for values in ["[0.2]", "[0.2, 0.1]", "[0.2, 0.1, 0]"] {
+            for key in ["profile_shifts", "tip_alterations"] {
+                let error = pair(&format!("{key}: {values}"));
+                assert!(error.contains("are of a simple set with `teeth`"), "{error}");
+            }
+            let error = pair(&format!("friction: {values}"));
+            assert!(error.contains("friction is of a simple set"), "{error}");
+        }
+        let set = |key: &str| read(&format!("{SCHEME}teeth: [20, 60], planet_teeth: [20], {key} }}\n"));
+        assert_eq!(
+            set("profile_shifts: [0.2, 0.1]").unwrap_err(),
+            "set `P`: `profile_shifts` has 2 values; 3 are required: sun, planets, ring"
+        );
+        assert_eq!(
+            set("friction: [0.05]").unwrap_err(),
+            "set `P`: `friction` has 1 values; 2 are required: sun with planets, planets with ring"
+        );
+    }
+
+    /// Angles and spacings of planets are read wherever a set has planets, and refused where they cannot be.
+    #[test]
+    fn planets_stand_where_the_file_says() {
+        use epicyclic_train::spacing::Spacing;
+        let set = |keys: &str| {
+            read(&format!("{SCHEME}teeth: [26, 96], planet_teeth: [35], {keys} }}\n"))
+                .map(|gearbox| gearbox.sets()[0].clone())
+        };
+        let degrees = |set: &PlanetSet| -> Vec<f64> {
+            let angles = set.planet_angles().unwrap();
+            angles.iter().map(|angle| angle.get::<uom::si::angle::degree>()).collect()
+        };
+        let near = |found: &[f64], expected: &[f64]| {
+            found.len() == expected.len()
+                && found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9)
+        };
+        let step = 360.0 / 122.0;
+        let placed = [0.0, 30.0 * step, 180.0, 91.0 * step];
+        let least = set("planets: 4, spacing: least_unequal").unwrap();
+        assert!(near(&degrees(&least), &placed), "{:?}", degrees(&least));
+        // Rounded angles are those of the teeth, in either place, and give the number of planets.
+        let given = set("planet_angles: [0 deg, 88.52 deg, 180 deg, 268.53 deg]").unwrap();
+        assert_eq!(given.planet_count(), Some(4));
+        assert!(near(&degrees(&given), &placed), "{:?}", degrees(&given));
+        let old =
+            "vibration: { planet_bearing: 400 N/µm, planet_angles: [0 deg, 88.52 deg, 180 deg, 268.53 deg] }";
+        assert_eq!(set(old).unwrap().spacing(), given.spacing());
+        assert_eq!(*set("planets: 4, spacing: equal").unwrap().spacing(), Spacing::default());
+        for (keys, message) in [
+            ("planets: 3, planet_angles: [0 deg, 90 deg]", "2 planet angles are given for 3 planets"),
+            ("planet_angles: [0 deg, 360 deg]", "planets 1 and 2 have the same angle"),
+            ("spacing: least_unequal", "the least unequal spacing needs the number of planets"),
+            (
+                "planets: 200, spacing: least_unequal",
+                "200 planets need 200 assembly positions, and the teeth leave 122",
+            ),
+            ("spacing: equal, planet_angles: [0 deg, 90 deg]", "stated twice"),
+            (&format!("spacing: equal, {old}"), "stated twice"),
+        ] {
+            let error = set(keys).unwrap_err();
+            assert!(error.contains(message), "{error}");
+        }
     }
 
     #[test]

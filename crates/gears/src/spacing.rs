@@ -48,6 +48,12 @@ impl PlanetSpacing {
         (slots > 0).then_some(Self { slots, planets: pairs })
     }
 
+    /// The same on a given number of angles a turn at which a planet fits.
+    #[must_use]
+    pub fn of_positions(positions: u64, planets: u32) -> Self {
+        Self { slots: positions, planets }
+    }
+
     /// Number of angles at which a planet, or a pair of planets, fits: `z_a + z_b`, of pairs `z_b − z_a`.
     #[must_use]
     pub fn slots(&self) -> u64 {

@@ -69,6 +69,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         ring_rim: 3.5,
         held_ring_rim: None,
         planet_bore: None,
+        least_planet_angle: None,
         objective: Objective::Mass,
         space: Space {
             modules: STANDARD_MODULES_MM[..11].iter().map(|module| mm(*module)).collect(),

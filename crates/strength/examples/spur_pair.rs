@@ -22,7 +22,7 @@ fn main() -> Result<(), Error> {
     let given = Given::load_factors([1.25, 1.0, 1.1, 1.2, 1.0]);
     let rating = rate(&mesh, &load, &Method { given, ..Method::default() })?;
     for gear in rating.gears {
-        println!("S_H = {:.3}, S_F = {:.3}", gear.contact.safety, gear.root.safety);
+        println!("S_H = {:.3}, S_F = {:.3}", gear.contact?.safety, gear.root?.safety);
     }
     Ok(())
 }

@@ -193,6 +193,32 @@ pub enum Error {
 }
 
 impl Error {
+    /// Whether the input is a gear or load, but one outside what the standard holds for.
+    #[must_use]
+    pub const fn is_beyond_standard(&self) -> bool {
+        match self {
+            Self::NoRootSection { .. } => true,
+            Self::OutOfRange { quantity, .. } | Self::NotAbove { quantity, .. } => matches!(
+                quantity,
+                Quantity::ContactRatio
+                    | Quantity::NotchParameter
+                    | Quantity::Rim
+                    | Quantity::RingRim
+                    | Quantity::RootRoughness
+                    | Quantity::TotalContactRatio
+                    | Quantity::TransverseContactRatio
+            ),
+            _ => false,
+        }
+    }
+
+    /// Whether it ends the calculation of one flank, root or mesh and leaves the others: outside what the standard holds for, or without a
+    /// factor.
+    #[must_use]
+    pub const fn is_of_part(&self) -> bool {
+        self.is_beyond_standard() || matches!(self, Self::MissingFactor { .. })
+    }
+
     /// Name of the fault, which does not change with the message: `not-positive`.
     #[must_use]
     pub const fn name(&self) -> &'static str {

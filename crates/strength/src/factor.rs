@@ -30,7 +30,7 @@ epicyclic_gears::words! {
         Iso6336Part1 "ISO 6336-1:2006"
         Iso6336Part2 "ISO 6336-2:2006"
         Iso6336Part3 "ISO 6336-3:2006"
-        AbsRules "rules of the American Bureau of Shipping"
+        Iec61400Part4 "IEC 61400-4"
     }
 }
 

@@ -1,6 +1,6 @@
 //! Load factors: what raises the tangential force of a tooth above its nominal value.
 //!
-//! `K_A` and `K_Hβ` are given. `K_γ` is given or follows from the number of planets by a named table. `K_v`, `K_Hα` and `K_Fα` are given or
+//! `K_A` and `K_Hβ` are given. `K_γ` is given or follows from the number of planets and whether a member floats ([`load_sharing`]). `K_v`, `K_Hα` and `K_Fα` are given or
 //! follow by method B from deviations, stiffness and masses; `K_Fβ` is given or follows from `K_Hβ`.
 //!
 //! ```text
@@ -30,35 +30,94 @@
 //! | `C_a` | tip relief | µm |
 //! | `C_R` | gear blank factor, 1 of solid discs | 1 |
 //!
+//! In `q'` gear 1 is the pinion, the gear with fewer teeth, whichever drives; of equal numbers of teeth `q'` is the mean of both ways.
+//!
 //! `K_v` by method B is not offered below 100 N/mm, where the standard reduces the stiffness: there it is given.
 //!
 //! # Source
-//! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`: rules of the
-//! American Bureau of Shipping. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red` 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061,
+//! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`: [`load_sharing`]. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red` 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061,
 //! `K_Fβ` 1.94/1.14.
 
 use crate::factor::{Document, Factor, Reference};
 use crate::material::{Class, Material};
+use crate::symbol::Symbol;
 use crate::units::{kg_m3, mm, mpa, n_per_um, not_negative, positive, radians, um};
 use crate::{Error, Quantity};
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
+use std::cmp::Ordering;
 use std::f64::consts::PI;
 use uom::si::f64::{Length, SurfaceTension};
 
-/// `K_γ` of a number of planets where nothing better is known: to 3 planets 1.0, 4: 1.2, 5: 1.3, 6 and more 1.4.
+/// Whether a member of a planetary set floats: sun, ring or carrier without a bearing of its own, or on flexible supports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Floating {
+    /// Not stated; one member is assumed to float.
+    #[default]
+    Assumed,
+    /// One member floats.
+    Yes,
+    /// All members turn in rigid bearings.
+    No,
+}
+
+/// Mesh load factors `K_γ` of 3, 4, 5, 6 and 7 planets with one floating member.
+const SHARING: [f64; 5] = [1.10, 1.25, 1.35, 1.44, 1.47];
+
+/// Factor of [`SHARING`] without a floating member.
+const RIGID: f64 = 1.15;
+
+/// Mesh load factor `K_γ` of a number of planets where it is not measured or calculated.
+///
+/// | planets | 1 | 2, 3 | 4 | 5 | 6 | 7 |
+/// |---|---|---|---|---|---|---|
+/// | one member floats | 1 | 1.10 | 1.25 | 1.35 | 1.44 | 1.47 |
+///
+/// Without a floating member the values from two planets on are 1.15 times these. The source begins at three planets; two take its first
+/// value, since a member that floats settles between two planets as between three.
 ///
 /// # Errors
-/// [`Error::NotPositive`] without planets.
+/// [`Error::NotPositive`] without planets; [`Error::MissingFactor`] for more than 7, where the table ends.
+///
+/// # Example
+/// ```
+/// use epicyclic_strength::load::{Floating, load_sharing};
+///
+/// # fn main() -> Result<(), epicyclic_strength::Error> {
+/// assert_eq!(load_sharing(4, Floating::Yes)?, 1.25);
+/// assert_eq!(load_sharing(4, Floating::No)?, 1.25 * 1.15);
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # Source
-/// Rules of the American Bureau of Shipping.
-pub fn load_sharing(planets: u32) -> Result<f64, Error> {
+/// IEC 61400-4 and ISO 6336-1:2019 with a floating member; 1.15 is a value of practice.
+pub fn load_sharing(planets: u32, floating: Floating) -> Result<f64, Error> {
+    let rigid = if floating == Floating::No { RIGID } else { 1.0 };
     match planets {
         0 => Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" }),
-        1..=3 => Ok(1.0),
-        4 => Ok(1.2),
-        5 => Ok(1.3),
-        _ => Ok(1.4),
+        1 => Ok(1.0),
+        _ => SHARING.get(planets.saturating_sub(3) as usize).map(|factor| factor * rigid).ok_or(
+            Error::MissingFactor {
+                symbol: Symbol::LoadSharing,
+                because: "its table ends at 7 planets; give it",
+            },
+        ),
+    }
+}
+
+impl Floating {
+    /// Where the value of [`load_sharing`] comes from.
+    #[must_use]
+    pub(crate) const fn reference(self) -> Reference {
+        Reference::new(
+            Document::Iec61400Part4,
+            match self {
+                Self::Assumed => "load sharing of planets, a floating member assumed",
+                Self::Yes => "load sharing of planets with a floating member",
+                Self::No => "load sharing of planets, × 1.15 without a floating member",
+            },
+        )
     }
 }
 
@@ -179,23 +238,37 @@ fn most_running_in(speed: f64, at_ten: f64) -> f64 {
     }
 }
 
-/// `c'` of Young's moduli, N/mm².
-fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor: f64) -> Result<f64, Error> {
-    let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
-    let [first, second] = pair.gears();
-    let profile = first.profile();
-    let helix = radians(profile.helix_angle);
-    let narrowing = libm::cos(base_helix).powi(2) * libm::cos(helix);
-    let (x1, x2) = (first.shift(), second.shift());
-    let per_z1 = narrowing / first.teeth().as_f64();
-    let per_z2 = if pair.is_internal() { 0.0 } else { narrowing / second.teeth().as_f64() };
-    let q = 0.04723 + 0.15551 * per_z1 + 0.25791 * per_z2
+/// `q'` with one gear as the pinion: `z_n` over `narrowing` teeth, and shifts.
+fn flexibility([pinion, wheel]: [&InvoluteGear; 2], narrowing: f64) -> f64 {
+    let (x1, x2) = (pinion.shift(), wheel.shift());
+    let per_tooth = |gear: &InvoluteGear| match gear.kind() {
+        GearKind::External => narrowing / gear.teeth().as_f64(),
+        GearKind::Internal => 0.0,
+    };
+    let (per_z1, per_z2) = (per_tooth(pinion), per_tooth(wheel));
+    0.04723 + 0.15551 * per_z1 + 0.25791 * per_z2
         - 0.00635 * x1
         - 0.11654 * x1 * per_z1
         - 0.00193 * x2
         - 0.24188 * x2 * per_z2
         + 0.00529 * x1 * x1
-        + 0.00182 * x2 * x2;
+        + 0.00182 * x2 * x2
+}
+
+/// `c'` of Young's moduli, N/mm².
+fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor: f64) -> Result<f64, Error> {
+    let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
+    let [first, second] = pair.gears();
+    let helix = radians(first.profile().helix_angle);
+    let narrowing = libm::cos(base_helix).powi(2) * libm::cos(helix);
+    let q = match first.teeth().cmp(&second.teeth()) {
+        Ordering::Less => flexibility([first, second], narrowing),
+        Ordering::Greater => flexibility([second, first], narrowing),
+        // Neither is the pinion.
+        Ordering::Equal => {
+            f64::midpoint(flexibility([first, second], narrowing), flexibility([second, first], narrowing))
+        }
+    };
     let rack = |gear: &InvoluteGear| {
         let rack = &gear.profile().rack;
         let depth = rack.addendum + rack.clearance;
@@ -319,7 +392,7 @@ impl Swinging<'_> {
     ) -> Result<DynamicFactor, Error> {
         if line_load.is_nan() || line_load < LEAST_LINE_LOAD {
             return Err(Error::MissingFactor {
-                symbol: crate::symbol::Symbol::Dynamic,
+                symbol: Symbol::Dynamic,
                 because: "below a line load of 100 N/mm method B is not offered; give it",
             });
         }
@@ -429,10 +502,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn load_sharing_is_the_table_of_the_rules() {
-        let of = |planets| load_sharing(planets).unwrap();
-        assert_eq!([1, 3, 4, 5, 6, 9].map(of), [1.0, 1.0, 1.2, 1.3, 1.4, 1.4]);
-        assert_eq!(load_sharing(0).unwrap_err().name(), "not-positive");
+    fn load_sharing_is_that_of_a_floating_member_and_more_without() {
+        let of = |planets| load_sharing(planets, Floating::Yes).unwrap();
+        assert_eq!([1, 2, 3, 4, 5, 6, 7].map(of), [1.0, 1.10, 1.10, 1.25, 1.35, 1.44, 1.47]);
+        for planets in 1..=7 {
+            let [assumed, rigid] =
+                [Floating::Assumed, Floating::No].map(|floating| load_sharing(planets, floating).unwrap());
+            assert_eq!(assumed, of(planets));
+            let more = if planets == 1 { 1.0 } else { 1.15 };
+            assert!((rigid / of(planets) - more).abs() < 1e-15);
+        }
+        assert_eq!(load_sharing(0, Floating::Yes).unwrap_err().name(), "not-positive");
+        assert_eq!(load_sharing(8, Floating::Yes).unwrap_err().name(), "missing-factor");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A mesh, its load, and how to calculate.
 
 use crate::factor::{Edition, Given};
-use crate::load::Dynamics;
+use crate::load::{Dynamics, Floating};
 use crate::material::Material;
 use crate::root::factors::Bending;
 use crate::root::section::Shaper;
@@ -77,8 +77,10 @@ pub struct Method {
     pub edition: Edition,
     /// Factors given instead of calculated; `K_A` and `K_Hβ` must be.
     pub given: Given,
-    /// Planets, for `K_γ` by the table of [`load_sharing`](crate::load::load_sharing) where it is not given.
+    /// Planets, for `K_γ` by [`load_sharing`](crate::load::load_sharing) where it is not given.
     pub planets: Option<u32>,
+    /// Whether a member of their set floats, for `K_γ` too.
+    pub floating: Floating,
     /// Deviations and masses, for `K_v`, `K_Hα` and `K_Fα` where they are not given.
     pub dynamics: Option<Dynamics>,
     /// Whether some pitting is allowed.
@@ -96,6 +98,7 @@ impl Default for Method {
             edition: Edition::default(),
             given: Given::default(),
             planets: None,
+            floating: Floating::Assumed,
             dynamics: None,
             pitting_allowed: false,
             long_life_factor: 0.85,

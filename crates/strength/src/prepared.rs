@@ -41,25 +41,81 @@ pub(crate) struct Prepared<'a> {
     pub(crate) gears: [PreparedGear; 2],
 }
 
+/// A gear, or why its flank or root cannot be rated.
 pub(crate) struct PreparedGear {
-    pub(crate) contact_limit: f64,
+    pub(crate) contact: Result<PreparedFlank, Error>,
+    pub(crate) root: Result<PreparedRoot, Error>,
+}
+
+pub(crate) struct PreparedFlank {
+    pub(crate) limit: f64,
     pub(crate) single_contact: Factor,
-    pub(crate) size_contact: Factor,
-    pub(crate) contact_line: Line,
+    pub(crate) size: Factor,
+    line: Line,
     /// `Z_W` for static strength.
-    pub(crate) work_hardening_static: f64,
+    work_hardening_static: f64,
+}
+
+impl PreparedFlank {
+    /// `σ_HG` for static strength.
+    pub(crate) fn static_limit(&self) -> f64 {
+        self.statically() * self.line.at(0.0)
+    }
+
+    fn statically(&self) -> f64 {
+        self.limit * self.work_hardening_static * self.size.value
+    }
+}
+
+pub(crate) struct PreparedRoot {
     pub(crate) section: Option<RootSection>,
-    pub(crate) root_stress: [Factor; 5],
+    pub(crate) stress: [Factor; 5],
     pub(crate) test_gear: Factor,
     pub(crate) notch: Factor,
     pub(crate) surface: Factor,
-    pub(crate) size_root: Factor,
+    pub(crate) size: Factor,
     pub(crate) mean_stress: Factor,
-    pub(crate) root_line: Line,
+    line: Line,
     /// `σ_Flim·Y_ST·Y_δrelT,stat·Y_M`.
-    pub(crate) static_root: Result<f64, Error>,
+    statically: Result<f64, Error>,
     /// `σ_Flim·Y_ST·Y_δrelT·Y_RrelT·Y_X·Y_M`.
-    pub(crate) endurance_root: f64,
+    endurance: f64,
+}
+
+impl PreparedRoot {
+    /// `σ_FG` over the cycles.
+    ///
+    /// # Errors
+    /// [`Error::MissingFactor`] where the static limit is not known.
+    pub(crate) fn limit_line(&self) -> Result<Line, Error> {
+        Ok(self.line.times(self.statically.clone()?, self.endurance))
+    }
+
+    /// `σ_FG` for static strength.
+    ///
+    /// # Errors
+    /// [`Error::MissingFactor`] where it is not known.
+    pub(crate) fn static_limit(&self) -> Result<f64, Error> {
+        Ok(self.statically.clone()? * self.line.at(0.0))
+    }
+
+    pub(crate) fn limit_at(&self, cycles: f64, given: &Given, side: Side) -> Result<LimitAt, Error> {
+        let life = given.or(side, Symbol::LifeRoot, part3("clause 12"), || {
+            if cycles >= self.line.reference_cycles() {
+                return Ok(self.line.at(cycles));
+            }
+            Ok(self.limit_line()?.at(cycles) / self.endurance)
+        })?;
+        Ok(LimitAt { life, stress: life.value * self.endurance })
+    }
+}
+
+/// A part of a rating: what stops the part alone stays in it, anything else stops the whole.
+pub(crate) fn part_of<T>(rated: Result<T, Error>) -> Result<Result<T, Error>, Error> {
+    match rated {
+        Err(error) if !error.is_of_part() => Err(error),
+        part => Ok(part),
+    }
 }
 
 impl<'a> Prepared<'a> {
@@ -72,6 +128,7 @@ impl<'a> Prepared<'a> {
             gear.material.check()?;
             positive(Quantity::FlankRoughness, um(gear.flank_roughness), "µm")?;
             positive(Quantity::RootRoughness, um(gear.root_roughness), "µm")?;
+            gear.rim.map_or(Ok(0.0), |rim| positive(Quantity::Rim, mm(rim), "mm"))?;
         }
         let transverse =
             within(Quantity::TransverseContactRatio, mesh.pair.transverse_contact_ratio(), [1.0, 2.5], "")?;
@@ -143,8 +200,8 @@ impl<'a> Prepared<'a> {
     }
 
     /// `σ_F0`, N/mm².
-    pub(crate) fn nominal_root(&self, side: Side, force: f64) -> f64 {
-        let factors: f64 = self.gears[side as usize].root_stress.iter().map(|factor| factor.value).product();
+    pub(crate) fn nominal_root(&self, root: &PreparedRoot, force: f64) -> f64 {
+        let factors: f64 = root.stress.iter().map(|factor| factor.value).product();
         force / (self.face_mm * self.module_mm) * factors
     }
 
@@ -173,13 +230,15 @@ impl<'a> Prepared<'a> {
         };
         let application =
             must_be_given(Symbol::Application, "it is a property of the machines that drive and are driven")?;
-        let table = part(Document::AbsRules, "load sharing of planets");
-        let sharing = given.or(Side::First, Symbol::LoadSharing, table, || match self.method.planets {
-            Some(planets) => load::load_sharing(planets),
-            None => Err(Error::MissingFactor {
-                symbol: Symbol::LoadSharing,
-                because: "give it, or the number of planets for the table",
-            }),
+        let floating = self.method.floating;
+        let sharing = given.or(Side::First, Symbol::LoadSharing, floating.reference(), || {
+            match self.method.planets {
+                Some(planets) => load::load_sharing(planets, floating),
+                None => Err(Error::MissingFactor {
+                    symbol: Symbol::LoadSharing,
+                    because: "give it, or the number of planets",
+                }),
+            }
         })?;
         let swinging = self.swinging(self.speed(speed_rpm));
         let line_load = force * application.value * sharing.value / self.face_mm;
@@ -232,57 +291,99 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// `σ_H` and `σ_F` of a gear, N/mm².
-    pub(crate) fn stresses(&self, side: Side, force: f64, factors: &LoadFactors) -> [f64; 2] {
-        let contact =
-            self.gears[side as usize].single_contact.value * self.nominal_contact(force) * factors.contact();
-        [contact, self.nominal_root(side, force) * factors.root()]
+    /// `σ_H` of a gear, N/mm².
+    pub(crate) fn contact_stress(&self, flank: &PreparedFlank, force: f64, factors: &LoadFactors) -> f64 {
+        flank.single_contact.value * self.nominal_contact(force) * factors.contact()
     }
 
-    /// Limits of both gears at a speed, m/s.
-    pub(crate) fn limits(&self, speed: f64) -> Result<[Limits<'_>; 2], Error> {
+    /// `σ_F` of a gear, N/mm².
+    pub(crate) fn root_stress(&self, root: &PreparedRoot, force: f64, factors: &LoadFactors) -> f64 {
+        self.nominal_root(root, force) * factors.root()
+    }
+
+    /// The limit of a flank at a speed, m/s.
+    ///
+    /// # Errors
+    /// What keeps the flank from being rated.
+    pub(crate) fn flank_limit(&self, side: Side, speed: f64) -> Result<FlankLimit<'_>, Error> {
         let given = &self.method.given;
-        let lower = self.gears[0].contact_limit.min(self.gears[1].contact_limit);
+        let flank = self.gears[side as usize].contact.as_ref().map_err(Clone::clone)?;
+        let lower = self.mesh.gears.map(|gear| mpa(gear.material.contact_limit));
+        let lower = lower[0].min(lower[1]);
         let viscosity = mm2_s(self.mesh.viscosity);
         let roughness = [0, 1].map(|index: usize| um(self.mesh.gears[index].flank_roughness));
         let radius = contact::reduced_radius(&self.mesh.pair) * self.module_mm;
-        let limits = |side: Side| -> Result<Limits<'_>, Error> {
-            let film = part2("clause 12");
-            let own = side as usize;
-            let material = &self.mesh.gears[own].material;
-            let mate = &self.mesh.gears[1 - own].material;
-            let lubricant = given
-                .or(side, Symbol::Lubricant, film, || Ok(contact::lubricant_factor(lower, viscosity)))?;
-            let velocity =
-                given.or(side, Symbol::Velocity, film, || Ok(contact::velocity_factor(lower, speed)))?;
-            let rough = given.or(side, Symbol::Roughness, film, || {
-                Ok(contact::roughness_factor(lower, roughness, radius))
-            })?;
-            let work_hardening = given.or(side, Symbol::WorkHardening, part2("clause 13"), || {
-                let roughness = [roughness[own], roughness[1 - own]];
-                contact::work_hardening_factor([material, mate], roughness, radius, viscosity, speed)
-            })?;
-            let gear = &self.gears[own];
-            let endurance = gear.contact_limit
-                * lubricant.value
-                * velocity.value
-                * rough.value
-                * work_hardening.value
-                * gear.size_contact.value;
-            Ok(Limits { gear, lubricant, velocity, roughness: rough, work_hardening, endurance })
-        };
-        Ok([limits(Side::First)?, limits(Side::Second)?])
+        let film = part2("clause 12");
+        let own = side as usize;
+        let material = &self.mesh.gears[own].material;
+        let mate = &self.mesh.gears[1 - own].material;
+        let lubricant =
+            given.or(side, Symbol::Lubricant, film, || Ok(contact::lubricant_factor(lower, viscosity)))?;
+        let velocity =
+            given.or(side, Symbol::Velocity, film, || Ok(contact::velocity_factor(lower, speed)))?;
+        let rough = given
+            .or(side, Symbol::Roughness, film, || Ok(contact::roughness_factor(lower, roughness, radius)))?;
+        let work_hardening = given.or(side, Symbol::WorkHardening, part2("clause 13"), || {
+            let roughness = [roughness[own], roughness[1 - own]];
+            contact::work_hardening_factor([material, mate], roughness, radius, viscosity, speed)
+        })?;
+        let endurance = flank.limit
+            * lubricant.value
+            * velocity.value
+            * rough.value
+            * work_hardening.value
+            * flank.size.value;
+        Ok(FlankLimit { flank, lubricant, velocity, roughness: rough, work_hardening, endurance })
     }
 }
 
 impl PreparedGear {
+    /// # Errors
+    /// Faults that are not of one part alone.
+    fn new(
+        mesh: &Mesh,
+        method: &Method,
+        side: Side,
+        ratios: [f64; 2],
+        base_helix_and_module: [f64; 2],
+        singles: &Result<[f64; 2], Error>,
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            contact: part_of(PreparedFlank::new(mesh, method, side, singles))?,
+            root: part_of(PreparedRoot::new(mesh, method, side, ratios, base_helix_and_module))?,
+        })
+    }
+}
+
+impl PreparedFlank {
+    fn new(
+        mesh: &Mesh,
+        method: &Method,
+        side: Side,
+        singles: &Result<[f64; 2], Error>,
+    ) -> Result<Self, Error> {
+        let given = &method.given;
+        let material = &mesh.gears[side as usize].material;
+        let single_contact = given.or(side, Symbol::SingleContact, part2("clause 6.2"), || {
+            singles.clone().map(|factors| factors[side as usize])
+        })?;
+        Ok(Self {
+            limit: mpa(material.contact_limit),
+            single_contact,
+            size: given.or(side, Symbol::SizeContact, part2("clause 14"), || Ok(1.0))?,
+            line: life::contact_line(material.class, method.pitting_allowed, method.long_life_factor),
+            work_hardening_static: given.of(side, Symbol::WorkHardening).unwrap_or(1.0),
+        })
+    }
+}
+
+impl PreparedRoot {
     fn new(
         mesh: &Mesh,
         method: &Method,
         side: Side,
         [transverse, overlap]: [f64; 2],
         [base_helix, module_mm]: [f64; 2],
-        singles: &Result<[f64; 2], Error>,
     ) -> Result<Self, Error> {
         let given = &method.given;
         let own = &mesh.gears[side as usize];
@@ -293,12 +394,6 @@ impl PreparedGear {
         let take = |symbol, reference, value: &dyn Fn() -> Result<f64, Error>| {
             given.or(side, symbol, reference, value)
         };
-
-        let single_contact = take(Symbol::SingleContact, part2("clause 6.2"), &|| {
-            singles.clone().map(|factors| factors[side as usize])
-        })?;
-        let size_contact = take(Symbol::SizeContact, part2("clause 14"), &|| Ok(1.0))?;
-
         let needs_section = [Symbol::Form, Symbol::StressCorrection, Symbol::NotchSensitivity]
             .iter()
             .any(|symbol| given.of(side, *symbol).is_none());
@@ -348,34 +443,29 @@ impl PreparedGear {
 
         let limit = mpa(material.root_limit) * test_gear.value * mean_stress.value;
         Ok(Self {
-            contact_limit: mpa(material.contact_limit),
-            single_contact,
-            size_contact,
-            contact_line: life::contact_line(class, method.pitting_allowed, method.long_life_factor),
-            work_hardening_static: given.of(side, Symbol::WorkHardening).unwrap_or(1.0),
             section,
-            root_stress: [form, correction, helix, rim, deep],
+            stress: [form, correction, helix, rim, deep],
             test_gear,
             notch,
             surface,
-            size_root,
+            size: size_root,
             mean_stress,
-            root_line: life::root_line(class, method.long_life_factor),
-            static_root: static_notch.map(|factor| limit * factor.value),
-            endurance_root: limit * notch.value * surface.value * size_root.value,
+            line: life::root_line(class, method.long_life_factor),
+            statically: static_notch.map(|factor| limit * factor.value),
+            endurance: limit * notch.value * surface.value * size_root.value,
         })
     }
 }
 
-/// Limits of a gear at a speed.
-pub(crate) struct Limits<'a> {
-    pub(crate) gear: &'a PreparedGear,
+/// The limit of a flank at a speed.
+pub(crate) struct FlankLimit<'a> {
+    pub(crate) flank: &'a PreparedFlank,
     pub(crate) lubricant: Factor,
     pub(crate) velocity: Factor,
     pub(crate) roughness: Factor,
     pub(crate) work_hardening: Factor,
     /// `σ_HG` without `Z_NT`.
-    pub(crate) endurance: f64,
+    endurance: f64,
 }
 
 /// A limit and its life factor.
@@ -384,37 +474,16 @@ pub(crate) struct LimitAt {
     pub(crate) stress: f64,
 }
 
-impl Limits<'_> {
+impl FlankLimit<'_> {
     /// `σ_HG` over the cycles.
-    pub(crate) fn contact_line(&self) -> Line {
-        let gear = self.gear;
-        let statically = gear.contact_limit * gear.work_hardening_static * gear.size_contact.value;
-        gear.contact_line.times(statically, self.endurance)
+    pub(crate) fn line(&self) -> Line {
+        self.flank.line.times(self.flank.statically(), self.endurance)
     }
 
-    /// `σ_FG` over the cycles.
-    ///
-    /// # Errors
-    /// [`Error::MissingFactor`] where the static limit is not known.
-    pub(crate) fn root_line(&self) -> Result<Line, Error> {
-        Ok(self.gear.root_line.times(self.gear.static_root.clone()?, self.gear.endurance_root))
-    }
-
-    pub(crate) fn contact_at(&self, cycles: f64, given: &Given, side: Side) -> Result<LimitAt, Error> {
+    pub(crate) fn at(&self, cycles: f64, given: &Given, side: Side) -> Result<LimitAt, Error> {
         let life = given.or(side, Symbol::LifeContact, part2("clause 11"), || {
-            Ok(self.contact_line().at(cycles) / self.endurance)
+            Ok(self.line().at(cycles) / self.endurance)
         })?;
         Ok(LimitAt { life, stress: life.value * self.endurance })
-    }
-
-    pub(crate) fn root_at(&self, cycles: f64, given: &Given, side: Side) -> Result<LimitAt, Error> {
-        let gear = self.gear;
-        let life = given.or(side, Symbol::LifeRoot, part3("clause 12"), || {
-            if cycles >= gear.root_line.reference_cycles() {
-                return Ok(gear.root_line.at(cycles));
-            }
-            Ok(self.root_line()?.at(cycles) / gear.endurance_root)
-        })?;
-        Ok(LimitAt { life, stress: life.value * gear.endurance_root })
     }
 }

@@ -30,10 +30,11 @@
 use crate::factor::{Edition, Factor, Side, Symbol};
 use crate::load::LoadFactors;
 use crate::mesh::{Load, Mesh, Method};
-use crate::prepared::Prepared;
+use crate::prepared::{Prepared, part_of};
 use crate::root::section::RootSection;
 use crate::units::{self, n_m, positive, pressure, rpm};
 use crate::{Error, Quantity};
+use std::iter;
 use uom::si::f64::{Force, Pressure, Torque, Velocity};
 
 /// Contact stress, limit and safety of a gear.
@@ -71,18 +72,18 @@ pub struct RootRating {
 }
 
 /// A gear of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct GearRating {
     /// Load cycles `N_L`.
     pub cycles: f64,
-    /// The flank.
-    pub contact: ContactRating,
-    /// The root.
-    pub root: RootRating,
+    /// The flank, or why it cannot be rated: outside what the standard holds for, or without a factor.
+    pub contact: Result<ContactRating, Error>,
+    /// The root, likewise.
+    pub root: Result<RootRating, Error>,
 }
 
 /// The strength of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MeshRating {
     /// Edition of the standard.
     pub edition: Edition,
@@ -101,18 +102,20 @@ pub struct MeshRating {
 }
 
 impl MeshRating {
-    /// The factors of the whole mesh and those of one gear, in the order of the calculation.
+    /// The factors of the whole mesh and those of one gear, in the order of the calculation; of a flank or root that is not rated none.
     pub fn chain(&self, side: Side) -> impl Iterator<Item = Factor> + '_ {
         let load = &self.load_factors;
         let gear = &self.gears[side as usize];
+        let contact =
+            gear.contact.iter().flat_map(|flank| iter::once(flank.single_contact).chain(flank.limit_factors));
+        let root =
+            gear.root.iter().flat_map(|root| root.stress_factors.into_iter().chain(root.limit_factors));
         [load.application, load.sharing, load.dynamic, load.face_contact, load.transverse_contact]
             .into_iter()
             .chain(self.contact_factors)
-            .chain([gear.contact.single_contact])
-            .chain(gear.contact.limit_factors)
+            .chain(contact)
             .chain([load.face_root, load.transverse_root])
-            .chain(gear.root.stress_factors)
-            .chain(gear.root.limit_factors)
+            .chain(root)
     }
 }
 
@@ -147,34 +150,43 @@ impl Governing {
 }
 
 impl MeshRating {
-    /// The safety that is least over what is required of it; of equal ones the first gear's, and the flank's.
+    /// The safety that is least over what is required of it, of those that could be rated; of equal ones the first gear's, and the
+    /// flank's. `None` where nothing could be rated.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a required safety.
-    pub fn governing(&self, required_contact: f64, required_root: f64) -> Result<Governing, Error> {
+    pub fn governing(&self, required_contact: f64, required_root: f64) -> Result<Option<Governing>, Error> {
         let contact = positive(Quantity::RequiredSafety, required_contact, "")?;
         let root = positive(Quantity::RequiredSafety, required_root, "")?;
-        let of = |side: Side, place| {
+        let of = |side: Side| {
             let gear = &self.gears[side as usize];
-            match place {
-                Place::Flank => Governing { side, place, safety: gear.contact.safety, required: contact },
-                Place::Root => Governing { side, place, safety: gear.root.safety, required: root },
-            }
+            let flank = gear.contact.iter().map(move |rated| Governing {
+                side,
+                place: Place::Flank,
+                safety: rated.safety,
+                required: contact,
+            });
+            let root = gear.root.iter().map(move |rated| Governing {
+                side,
+                place: Place::Root,
+                safety: rated.safety,
+                required: root,
+            });
+            flank.chain(root)
         };
         let over = |governing: &Governing| governing.safety / governing.required;
-        let first = of(Side::First, Place::Flank);
-        let others =
-            [of(Side::First, Place::Root), of(Side::Second, Place::Flank), of(Side::Second, Place::Root)];
-        Ok(others.into_iter().fold(first, |least, one| if over(&one) < over(&least) { one } else { least }))
+        let all = Side::BOTH.into_iter().flat_map(of);
+        Ok(all.reduce(|least, one| if over(&one) < over(&least) { one } else { least }))
     }
 }
 
 /// The strength of a mesh under a load.
 ///
+/// A flank or root that the standard does not hold for, or that lacks a factor, keeps its [`Error`] in the rating; the others are rated.
+///
 /// # Errors
-/// [`Error::NotPositive`], [`Error::OutOfRange`] and the like for a quantity outside what the standard holds for;
-/// [`Error::MissingFactor`] for a factor that is neither given nor can be calculated, [`Error::GivenFactor`] for one given that is no number above 0;
-/// [`Error::NoRootSection`].
+/// [`Error::NotPositive`] and the like for a quantity that is none; [`Error::OutOfRange`] for a mesh outside what the standard holds for;
+/// [`Error::MissingFactor`] for a factor of the mesh that is neither given nor can be calculated, [`Error::GivenFactor`] for one given that is no number above 0.
 ///
 /// # Example
 /// See `examples/spur_pair.rs`, and `tests/published.rs` for the stage of a wind gearbox.
@@ -186,49 +198,47 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
     let force = prepared.force(torque);
     let load_factors = prepared.load_factors(force, speed_rpm, method.given, method.dynamics.as_ref())?;
     let speed = prepared.speed(speed_rpm);
-    let limits = prepared.limits(speed)?;
     let nominal_contact = prepared.nominal_contact(force);
+    let contact = |side: Side, cycles: f64| -> Result<ContactRating, Error> {
+        let limit = prepared.flank_limit(side, speed)?;
+        let flank = limit.flank;
+        let at = limit.at(cycles, &method.given, side)?;
+        let stress = prepared.contact_stress(flank, force, &load_factors);
+        Ok(ContactRating {
+            single_contact: flank.single_contact,
+            stress: pressure(stress),
+            limit_factors: [
+                at.life,
+                limit.lubricant,
+                limit.velocity,
+                limit.roughness,
+                limit.work_hardening,
+                flank.size,
+            ],
+            limit: pressure(at.stress),
+            safety: at.stress / stress,
+        })
+    };
+    let root = |side: Side, cycles: f64| -> Result<RootRating, Error> {
+        let root = prepared.gears[side as usize].root.as_ref().map_err(Clone::clone)?;
+        let at = root.limit_at(cycles, &method.given, side)?;
+        let stress = prepared.root_stress(root, force, &load_factors);
+        Ok(RootRating {
+            section: root.section,
+            stress_factors: root.stress,
+            nominal: pressure(prepared.nominal_root(root, force)),
+            stress: pressure(stress),
+            limit_factors: [root.test_gear, at.life, root.notch, root.surface, root.size, root.mean_stress],
+            limit: pressure(at.stress),
+            safety: at.stress / stress,
+        })
+    };
     let gear = |side: Side| -> Result<GearRating, Error> {
         let cycles = prepared.cycles(side, speed_rpm, hours, load.contacts)?;
-        let own = &prepared.gears[side as usize];
-        let limit = &limits[side as usize];
-        let stress = own.single_contact.value * nominal_contact * load_factors.contact();
-        let contact_limit = limit.contact_at(cycles, &method.given, side)?;
-        let nominal = prepared.nominal_root(side, force);
-        let root_stress = nominal * load_factors.root();
-        let root_limit = limit.root_at(cycles, &method.given, side)?;
         Ok(GearRating {
             cycles,
-            contact: ContactRating {
-                single_contact: own.single_contact,
-                stress: pressure(stress),
-                limit_factors: [
-                    contact_limit.life,
-                    limit.lubricant,
-                    limit.velocity,
-                    limit.roughness,
-                    limit.work_hardening,
-                    own.size_contact,
-                ],
-                limit: pressure(contact_limit.stress),
-                safety: contact_limit.stress / stress,
-            },
-            root: RootRating {
-                section: own.section,
-                stress_factors: own.root_stress,
-                nominal: pressure(nominal),
-                stress: pressure(root_stress),
-                limit_factors: [
-                    own.test_gear,
-                    root_limit.life,
-                    own.notch,
-                    own.surface,
-                    own.size_root,
-                    own.mean_stress,
-                ],
-                limit: pressure(root_limit.stress),
-                safety: root_limit.stress / root_stress,
-            },
+            contact: part_of(contact(side, cycles))?,
+            root: part_of(root(side, cycles))?,
         })
     };
     Ok(MeshRating {
@@ -243,16 +253,16 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
 }
 
 /// Safeties of a gear against the greatest torque of its life.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Overload {
-    /// `S_H` for static strength.
-    pub contact: f64,
-    /// `S_F` for static strength.
-    pub root: f64,
+    /// `S_H` for static strength, or why it cannot be calculated.
+    pub contact: Result<f64, Error>,
+    /// `S_F` for static strength, or why it cannot be calculated.
+    pub root: Result<f64, Error>,
 }
 
 /// Safeties of a mesh against an overload.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct OverloadRating {
     /// Edition of the standard.
     pub edition: Edition,
@@ -264,20 +274,23 @@ pub struct OverloadRating {
 /// are of the duty's cycles and not used here.
 ///
 /// # Errors
-/// Those of [`rate`]; [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known.
+/// Those of [`rate`]. [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
 pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<OverloadRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
     let force = prepared.force(positive(Quantity::Torque, n_m(torque), "N·m")?);
     let given = method.given.with(Symbol::Application, 1.0).with(Symbol::Dynamic, 1.0);
     let factors = prepared.load_factors(force, 0.0, given, method.dynamics.as_ref())?;
-    let side = |side: Side| -> Result<Overload, Error> {
-        let own = &prepared.gears[side as usize];
-        let contact =
-            own.contact_limit * own.contact_line.at(0.0) * own.work_hardening_static * own.size_contact.value;
-        let contact_stress = own.single_contact.value * prepared.nominal_contact(force) * factors.contact();
-        let root = own.static_root.clone()? * own.root_line.at(0.0);
-        let root_stress = prepared.nominal_root(side, force) * factors.root();
-        Ok(Overload { contact: contact / contact_stress, root: root / root_stress })
-    };
-    Ok(OverloadRating { edition: method.edition, gears: [side(Side::First)?, side(Side::Second)?] })
+    let gears = prepared.gears.each_ref().map(|own| Overload {
+        contact: own
+            .contact
+            .as_ref()
+            .map_err(Clone::clone)
+            .map(|flank| flank.static_limit() / prepared.contact_stress(flank, force, &factors)),
+        root: own
+            .root
+            .as_ref()
+            .map_err(Clone::clone)
+            .and_then(|root| Ok(root.static_limit()? / prepared.root_stress(root, force, &factors))),
+    });
+    Ok(OverloadRating { edition: method.edition, gears })
 }

@@ -21,8 +21,9 @@
 
 use crate::factor::{Edition, Side};
 use crate::life::Line;
+use crate::load::LoadFactors;
 use crate::mesh::{Mesh, Method};
-use crate::prepared::Prepared;
+use crate::prepared::{Prepared, part_of};
 use crate::units::{hours, n_m, not_negative, positive, rpm, time_from_hours, whole};
 use crate::{Error, Quantity};
 use uom::si::f64::{AngularVelocity, Time, Torque};
@@ -49,22 +50,34 @@ pub struct Worn {
     pub life: Option<Time>,
 }
 
-/// A gear under a duty.
+/// A gear under a duty: what it does to flank and root, or why that cannot be calculated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GearDuty {
+pub struct GearDuty<W = Result<Worn, Error>> {
     /// The flank.
-    pub contact: Worn,
+    pub contact: W,
     /// The root.
-    pub root: Worn,
+    pub root: W,
 }
 
 /// A mesh under a duty.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DutyRating {
     /// Edition of the standard.
     pub edition: Edition,
     /// Both gears.
     pub gears: [GearDuty; 2],
+}
+
+impl DutyRating {
+    /// Both gears with flanks and roots that all are rated.
+    ///
+    /// # Errors
+    /// Why one of them is not.
+    pub fn whole(self) -> Result<[GearDuty<Worn>; 2], Error> {
+        let whole = |gear: GearDuty| Ok::<_, Error>(GearDuty { contact: gear.contact?, root: gear.root? });
+        let [first, second] = self.gears;
+        Ok([whole(first)?, whole(second)?])
+    }
 }
 
 /// A stress, how often it comes, and the limit it is held against.
@@ -92,7 +105,7 @@ pub fn check_shares(shares: impl IntoIterator<Item = f64>) -> Result<(), Error> 
 ///
 /// # Errors
 /// [`Error::Shares`] where the shares do not sum to 1, [`Error::Negative`] for a share, torque or speed below 0, [`Error::IdleDuty`] without a step that does
-/// anything; those of [`rate`](crate::rating::rate); [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known.
+/// anything; those of [`rate`](crate::rating::rate). [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
 pub fn rate_duty(
     mesh: &Mesh,
     duty: &[Step],
@@ -107,7 +120,7 @@ pub fn rate_duty(
         not_negative(Quantity::Speed, rpm(step.speed), "rpm")?;
     }
     let prepared = Prepared::new(mesh, method)?;
-    let mut cycles: [[Vec<Cycle>; 2]; 2] = Default::default();
+    let mut steps = vec![];
     for step in duty {
         let (torque, speed) = (n_m(step.torque), rpm(step.speed));
         if step.share == 0.0 || torque == 0.0 || speed == 0.0 {
@@ -115,22 +128,34 @@ pub fn rate_duty(
         }
         let force = prepared.force(torque);
         let factors = prepared.load_factors(force, speed, method.given, method.dynamics.as_ref())?;
-        let limits = prepared.limits(prepared.speed(speed))?;
-        for side in Side::BOTH {
-            let index = side as usize;
-            let [contact, root] = prepared.stresses(side, force, &factors);
-            let count = prepared.cycles(side, speed, life_h * step.share, contacts)?;
-            let limit = &limits[index];
-            cycles[index][0].push(Cycle { stress: contact, cycles: count, line: limit.contact_line() });
-            cycles[index][1].push(Cycle { stress: root, cycles: count, line: limit.root_line()? });
-        }
+        steps.push((step.share, force, speed, factors));
     }
-    if cycles[0][0].is_empty() {
+    if steps.is_empty() {
         return Err(Error::IdleDuty);
     }
-    let gears =
-        cycles.map(|[contact, root]| GearDuty { contact: worn(&contact, life_h), root: worn(&root, life_h) });
-    Ok(DutyRating { edition: method.edition, gears })
+    let worn_by =
+        |side: Side, stress_and_line: &dyn Fn(f64, f64, &LoadFactors) -> Result<(f64, Line), Error>| {
+            let cycle = |(share, force, speed, factors): &(f64, f64, f64, LoadFactors)| {
+                let (stress, line) = stress_and_line(*force, *speed, factors)?;
+                Ok(Cycle { stress, cycles: prepared.cycles(side, *speed, life_h * share, contacts)?, line })
+            };
+            part_of(
+                steps.iter().map(cycle).collect::<Result<Vec<_>, _>>().map(|cycles| worn(&cycles, life_h)),
+            )
+        };
+    let gear = |side: Side| -> Result<GearDuty, Error> {
+        Ok(GearDuty {
+            contact: worn_by(side, &|force, speed, factors| {
+                let limit = prepared.flank_limit(side, prepared.speed(speed))?;
+                Ok((prepared.contact_stress(limit.flank, force, factors), limit.line()))
+            })?,
+            root: worn_by(side, &|force, _, factors| {
+                let root = prepared.gears[side as usize].root.as_ref().map_err(Clone::clone)?;
+                Ok((prepared.root_stress(root, force, factors), root.limit_line()?))
+            })?,
+        })
+    };
+    Ok(DutyRating { edition: method.edition, gears: [gear(Side::First)?, gear(Side::Second)?] })
 }
 
 /// `U` with all stresses times a factor.

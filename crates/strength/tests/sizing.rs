@@ -96,6 +96,7 @@ fn hoist() -> Sizing {
         ring_rim: 3.5,
         held_ring_rim: None,
         planet_bore: None,
+        least_planet_angle: None,
         objective: Objective::Mass,
         space: Space {
             modules: [2.0, 2.5, 3.0].map(mm).to_vec(),
@@ -216,22 +217,20 @@ fn tried(
     let inner_duty = duty(zp / zs, zs / zp);
     let outer = mesh(*set.sun_mesh(), [task.gears[0], own]);
     let inner = mesh(inner, [own, ring_gear]);
-    let outer_rated = rate_duty(&outer, &outer_duty, task.life, [p, 1.0], &method(0)).ok()?;
-    let inner_rated = rate_duty(&inner, &inner_duty, task.life, [1.0, p], &method(1)).ok()?;
+    let outer_rated = rate_duty(&outer, &outer_duty, task.life, [p, 1.0], &method(0)).ok()?.whole().ok()?;
+    let inner_rated = rate_duty(&inner, &inner_duty, task.life, [1.0, p], &method(1)).ok()?.whole().ok()?;
     let lasts = [outer_rated, inner_rated]
         .iter()
-        .flat_map(|mesh| mesh.gears)
+        .flatten()
         .all(|gear| gear.contact.safety >= task.required_contact && gear.root.safety >= task.required_root);
     let teeth_hold = lasts
         && task.overloads.iter().filter(|one| one.sun_torque.value != 0.0).all(|one| {
             let torque = one.sun_torque.abs() / p;
             let outer = overload(&outer, torque, &method(0)).unwrap();
             let inner = overload(&inner, torque * zp / zs, &method(1)).unwrap();
-            outer
-                .gears
-                .into_iter()
-                .chain(inner.gears)
-                .all(|gear| gear.contact >= one.required_contact && gear.root >= one.required_root)
+            outer.gears.into_iter().chain(inner.gears).all(|gear| {
+                gear.contact.unwrap() >= one.required_contact && gear.root.unwrap() >= one.required_root
+            })
         });
     let bearing_holds = bearing.is_none_or(|bearing| {
         // Moments about the main axis and about the planet's own.

@@ -354,18 +354,20 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
     if let Some(given) = set.planet_count().filter(|count| !(1..=MOST_ALIKE).contains(count)) {
         return Err(Error::PlanetCount { set: id, given });
     }
-    // Members joined for ever make the set one block whatever is engaged. Where the two are the
-    // housing the set is locked, which is the same mistake. Joined by a *shift element* they are the
-    // ordinary direct drive.
+    set.spacing().check(&set)?;
+    // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the housing. Joined by a
+    // *shift element* they are the ordinary direct drive. Central gears that turn alike anyway lose nothing by being one piece.
     let members = set.members();
     for i in 0..members.len() {
         for j in i + 1..members.len() {
-            if groups.root(members[i].0) == groups.root(members[j].0) {
+            if groups.root(members[i].0) == groups.root(members[j].0) && !set.turn_alike(i, j) {
                 return Err(Error::CoincidentMembers {
                     set: id,
                     first: set.member(i),
                     second: set.member(j),
                     link: gearbox.link_name(members[i]).into(),
+                    is_pair: set.is_pair(),
+                    is_held: groups.root(members[i].0) == groups.root(LinkId::GROUND.0),
                 });
             }
         }

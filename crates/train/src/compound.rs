@@ -33,6 +33,7 @@
 //! # }
 //! ```
 
+use crate::spacing::Spacing;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use std::fmt;
 
@@ -130,6 +131,8 @@ pub struct CompoundSpec {
     pub meshes: Vec<MeshSpec>,
     /// How many of each planet stand around the axis.
     pub planet_count: Option<u32>,
+    /// Where they stand on the carrier.
+    pub spacing: Spacing,
 }
 
 /// The name of a gear of a set: of a central gear, of a planet, or of a step of a planet with several gears.
@@ -169,6 +172,7 @@ impl CompoundSpec {
             planets: vec![],
             meshes: vec![],
             planet_count: None,
+            spacing: Spacing::default(),
         }
     }
 
@@ -224,6 +228,13 @@ impl CompoundSpec {
     #[must_use]
     pub fn planet_count(self, count: u32) -> Self {
         Self { planet_count: Some(count), ..self }
+    }
+
+    /// The same set with its planets there. Of angles that are given their number is that of the planets.
+    #[must_use]
+    pub fn spaced(self, spacing: Spacing) -> Self {
+        let planet_count = self.planet_count.or(spacing.count());
+        Self { planet_count, spacing, ..self }
     }
 
     /// The same set with this efficiency of every mesh.

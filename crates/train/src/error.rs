@@ -126,10 +126,7 @@ pub enum Error {
         name: String,
     },
     /// Two members of a set that are one piece for ever.
-    #[error(
-        "{first} and {second} of set `{set}` are both `{link}`: such a set turns as a block; give them two \
-         links and join these by a clutch or brake"
-    )]
+    #[error("{}", coincident(set, [first, second], link, [*is_pair, *is_held]))]
     CoincidentMembers {
         /// The set.
         set: String,
@@ -139,6 +136,10 @@ pub enum Error {
         second: SetMember,
         /// The link of the first.
         link: String,
+        /// Whether the set is a pair on fixed axes.
+        is_pair: bool,
+        /// Whether they are the housing.
+        is_held: bool,
     },
     /// A ring-to-sun ratio outside what its kind can have.
     #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
@@ -188,6 +189,14 @@ pub enum Error {
         set: String,
         /// The number given.
         given: u32,
+    },
+    /// A spacing of planets that a set cannot have.
+    #[error("set `{set}`: {fault}")]
+    Spacing {
+        /// The set.
+        set: String,
+        /// What is wrong with it.
+        fault: SpacingFault,
     },
     /// An invalid compound set.
     #[error("set `{set}`: {fault}")]
@@ -306,6 +315,7 @@ impl Error {
             Self::Spread { .. } => "spread",
             Self::StepsMissing { .. } => "steps-missing",
             Self::PlanetCount { .. } => "planet-count",
+            Self::Spacing { .. } => "spacing",
             Self::Compound { .. } => "compound",
             Self::ShiftElementJoinsItself { .. } => "shift-element-joins-itself",
             Self::CyclicGrounds { .. } => "cyclic-grounds",
@@ -594,5 +604,75 @@ impl fmt::Display for Warning {
                  them as one compound set: as two sets the shared mesh loses twice, and what it passes on may seem to circulate"
             ),
         }
+    }
+}
+
+/// What is wrong with the spacing of planets.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SpacingFault {
+    /// A pair of gears on fixed axes.
+    #[error("a pair on fixed axes has no planets to place")]
+    Pair,
+    /// Angles of another number of planets.
+    #[error("{angles} planet angles are given for {planets} planets; give one angle for each planet")]
+    Count {
+        /// How many angles.
+        angles: usize,
+        /// How many planets.
+        planets: u32,
+    },
+    /// An angle that is no number.
+    #[error("the angle of planet {planet} is not finite")]
+    NotFinite {
+        /// The planet, from 1.
+        planet: usize,
+    },
+    /// Two planets at one angle.
+    #[error("planets {} and {} have the same angle; give each planet its own", planets[0], planets[1])]
+    SameAngle {
+        /// The planets, from 1.
+        planets: [usize; 2],
+    },
+    /// Assembly positions that are not known.
+    #[error(
+        "the least unequal spacing needs the number of planets and the teeth of all gears; give them, or the angles of the planets"
+    )]
+    Unknown,
+    /// More planets than assembly positions.
+    #[error(
+        "{planets} planets need {planets} assembly positions, and the teeth leave {positions}; give fewer planets"
+    )]
+    TooFewPositions {
+        /// How many planets.
+        planets: u32,
+        /// How many positions.
+        positions: u64,
+    },
+}
+
+/// What two members of a set that are one piece make of it.
+fn coincident(
+    set: &str,
+    [first, second]: [&SetMember; 2],
+    link: &str,
+    [is_pair, is_held]: [bool; 2],
+) -> String {
+    match (is_pair, is_held) {
+        (true, true) => format!(
+            "a gear of the pair `{set}` is held to the housing, so that neither of its gears turns; give the gear a link of its own and \
+             hold it by a brake"
+        ),
+        (true, false) => {
+            format!("both gears of the pair `{set}` are `{link}`, so that neither turns; give them two links")
+        }
+        (false, true) => format!(
+            "{first} and {second} of set `{set}` are both held to the housing, so that the set cannot turn; give them two links and \
+             hold one of these by a brake"
+        ),
+        (false, false) => format!(
+            "{first} and {second} of set `{set}` are both `{link}`: such a set turns as a block; give them two links and join these by a \
+             clutch"
+        ),
     }
 }

@@ -96,6 +96,7 @@ pub mod set;
 mod set_kind;
 mod shifted;
 pub mod solution;
+pub mod spacing;
 pub mod speeds;
 pub mod state;
 pub mod sweep;
@@ -110,7 +111,7 @@ pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Values};
 pub use error::{
     CompoundFault, DragFault, Error, InputsFault, LinkFault, MeshFault, Named, OperatingFault, Place,
-    SetValue, Terminal, Warning,
+    SetValue, SpacingFault, Terminal, Warning,
 };
 pub use gearbox::{Gear, Gearbox, ShiftElement};
 pub use link::{GROUND, LinkId};

@@ -26,6 +26,7 @@
 
 use crate::compound::{CentralKind, CompoundSpec, SetMember};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
+use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
 use crate::{Error, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -52,6 +53,15 @@ impl Description {
         match self {
             Self::Short(spec) => &spec.id,
             Self::Compound(spec) => &spec.id,
+        }
+    }
+
+    /// Where the planets stand.
+    #[must_use]
+    pub fn spacing(&self) -> &Spacing {
+        match self {
+            Self::Short(spec) => &spec.spacing,
+            Self::Compound(spec) => &spec.spacing,
         }
     }
 }
@@ -291,6 +301,18 @@ impl PlanetSet {
         }
         let factor = |central: usize| self.factors[self.centrals[central].body].unwrap_or(f64::NAN);
         factor(first) / factor(second)
+    }
+
+    /// Whether two members turn alike whatever the set does: central gears with a basic ratio of exactly 1 between them.
+    pub(crate) fn turn_alike(&self, first: usize, second: usize) -> bool {
+        let is_central = first.max(second) < self.centrals.len();
+        is_central && {
+            let exact = |central: usize| self.exact[self.centrals[central].body];
+            match (exact(first), exact(second)) {
+                (Some(one), Some(other)) => one == other,
+                _ => self.ratio_between(first, second) == 1.0,
+            }
+        }
     }
 
     /// `(ω_p − ω_H)/(ω_1 − ω_H)` of a planet over the first central gear, where its teeth tell.

@@ -8,6 +8,7 @@
 pub use crate::set_kind::SetKind;
 
 use crate::Error;
+use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
 use crate::units::degrees;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -100,6 +101,8 @@ pub struct SetSpec {
     pub second_planet: Option<ToothCount>,
     /// How many planets, or pairs of planets, stand around the axis.
     pub planet_count: Option<u32>,
+    /// Where they stand on the carrier.
+    pub spacing: Spacing,
     /// Profile shifts of a simple set.
     pub shifts: Option<Shifts>,
     /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
@@ -121,6 +124,7 @@ impl SetSpec {
             planet: None,
             second_planet: None,
             planet_count: None,
+            spacing: Spacing::default(),
             shifts: None,
             helix_angle: degrees(0.0),
             cutting: [Cutting::default(); 3],
@@ -174,6 +178,13 @@ impl SetSpec {
     #[must_use]
     pub fn planet_count(self, count: u32) -> Self {
         Self { planet_count: Some(count), ..self }
+    }
+
+    /// The same set with its planets there. Of angles that are given their number is that of the planets.
+    #[must_use]
+    pub fn spaced(self, spacing: Spacing) -> Self {
+        let planet_count = self.planet_count.or(spacing.count());
+        Self { planet_count, spacing, ..self }
     }
 
     /// Basic ratio as a number, and as an exact fraction where the teeth are known.

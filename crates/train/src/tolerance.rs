@@ -16,6 +16,8 @@
 //! | `FLAT` | the cosine of a triangle beyond ±1 | rounding of sides that lie on one line |
 //! | `PRINTED_SHIFTS` | the overlap of flanks, in modules | two shifts of four decimals |
 //! | `TOUCH` | the overlap of two circles, in modules | rounding of a sine times a centre distance |
+//! | `AT_POSITION` | the distance of a planet from an assembly position, over that of two such positions | angles in degrees with two digits, of some hundred teeth |
+//! | `APART` | the angle between two planets, in turns | angles in degrees with six digits |
 //! | `NO_TORQUE` | the torque of a carrier, over the largest of its set | torques with losses are known to 1e-11; less says nothing of the pins |
 //!
 //! # What is solved
@@ -75,6 +77,12 @@ pub(crate) const PRINTED_SHIFTS: f64 = 5e-4;
 
 /// A length in modules below which two circles only touch.
 pub(crate) const TOUCH: f64 = 1e-9;
+
+/// A planet is at an assembly position within this part of the way to the next.
+pub(crate) const AT_POSITION: f64 = 0.02;
+
+/// Planets nearer to each other, in turns, are at one angle.
+pub(crate) const APART: f64 = 1e-9;
 
 /// A carrier torque below this share of the largest torque of its set is none.
 pub(crate) const NO_TORQUE: f64 = 1e-9;

@@ -20,9 +20,9 @@
 //! | `z_c`, `z_p`, `z` | teeth of a central gear, of a planet, of any gear | 1 |
 //! | `R` | radius of a planet's centre | that of `m` |
 //! | `h_a*`, `α` | addendum coefficient and pressure angle of the teeth | 1, deg |
-//! | `N` | planets of a kind, at equal angles `2π/N` | 1 |
+//! | `N` | planets of a kind, at equal angles `2π/N` unless the set [says otherwise](crate::spacing) | 1 |
 //!
-//! Of identical neighbours `e = 2·R·sin(π/N)`. Two planets in mesh stand apart by the angle of
+//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at [given angles](crate::spacing). Two planets in mesh stand apart by the angle of
 //! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it does not mesh with. Gears
 //! that do not mesh may lie beside each other along the axis, as the short planets and the large sun of a Ravigneaux
 //! set do; that they must is only a [note](ToothWarning::is_note).
@@ -36,12 +36,11 @@
 //! z_p·x_p + z_q·x_q ≡ 0 (mod 1)   of each mesh of two planets
 //! ```
 //!
-//! Integer combinations of the lines that lose all `x` leave `v_j/N ≡ 0`, so `N` divides the number of slots
-//! `G = gcd(v_j)`. A simple set has `G = z_a + z_b`, a double planet `z_b − z_a`, a stepped one between sun and ring
+//! Integer combinations of the lines that lose all `x` leave `v_j/N ≡ 0`, so `N` divides the number of assembly positions
+//! `G = gcd(v_j)`. Of planets at given angles the same holds for any `θ/2π` in place of `1/N`: each is a multiple of `2π/G` from the first. A simple set has `G = z_a + z_b`, a double planet `z_b − z_a`, a stepped one between sun and ring
 //! `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are identical, also in the phase of their steps. Exact, in integers.
 //! Of sets with a planet shaft it says nothing: how many pins the shaft has is not known.
 
-mod assembly;
 mod list;
 mod warning;
 
@@ -55,14 +54,17 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetSpec;
+use crate::spacing::Spacing;
 use crate::tolerance::{MOST_ALIKE, TOUCH};
-use assembly::slots;
+use crate::units::radians;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::Rule;
+use epicyclic_gears::involute::PlanetSet as InvoluteSet;
+use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
-use std::f64::consts::{PI, TAU};
+use epicyclic_gears::synthesis::Placement;
+use std::f64::consts::TAU;
 
 impl Gearbox {
     /// What does not fit in the teeth of its sets, set by set: the [checks](Self::set_checks) that do not hold but for remarks, in words.
@@ -93,10 +95,10 @@ impl Gearbox {
 
 /// Whether the planets of a set can be put in and clear each other; `None` where their number, teeth or places are not known.
 ///
-/// At equal angles; of gears without profile shift, or of a simple set with its shifts.
+/// Of gears without profile shift, or of a simple set with its shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetFit {
-    /// Whether so many planets of each kind can be assembled.
+    /// Whether so many planets of each kind can be assembled at their angles.
     pub assembles: Option<bool>,
     /// Whether tip circles of planets alike, and of those in mesh with each other's neighbours, clear.
     pub clears: Option<bool>,
@@ -131,15 +133,20 @@ impl PlanetSet {
         let Some(planets) = self.planet_count().filter(|_| !self.is_pair()) else {
             return PlanetFit { assembles: None, clears: None };
         };
+        let checks = Checks::new(self, *rack, &[]);
         let clears = match self.short().and_then(|spec| spec.involute_set(rack)) {
-            Some(Ok(set)) => {
-                Some(!set.faults(&Limits::default()).iter().any(|fault| fault.rule == Rule::PlanetGap))
-            }
+            Some(Ok(set)) => Some(
+                !checks.at_angles(&set).iter().any(|check| check.rule == Rule::PlanetGap && !check.holds()),
+            ),
             Some(Err(_)) => None,
             None if self.short().is_some_and(SetSpec::is_helical) => None,
-            None => Checks::new(self, *rack, &[]).do_clear(planets),
+            None => checks.do_clear(),
         };
-        PlanetFit { assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))), clears }
+        let assembles = self.assembly_positions().map(|positions| match self.spacing() {
+            Spacing::Placed(Placement::Equal) => positions.is_multiple_of(planets.into()),
+            _ => self.misplaced().is_empty(),
+        });
+        PlanetFit { assembles, clears }
     }
 }
 
@@ -152,6 +159,25 @@ struct Checks<'a> {
     /// In the unit of the modules, or in modules of the first mesh where none is stated.
     places: Places,
     angles: Vec<(usize, f64)>,
+    /// Angles from each group of planets to every other; `None` of an unknown number of groups.
+    steps: Option<Vec<f64>>,
+}
+
+/// Angles from each to every other planet at these angles, rad.
+fn steps_between(angles_rad: &[f64]) -> Vec<f64> {
+    let from = |(one, at): (usize, &f64)| {
+        let to = |(other, there): (usize, &f64)| (other != one).then_some(there - at);
+        angles_rad.iter().enumerate().filter_map(to).collect::<Vec<_>>()
+    };
+    let mut steps: Vec<f64> = angles_rad.iter().enumerate().flat_map(from).collect();
+    steps.sort_by(f64::total_cmp);
+    steps.dedup();
+    steps
+}
+
+/// The same of so many planets at equal angles.
+fn equal_steps(planets: u32) -> Vec<f64> {
+    (1..planets).map(|place| TAU * f64::from(place) / f64::from(planets)).collect()
 }
 
 /// Two gears of different planets, or a neighbour of the same.
@@ -173,7 +199,29 @@ impl<'a> Checks<'a> {
         }
         let places = places(set, &given);
         let angles = places.angles(set);
-        Self { set, rack, stated, places, angles }
+        let steps = match (set.spacing(), set.planet_count()) {
+            (Spacing::Placed(Placement::Equal), Some(planets)) => Some(equal_steps(planets)),
+            _ => set.planet_angles().map(|angles| {
+                let angles_rad: Vec<f64> = angles.iter().map(|angle| radians(*angle)).collect();
+                steps_between(&angles_rad)
+            }),
+        };
+        Self { set, rack, stated, places, angles, steps }
+    }
+
+    /// The checks of toothed gears, their planets being where they stand.
+    fn at_angles(&self, set: &InvoluteSet) -> Vec<Check> {
+        let mut checks = set.checks(&Limits::default());
+        if let Spacing::At(_) = self.set.spacing() {
+            // The set itself knows planets as near to equal angles as they assemble.
+            let planet = set.planet_circle();
+            let gaps = self.steps.iter().flatten().map(|step| planet.gap(planet, *step));
+            let gap = gaps.fold(f64::INFINITY, f64::min);
+            for check in checks.iter_mut().filter(|check| check.rule == Rule::PlanetGap) {
+                check.value = gap;
+            }
+        }
+        checks
     }
 
     fn name(&self) -> String {
@@ -284,42 +332,42 @@ impl<'a> Checks<'a> {
         alike.chain(meshing).collect()
     }
 
-    /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes.
-    fn gap(&self, one: &Neighbours, planets: u32) -> Option<f64> {
+    /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes, their groups being these angles apart.
+    fn gap(&self, one: &Neighbours, steps: &[f64]) -> Option<f64> {
         let circle = |gear: GearOf| {
             let centre_radius = self.places.radii[planet_of(gear).unwrap_or_default()]?;
             Some(TipCircle { centre_radius, tip_radius: self.tip(gear)? })
         };
         let [first, second] = one.gears.map(circle);
         let (first, second) = (first?, second?);
-        let gap = |place: u32| first.gap(second, one.angle_rad + TAU * f64::from(place) / f64::from(planets));
-        (1..planets).map(gap).reduce(f64::min)
+        steps.iter().map(|step| first.gap(second, one.angle_rad + step)).reduce(f64::min)
     }
 
-    /// Whether this many planets of each kind clear each other, as far as is known.
-    fn clears(&self, neighbours: &[Neighbours], planets: u32) -> bool {
-        neighbours.iter().all(|one| self.gap(one, planets).is_none_or(|gap| gap > TOUCH))
+    /// Whether planets of each kind, their groups being these angles apart, clear each other, as far as is known.
+    fn clears(&self, neighbours: &[Neighbours], steps: &[f64]) -> bool {
+        neighbours.iter().all(|one| self.gap(one, steps).is_none_or(|gap| gap > TOUCH))
     }
 
-    /// The same, `None` where the place or size of any planet is not known.
-    fn do_clear(&self, planets: u32) -> Option<bool> {
+    /// The same of its own planets, `None` where the place or size of any planet is not known.
+    fn do_clear(&self) -> Option<bool> {
+        let steps = self.steps.as_ref()?;
         let all = self.neighbours();
-        if planets > 1 && !self.clears(&all, planets) {
+        if !steps.is_empty() && !self.clears(&all, steps) {
             return Some(false);
         }
         let is_placed =
             |mesh: usize| planet_mesh(self.set, mesh).is_none() || self.places.pairs[mesh].is_ok();
-        let is_sized = |one: &Neighbours| planets == 1 || self.gap(one, planets).is_some();
+        let is_sized = |one: &Neighbours| steps.is_empty() || self.gap(one, steps).is_some();
         let is_known = (0..self.set.meshes().len()).all(is_placed) && all.iter().all(is_sized);
         (is_known && !self.is_bevel()).then_some(true)
     }
 
     fn overlaps(&self) -> Vec<ToothWarning> {
-        let Some(planets) = self.set.planet_count() else { return vec![] };
+        let (Some(planets), Some(steps)) = (self.set.planet_count(), &self.steps) else { return vec![] };
         let mut worst: Vec<(bool, [usize; 2], &Neighbours, f64)> = vec![];
         let all = self.neighbours();
         for one in &all {
-            let Some(gap) = self.gap(one, planets).filter(|gap| *gap <= TOUCH) else { continue };
+            let Some(gap) = self.gap(one, steps).filter(|gap| *gap <= TOUCH) else { continue };
             // Of a stepped planet the step that overlaps most.
             let kinds = one.gears.map(|gear| planet_of(gear).unwrap_or_default());
             match worst.iter_mut().find(|other| (other.0, other.1) == (one.mesh, kinds)) {
@@ -328,7 +376,9 @@ impl<'a> Checks<'a> {
                 None => worst.push((one.mesh, kinds, one, gap)),
             }
         }
-        let most = (2..planets).rev().find(|&fewer| self.clears(&all, fewer));
+        let is_equal = *self.set.spacing() == Spacing::default();
+        let fits = |fewer: &u32| self.clears(&all, &equal_steps(*fewer));
+        let most = (2..planets).rev().filter(|_| is_equal).find(fits);
         let warning = |(_, _, one, gap): (bool, [usize; 2], &Neighbours, f64)| {
             let module = self.module(one.gears[0]).unwrap_or(1.0);
             ToothWarning::PlanetsOverlap {
@@ -336,23 +386,33 @@ impl<'a> Checks<'a> {
                 planets,
                 overlap: if gap.abs() <= TOUCH { 0.0 } else { -gap / module },
                 most,
+                is_equal,
             }
         };
         worst.into_iter().map(warning).collect()
     }
 
-    fn assembly(&self) -> Option<ToothWarning> {
+    fn assembly(&self) -> Vec<ToothWarning> {
+        if *self.set.spacing() != Spacing::default() {
+            let misplaced = |at| ToothWarning::Misplaced { at };
+            return self.set.misplaced().into_iter().map(misplaced).collect();
+        }
+        self.equal_angles().into_iter().collect()
+    }
+
+    /// Planets at equal angles that do not assemble.
+    fn equal_angles(&self) -> Option<ToothWarning> {
         let planets = self.set.planet_count()?;
-        let slots = slots(self.set)?;
-        let fits = |count: u32| slots.is_multiple_of(u128::from(count));
+        let positions = self.set.assembly_positions()?;
+        let fits = |count: u32| positions.is_multiple_of(u64::from(count));
         if fits(planets) {
             return None;
         }
         let neighbours = self.neighbours();
-        let does = |count: &u32| fits(*count) && self.clears(&neighbours, *count);
+        let does = |count: &u32| fits(*count) && self.clears(&neighbours, &equal_steps(*count));
         Some(ToothWarning::Assembly {
             planets,
-            slots: u64::try_from(slots).ok()?,
+            slots: positions,
             fewer: (2..planets).rev().find(does),
             more: (planets + 1..=planets.saturating_mul(2).min(MOST_ALIKE)).find(does),
         })
@@ -394,7 +454,7 @@ impl<'a> Checks<'a> {
                     for two in self.gears_of(other).filter(|&two| !self.do_mesh(one, two)) {
                         let pair = Neighbours { gears: [one, two], angle_rad: other_at - at, mesh: false };
                         let own = self.gap_at(&pair);
-                        let others = self.set.planet_count().and_then(|planets| self.gap(&pair, planets));
+                        let others = self.steps.as_ref().and_then(|steps| self.gap(&pair, steps));
                         if own.into_iter().chain(others).any(|gap| gap <= TOUCH) {
                             note([one, two]);
                         }
@@ -407,8 +467,7 @@ impl<'a> Checks<'a> {
 
     /// Gap of the tip circles of two gears of one group.
     fn gap_at(&self, pair: &Neighbours) -> Option<f64> {
-        // Of two groups half a turn apart, the second group turned back.
-        self.gap(&Neighbours { gears: pair.gears, angle_rad: pair.angle_rad - PI, mesh: false }, 2)
+        self.gap(pair, &[0.0])
     }
 }
 

@@ -46,6 +46,10 @@ pub(crate) fn in_metres(length: Length) -> f64 {
     length.get::<meter>()
 }
 
+pub(crate) fn in_degrees(angle: Angle) -> f64 {
+    angle.get::<uom::si::angle::degree>()
+}
+
 pub(crate) fn degrees(angle_deg: f64) -> Angle {
     Angle::new::<uom::si::angle::degree>(angle_deg)
 }
@@ -56,6 +60,10 @@ pub(crate) fn kg_per_m3(density_kg_m3: f64) -> MassDensity {
 
 pub(crate) fn kilograms(mass: Mass) -> f64 {
     mass.get::<uom::si::mass::kilogram>()
+}
+
+pub(crate) fn angle(angle_rad: f64) -> Angle {
+    Angle::new::<uom::si::angle::radian>(angle_rad)
 }
 
 pub(crate) fn radians(angle: Angle) -> f64 {

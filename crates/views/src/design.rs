@@ -59,8 +59,8 @@ fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
         mesh: of.mesh,
         toothed_gear: of.toothed_gear,
         material: &of.material,
-        flank: &of.flank,
-        root: &of.root,
+        flank: Some(&of.flank),
+        root: Some(&of.root),
     })
 }
 

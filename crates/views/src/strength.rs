@@ -11,7 +11,8 @@ use crate::units::hours;
 use crate::{AsReport, tooth_checks};
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
-    DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated, ToothedGear, Wear,
+    DutyStep, Factor, FactorOverDuty, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated,
+    SharingBasis, ToothedGear, Wear,
 };
 use epicyclic_formats::Dimension;
 use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
@@ -33,6 +34,9 @@ impl AsReport for Strength {
             parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
         }
         let title = Some(match &self.governing {
+            Some(governing) if self.not_rated.iter().any(|one| one.mesh.is_some()) => {
+                format!("{}: of what could be rated {governing} governs.", self.gearbox)
+            }
             Some(governing) => format!("{}: {governing} governs.", self.gearbox),
             None => format!("{}: no teeth are rated, but planet bearings.", self.gearbox),
         });
@@ -54,6 +58,9 @@ fn tables(strength: &Strength) -> Vec<Part> {
     }
     if !strength.overload.is_empty() {
         parts.push(Part::Records(overload(&strength.overload)));
+    }
+    if !strength.load_sharing.is_empty() {
+        parts.push(Part::Records(load_sharing(&strength.load_sharing)));
     }
     if !strength.axial_forces.is_empty() {
         parts.push(Part::Records(axial_forces(&strength.axial_forces)));
@@ -137,8 +144,8 @@ fn column(si: f64, dimension: Dimension) -> Figure {
     Figure::Column { si, dimension }
 }
 
-fn safety(value: f64) -> Figure {
-    Figure::Printed(value, 3)
+fn safety(value: Option<f64>) -> Figure {
+    value.map_or(Figure::None, |value| Figure::Printed(value, 3))
 }
 
 fn duty(all: &[DutyStep]) -> Records {
@@ -168,6 +175,7 @@ fn duty(all: &[DutyStep]) -> Records {
 }
 
 fn at_point(all: &[Rated]) -> Records {
+    let stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
     let row = |one: &Rated| {
         vec![
             text(&one.gear),
@@ -177,10 +185,10 @@ fn at_point(all: &[Rated]) -> Records {
             text(&one.material),
             safety(one.flank_safety),
             safety(one.root_safety),
-            column(one.contact_stress_pa, Dimension::Pressure),
-            column(one.contact_limit_pa, Dimension::Pressure),
-            column(one.root_stress_pa, Dimension::Pressure),
-            column(one.root_limit_pa, Dimension::Pressure),
+            stress(one.contact_stress_pa),
+            stress(one.contact_limit_pa),
+            stress(one.root_stress_pa),
+            stress(one.root_limit_pa),
             column(one.tangential_force_n, Dimension::Force),
             column(one.mesh_torque_n_m, Dimension::Torque),
             column(one.mesh_speed_rad_s, Dimension::AngularSpeed),
@@ -247,21 +255,33 @@ fn at_point(all: &[Rated]) -> Records {
     }
 }
 
-/// A row for each factor of two gears, and two where they have it by different formulas: of the factor that names it, and of the values
-/// that stand in it.
+/// A row for each factor of two gears, and two where they have it by different formulas or only one of them has it: of the factor that names it,
+/// and of the values that stand in it.
 fn by_formula<'a, F>(
     [first, second]: [&'a [F]; 2],
+    symbol: impl Fn(&F) -> &str,
     formula: impl Fn(&F) -> &Option<String>,
     row: impl Fn(&'a F, [Option<&'a F>; 2]) -> Vec<Figure>,
 ) -> Vec<Vec<Figure>> {
-    let rows = |(one, other): (&'a F, &'a F)| {
-        if formula(one) == formula(other) {
-            vec![row(one, [Some(one), Some(other)])]
+    let mut rows = vec![];
+    let mut rest = second;
+    for one in first {
+        // What the second has alone stands where it stands there.
+        if let Some(place) = rest.iter().position(|other| symbol(other) == symbol(one)) {
+            rows.extend(rest[..place].iter().map(|other| row(other, [None, Some(other)])));
+            let other = &rest[place];
+            rest = &rest[place + 1..];
+            if formula(one) == formula(other) {
+                rows.push(row(one, [Some(one), Some(other)]));
+            } else {
+                rows.extend([row(one, [Some(one), None]), row(other, [None, Some(other)])]);
+            }
         } else {
-            vec![row(one, [Some(one), None]), row(other, [None, Some(other)])]
+            rows.push(row(one, [Some(one), None]));
         }
-    };
-    first.iter().zip(second).flat_map(rows).collect()
+    }
+    rows.extend(rest.iter().map(|other| row(other, [None, Some(other)])));
+    rows
 }
 
 /// The factors of a mesh over the duty, those of its gears side by side; none where none are told.
@@ -278,7 +298,8 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
         let from = [from(one.formula.as_deref())];
         names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
     };
-    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.formula, row);
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     Some(Records {
         name: "factors",
@@ -318,7 +339,8 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
         let values = values.map(|value| value.map_or(Figure::None, |value| Figure::Printed(value.value, 4)));
         names.into_iter().chain(mesh).chain(values).chain([from(one.formula.as_deref())]).collect::<Vec<_>>()
     };
-    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.formula, row);
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
     Some(Records {
@@ -344,22 +366,24 @@ pub(crate) struct Worn<'a> {
     pub(crate) mesh: MeshName,
     pub(crate) toothed_gear: ToothedGear,
     pub(crate) material: &'a str,
-    pub(crate) flank: &'a Wear,
-    pub(crate) root: &'a Wear,
+    pub(crate) flank: Option<&'a Wear>,
+    pub(crate) root: Option<&'a Wear>,
 }
 
 impl<'a> From<&'a OverDuty> for Worn<'a> {
     fn from(one: &'a OverDuty) -> Self {
         let OverDuty { set, mesh, toothed_gear, material, flank, root, .. } = one;
+        let [flank, root] = [flank, root].map(Option::as_ref);
         Self { set, mesh: *mesh, toothed_gear: *toothed_gear, material, flank, root }
     }
 }
 
 pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records {
-    let wear = |wear: &Wear| {
+    let wear = |wear: Option<&Wear>| {
+        let Some(wear) = wear else { return [Figure::None, Figure::None, Figure::None, Figure::None] };
         let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
         let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));
-        [safety(wear.safety), damage, optional(Dimension::Time, wear.life_s), shown]
+        [safety(Some(wear.safety)), damage, optional(Dimension::Time, wear.life_s), shown]
     };
     let row = |one: Worn<'_>| {
         let names = [text(one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
@@ -443,20 +467,64 @@ fn overload(all: &[Overloaded]) -> Records {
     }
 }
 
+/// How planets share the load where the file does not give it.
+fn load_sharing(all: &[LoadSharing]) -> Records {
+    let row = |one: &LoadSharing| {
+        let words = match one.basis {
+            SharingBasis::Floating => "a member floats",
+            SharingBasis::Rigid => "no member floats",
+            SharingBasis::Assumed => "a floating member is assumed",
+        };
+        let basis = Figure::choice(one.basis, words);
+        vec![text(&one.set), Figure::Count(one.planets), Figure::Printed(one.mesh_load_factor, 3), basis]
+    };
+    Records {
+        name: "load_sharing",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::number("planets", "planets"),
+            Column::number("mesh_load_factor", "K_γ"),
+            Column::words("basis", "since"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself."
+                .to_owned(),
+            ..View::new("Load sharing of the planets", &["set", "planets", "mesh_load_factor", "basis"])
+        }],
+        is_answer: false,
+    }
+}
+
 fn not_rated(all: &[NotRated]) -> Records {
     let row = |one: &NotRated| {
         let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
-        vec![text(&one.set), gears, text(one.why())]
+        let words = |word: Option<String>| word.map_or(Figure::None, text);
+        vec![
+            text(&one.set),
+            gears,
+            words(one.mesh.map(|mesh| mesh.to_string())),
+            words(one.toothed_gear.map(|gear| gear.to_string())),
+            words(one.place.map(|place| place.to_string())),
+            text(one.why()),
+        ]
     };
+    let part = ["mesh", "toothed_gear", "place"];
+    let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
+    let shown: Vec<&'static str> =
+        ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
     Records {
         name: "not_rated",
         columns: vec![
             Column::words("set", "set"),
             Column::words("gears", "gears"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::words("place", "part"),
             Column::words("reason", "why"),
         ],
         rows: all.iter().map(row).collect(),
-        views: vec![View::new("Not rated", &["set", "gears", "reason"])],
+        views: vec![View::new("Not rated", &shown)],
         is_answer: false,
     }
 }

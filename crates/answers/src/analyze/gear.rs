@@ -5,7 +5,7 @@ use super::planet_bearings::{self, PlanetBearing};
 use super::records::{
     GearFacts, Kind, OneWayClutch, State, member_name, meshes, one_way_clutches, planet_name,
 };
-use super::{Input, OperatingPoint, Worked, warnings};
+use super::{Input, OperatingPoint, Worked, pins, warnings};
 use crate::gearbox::Subject;
 use crate::shared::Fraction;
 use crate::tolerance::ROUNDED;
@@ -554,7 +554,7 @@ impl Scene<'_> {
         let mut all = warnings::of_gearbox(subject);
         all.extend(warnings::drags(subject));
         all.extend(warnings::tilted(subject));
-        all.extend(warnings::fast_planets_of(self.gearbox, &[analysis]));
+        all.extend(pins::warning(subject, &[self.worked]));
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });
         }

@@ -6,7 +6,7 @@ use super::progression::{self, Deviation, Progression};
 use super::records::{GearFacts, OneWayClutch, one_way_clutches};
 use super::sets::SetFacts;
 use super::shifts::{self, MOST_GEARS, Shift};
-use super::{Input, OperatingPoint, Worked, planets, warnings};
+use super::{Input, OperatingPoint, Worked, pins, planets, warnings};
 use crate::gearbox::Subject;
 use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
@@ -103,7 +103,7 @@ pub fn answer(
     let mut all = warnings::of_gearbox(subject);
     all.extend(warnings::drags(subject));
     all.extend(warnings::tilted(subject));
-    all.extend(warnings::fast_planets_of(gearbox, &analyses));
+    all.extend(pins::warning(subject, &worked.iter().collect::<Vec<_>>()));
     all.extend(warnings::not_driven(subject, &analyses));
     all.extend(warnings::contradictions(gearbox, &analyses));
     all.extend(warnings::released(gearbox, &worked.iter().collect::<Vec<_>>()));

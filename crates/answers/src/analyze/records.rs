@@ -26,6 +26,8 @@ pub enum State {
     OutputFree,
     /// Input and output are related together with further speeds that must be given.
     Underdetermined,
+    /// The same, and the file gives these speeds.
+    SpeedsGiven,
     /// Speeds follow; how torques are shared depends on how tightly redundant parts hold.
     TorquesIndeterminate,
     /// The mesh losses hold the gear: no torque at the input moves a load at the output.
@@ -129,7 +131,7 @@ pub struct GearFacts {
     pub state: State,
     /// Links that the state concerns: at rest, free, or without a known speed.
     pub state_links: Vec<String>,
-    /// Of an underdetermined gear: how many further speeds must be given.
+    /// Of an underdetermined gear: how many speeds beside the input's must be given.
     pub missing_speeds: Option<usize>,
     /// Of a gear with indeterminate torques: the redundant parts.
     pub indeterminate: Option<Indeterminate>,
@@ -162,7 +164,15 @@ impl GearFacts {
             engaged: engaged(gearbox, gear),
             input: gearbox.link_name(gear.input()).to_owned(),
             output: gearbox.link_name(gear.output()).to_owned(),
-            state: State::of(analysis.state()),
+            state: match (State::of(analysis.state()), missing_speeds, inputs) {
+                // The speeds given are of as many links as the gear keeps freedoms.
+                (State::Underdetermined, Some(missing), Some(inputs))
+                    if inputs.speeds.len() == missing + 1 =>
+                {
+                    State::SpeedsGiven
+                }
+                (state, ..) => state,
+            },
             state_links,
             missing_speeds,
             indeterminate,

@@ -4,78 +4,9 @@ use super::Worked;
 use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::Warning;
 use crate::gearbox::Subject;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::set::SetSpec;
-use epicyclic_train::speeds::SetMotion;
 use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
-
-/// Speed of a planet relative to its carrier, over the input's, that is usually not exceeded.
-const USUAL_PLANET_SPEED: f64 = 2.0;
-
-/// A planet of a set in a gear.
-pub(crate) struct PlanetSpeed<'a> {
-    pub(crate) gear: &'a str,
-    pub(crate) set: &'a str,
-    /// Its speed relative to its carrier, over the input's.
-    pub(crate) relative: f64,
-}
-
-/// Planets that turn faster on their carriers than is usual, more than twice the input's speed: all in one warning.
-pub(crate) fn fast_planets(planets: &[PlanetSpeed<'_>]) -> Option<Warning> {
-    let fast: Vec<&PlanetSpeed<'_>> =
-        planets.iter().filter(|planet| planet.relative.abs() > USUAL_PLANET_SPEED).collect();
-    let speed = |planet: &PlanetSpeed<'_>| trimmed(planet.relative.abs(), 4);
-    let message = match fast[..] {
-        [] => return None,
-        [only] => format!(
-            "in gear {} a planet of set {} turns at {} times the input's speed relative to its carrier; \
-             {USUAL_PLANET_SPEED} is the customary limit, a convention",
-            only.gear,
-            only.set,
-            speed(only)
-        ),
-        _ => {
-            let mut sets: Vec<(&str, Vec<String>)> = vec![];
-            for planet in fast {
-                let in_gear = format!("{} in gear {}", speed(planet), planet.gear);
-                match sets.iter_mut().find(|(set, _)| *set == planet.set) {
-                    Some((_, gears)) => gears.push(in_gear),
-                    None => sets.push((planet.set, vec![in_gear])),
-                }
-            }
-            let sets: Vec<String> =
-                sets.iter().map(|(set, gears)| format!("set {set}: {}", gears.join(", "))).collect();
-            format!(
-                "planets turn faster relative to their carriers than {USUAL_PLANET_SPEED} times the input's speed, \
-                 the customary limit, a convention: {}",
-                sets.join("; ")
-            )
-        }
-    };
-    Some(Warning { name: "planet-speed", message })
-}
-
-/// The fastest planet of each set in these gears, where one is faster than usual.
-pub(super) fn fast_planets_of(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Option<Warning> {
-    let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, f64)> {
-        let of_set = |(place, motion): (usize, &SetMotion)| {
-            let planets = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
-            Some((place, planets.reduce(f64::max)?))
-        };
-        gear.sets().iter().enumerate().filter_map(of_set).collect()
-    };
-    let all: Vec<PlanetSpeed<'_>> = gears
-        .iter()
-        .flat_map(|gear| of_gear(gear).into_iter().map(move |found| (gear, found)))
-        .map(|(gear, (set, relative))| PlanetSpeed {
-            gear: gear.gear().name(),
-            set: gearbox.sets()[set].id(),
-            relative,
-        })
-        .collect();
-    fast_planets(&all)
-}
 
 /// `gear 1`, `gears 1, 2`.
 fn named(gears: &[&str]) -> String {
@@ -236,6 +167,9 @@ pub fn state_in_words(facts: &GearFacts) -> String {
         State::Underdetermined => {
             let speeds = if facts.missing_speeds == Some(1) { "one more speed" } else { "more speeds" };
             format!("underdetermined: {speeds} must be given, of {links}")
+        }
+        State::SpeedsGiven => {
+            format!("settled by the speeds that the file gives: {}", facts.links_with_given_speeds.join(", "))
         }
         State::TorquesIndeterminate => {
             let of = |what: &str, names: &[String]| {

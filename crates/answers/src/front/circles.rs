@@ -1,10 +1,9 @@
 //! Pitch circles of simple and double-planet sets of which the ratio is known, and not all teeth.
 
-use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape};
+use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
-use std::f64::consts::TAU;
 
 /// Radius of each of two equal planets in mesh over the room between sun and ring: at a quarter they would stand on one line with the axis.
 const EACH_OF_TWO: f64 = 0.29;
@@ -12,7 +11,7 @@ const EACH_OF_TWO: f64 = 0.29;
 /// The circles of a set: the ring's is `k` times the sun's.
 pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
     let k = set.ratio_between(0, 1).abs();
-    let count = set.planet_count().unwrap_or(SHOWN);
+    let angles = group_angles(set, SHOWN);
     // Radii of centres and circles of the planets, and `(ω − ω_H)/(ω_1 − ω_H)` of each.
     let planets: Vec<[f64; 3]> = match set.kind()? {
         SetKind::Simple => {
@@ -49,11 +48,11 @@ pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
         }
         _ => 0.0,
     };
-    let standing = |copy: u32, planet: usize| FrontPlanet {
+    let standing = |at: f64, planet: usize| FrontPlanet {
         centre_distance: planets[planet][0],
-        angle_rad: TAU * f64::from(copy) / f64::from(count) + apart * planet as f64,
+        angle_rad: at + apart * planet as f64,
         gears: vec![PlanetGear { gear: 2 + planet, turn_rad: 0.0 }],
     };
-    let planets = (0..count).flat_map(|copy| (0..planets.len()).map(move |planet| (copy, planet)));
-    Some(Shape { gears, planets: planets.map(|(copy, planet)| standing(copy, planet)).collect() })
+    let planets = angles.into_iter().flat_map(|at| (0..planets.len()).map(move |planet| (at, planet)));
+    Some(Shape { gears, planets: planets.map(|(at, planet)| standing(at, planet)).collect() })
 }

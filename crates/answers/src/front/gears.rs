@@ -10,7 +10,7 @@
 //! axis. The first central gear has a tooth along the first axis; every other gear follows from one with which it meshes, and a second gear of
 //! a planet that no placed gear meshes with stands as the first one.
 
-use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape};
+use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
 use crate::Error;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::PlanetSet as ShiftedSet;
@@ -21,6 +21,7 @@ use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::CentralKind;
 use epicyclic_train::planet_set::{GearOf, MeshKind};
 use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::spacing::Spacing;
 use std::f64::consts::{PI, TAU};
 
 /// How far the sides of an outline may leave the curve, modules: below what a screen shows of a gear with 300 teeth.
@@ -65,7 +66,7 @@ pub(super) fn of(set: &PlanetSet, rack: &BasicRack) -> Result<Option<Shape>, Err
     let count = set
         .planet_count()
         .unwrap_or_else(|| (1..=SHOWN).rev().find(|&count| have_room(&gears, &places, count)).unwrap_or(1));
-    let angles: Vec<f64> = (0..count).map(|copy| TAU * f64::from(copy) / f64::from(count)).collect();
+    let angles = group_angles(set, count);
     Ok(Some(in_mesh(set, gears, &places, &angles)))
 }
 
@@ -87,7 +88,11 @@ fn of_simple(set: &PlanetSet, shifted: &ShiftedSet) -> Result<Shape, Error> {
         gears.push(placed(set, of, curve, 1.0, diameter)?);
     }
     gears.swap(1, 2);
-    let angles: Vec<f64> = shifted.placed_planets().iter().map(|planet| planet.angle_rad).collect();
+    let angles = if *set.spacing() == Spacing::default() {
+        shifted.placed_planets().iter().map(|planet| planet.angle_rad).collect()
+    } else {
+        group_angles(set, shifted.planets())
+    };
     Ok(in_mesh(set, gears, &[[shifted.centre_distance(), 0.0]], &angles))
 }
 

@@ -12,7 +12,7 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::sizing::{self, Design, Found, Objective};
-use epicyclic_strength::spectrum::DutyRating;
+use epicyclic_strength::spectrum::{GearDuty, Worn};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
@@ -243,16 +243,16 @@ pub struct SizedGear {
 }
 
 impl SizedGear {
-    fn both(mesh: MeshName, materials: &[String; 3], rating: &DutyRating) -> [Self; 2] {
+    fn both(mesh: MeshName, materials: &[String; 3], rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
         let first = usize::from(mesh == MeshName::PlanetRing);
         Side::BOTH.map(|side| {
-            let own = rating.gears[side as usize];
+            let own = &rating[side as usize];
             Self {
                 mesh,
                 toothed_gear: mesh.gears()[side as usize],
                 material: materials[first + side as usize].clone(),
-                flank: Wear::of(own.contact),
-                root: Wear::of(own.root),
+                flank: Wear::of(&own.contact),
+                root: Wear::of(&own.root),
             }
         })
     }
@@ -432,18 +432,20 @@ pub struct NotSized {
     pub reason: Reason,
     /// The keys, or the factor, that are missing.
     pub missing: Vec<String>,
+    /// What the factor would follow from, or what is outside the standard.
+    pub because: Option<String>,
 }
 
 impl NotSized {
     pub(super) fn of(row: NotRated) -> Self {
-        Self { set: row.set, reason: row.reason, missing: row.missing }
+        Self { set: row.set, reason: row.reason, missing: row.missing, because: row.because }
     }
 
     /// Why, in words.
     #[must_use]
     pub fn why(&self) -> String {
-        let Self { set, reason, missing } = self.clone();
-        NotRated { missing, ..NotRated::new(&set, reason) }.why()
+        let Self { set, reason, missing, because } = self.clone();
+        NotRated { missing, because, ..NotRated::new(&set, reason) }.why()
     }
 
     /// In words: `set 1: no simple set`.

@@ -22,8 +22,10 @@ pub struct BearingOverDuty {
     pub rollers: bool,
     /// Basic dynamic load rating.
     pub load_rating_n: f64,
-    /// `K_γ`, with which the forces of the meshes are multiplied.
-    pub load_sharing: f64,
+    /// `K_γ`, with which the forces of the meshes are multiplied; `null` where it is not given and its table has not so many planets.
+    pub load_sharing: Option<f64>,
+    /// Whether the file gives it; else it follows from the number of planets and whether a member floats.
+    pub load_sharing_is_given: bool,
     /// The greatest force of the duty and the overloads; `null` where no forces follow.
     pub greatest_force_n: Option<f64>,
     /// Static safety: static load rating over the greatest force; `null` without that rating.

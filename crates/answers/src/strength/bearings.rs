@@ -10,6 +10,7 @@
 use super::duty::WorkedStep;
 use super::overload::Peak;
 use super::place::refused;
+use super::prepared::{floating, given_sharing};
 use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 use crate::Error;
 use crate::analyze::Worked;
@@ -17,13 +18,13 @@ use crate::analyze::records::planet_name;
 use crate::gearbox::Subject;
 use crate::tolerance::{ROUNDED, rounded};
 use crate::toothed::lacking;
-use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Path, Physical, Quantity};
 use epicyclic_gears::life::Rolling;
 use epicyclic_strength::bearing::{
     BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
 };
-use epicyclic_strength::load::load_sharing;
+use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
 
@@ -43,6 +44,8 @@ struct Given {
     static_load_rating: Option<Quantity<Force>>,
     fatigue_limit: Option<Quantity<Force>>,
     bearing_diameter: Option<Quantity<Length>>,
+    /// `K_γ` of a compound set's planet.
+    load_sharing: Option<f64>,
 }
 
 /// What the modified life asks for.
@@ -92,8 +95,13 @@ impl File<'_> {
     ) -> Result<BearingOverDuty, Error> {
         let set = &self.subject.gearbox.sets()[bearing.set];
         let entry = self.file.sets.iter().find(|entry| entry.id == set.id());
-        let sharing = self.sharing(entry, bearing)?;
         let given = self.given(set.id(), &set.planets()[bearing.planet].name);
+        let stated = given.load_sharing.or_else(|| entry.and_then(given_sharing));
+        let floating = entry.map_or(Floating::Assumed, floating);
+        let sharing = match stated {
+            Some(stated) => Some(stated),
+            None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),
+        };
         let (conditions, mut missing) = self.conditions(&given)?;
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
@@ -101,12 +109,18 @@ impl File<'_> {
             rollers: rolling == Rolling::Rollers,
             load_rating_n: rating.si(),
             load_sharing: sharing,
+            load_sharing_is_given: stated.is_some(),
             greatest_force_n: None,
             static_safety: None,
             basic_life_s: None,
             modified: None,
             steps: vec![],
             missing: vec![],
+        };
+        let Some(sharing) = sharing else {
+            let key = if entry.is_some() { "strength.factors.K_gamma" } else { "planet_sizes.load_sharing" };
+            row.missing = vec![format!("{key} (its table ends at 7 planets)")];
+            return Ok(row);
         };
         let mut steps = vec![];
         for WorkedStep(entry, worked) in duty {
@@ -162,6 +176,7 @@ impl File<'_> {
                 static_load_rating: entry.static_load_rating,
                 fatigue_limit: entry.fatigue_limit,
                 bearing_diameter: entry.bearing_diameter,
+                load_sharing: None,
             };
         }
         let compound = self.file.compound_sets.iter().enumerate().find(|(_, entry)| entry.id == set);
@@ -175,15 +190,7 @@ impl File<'_> {
             static_load_rating: entry.static_load_rating,
             fatigue_limit: entry.fatigue_limit,
             bearing_diameter: entry.bearing_diameter,
-        }
-    }
-
-    /// `K_γ` as the file gives it, or by the number of planets.
-    fn sharing(&self, entry: Option<&SetEntry>, bearing: &PlanetBearing) -> Result<f64, Error> {
-        let given = entry.and_then(|entry| entry.strength.as_ref()?.factors.get("K_gamma"));
-        match given {
-            Some(given) => Ok(given.get()),
-            None => Ok(load_sharing(bearing.planets.unwrap_or(1))?),
+            load_sharing: entry.load_sharing.map(epicyclic_formats::Number::get),
         }
     }
 

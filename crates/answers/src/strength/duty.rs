@@ -1,9 +1,9 @@
 //! The steps of a duty, and a set over them.
 
 use super::load::{both_loads, set_load};
-use super::place::{Fault, refused};
+use super::place::{Fault, Partly, refused};
 use super::prepared::RatedSet;
-use super::records::{MeshName, NotRated, OverDuty, Reason};
+use super::records::{NotRated, OverDuty, Reason};
 use crate::Error;
 use crate::analyze::{Input, Worked};
 use crate::gearbox::Subject;
@@ -61,7 +61,7 @@ pub(super) fn rated(
     duty: &[WorkedStep<'_>],
     life: Time,
     with_factors: bool,
-) -> Result<Vec<OverDuty>, Fault> {
+) -> Result<Partly<OverDuty>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
     let mut steps: [Vec<Step>; 2] = [vec![], vec![]];
     let mut loaded: [Vec<Load>; 2] = [vec![], vec![]];
@@ -86,14 +86,17 @@ pub(super) fn rated(
     }
     let contacts =
         both_loads(set, Torque::from_si(0.0), AngularVelocity::from_si(0.0), life).map_err(fault)?;
-    let mut all = vec![];
-    for (place, name) in MeshName::BOTH.into_iter().enumerate() {
+    Partly::of_meshes(|place, name| {
         let rating =
             rate_duty(&set.meshes[place], &steps[place], life, contacts[place].contacts, &set.methods[place])
                 .map_err(fault)?;
         let of_step = |load: &Load| rate(&set.meshes[place], load, &set.methods[place]);
         let of_steps: Vec<_> = loaded[place].iter().map(of_step).collect::<Result<_, _>>().map_err(fault)?;
-        all.extend(OverDuty::both(set.id, name, &set.materials[place..], &rating, &of_steps));
-    }
-    Ok(all)
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        let both = OverDuty::both(set.id, name, &set.materials[place..], &rating, &of_steps);
+        Ok((both.into(), NotRated::parts(set.id, name, parts)))
+    })
 }

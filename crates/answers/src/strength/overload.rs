@@ -1,9 +1,9 @@
 //! A set against the overloads of a file.
 
 use super::load::{both_loads, sun_torque, torque};
-use super::place::{Fault, refused};
+use super::place::{Fault, Partly, refused};
 use super::prepared::RatedSet;
-use super::records::{MeshName, NotRated, Overloaded, Required};
+use super::records::{NotRated, Overloaded, Required};
 use crate::Error;
 use crate::analyze::{Input, Worked};
 use crate::gearbox::Subject;
@@ -74,23 +74,26 @@ pub(super) fn rated(
     set: &RatedSet<'_>,
     peak: &Peak<'_>,
     life: Time,
-) -> Result<Vec<Overloaded>, Fault> {
+) -> Result<Partly<Overloaded>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
     let torque = sun_torque(set, &peak.worked).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
     let loads = both_loads(set, torque, AngularVelocity::from_si(0.0), life).map_err(fault)?;
-    let mut all = vec![];
-    for (place, mesh) in MeshName::BOTH.into_iter().enumerate() {
+    Partly::of_meshes(|place, mesh| {
         let rating = overload(&set.meshes[place], loads[place].torque, &set.methods[place]).map_err(fault)?;
-        all.extend(Side::BOTH.map(|side| Overloaded {
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        let both = Side::BOTH.map(|side| Overloaded {
             gear: peak.entry.gear.clone(),
             torque_n_m: peak.entry.torque.0.si(),
             set: set.id.to_owned(),
             mesh,
             toothed_gear: mesh.gears()[side as usize],
-            flank_safety: rating.gears[side as usize].contact,
-            root_safety: rating.gears[side as usize].root,
+            flank_safety: rating.gears[side as usize].contact.as_ref().ok().copied(),
+            root_safety: rating.gears[side as usize].root.as_ref().ok().copied(),
             required: peak.required,
-        }));
-    }
-    Ok(all)
+        });
+        Ok((both.into(), NotRated::parts(set.id, mesh, parts)))
+    })
 }

@@ -1,6 +1,6 @@
 //! Where in a gearbox file a fault of its strength is.
 
-use super::records::{NotRated, Reason};
+use super::records::{MeshName, NotRated, Reason};
 use crate::Error;
 use epicyclic_formats::{Document, Path, Problem};
 use epicyclic_strength::{self as strength, Quantity};
@@ -16,15 +16,48 @@ pub(crate) enum Fault {
 impl Fault {
     /// Of a set at its path.
     pub(crate) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
-        match error {
-            strength::Error::MissingFactor { symbol, because } => Self::Row(NotRated {
-                missing: vec![symbol.to_string()],
-                because: Some((*because).to_owned()),
-                ..NotRated::new(set, Reason::FactorMissing)
-            }),
-            strength::Error::IdleDuty => Self::Row(NotRated::new(set, Reason::NoTorque)),
-            error => Self::Refused(Box::new(located(document, path, error))),
+        match NotRated::of_error(set, error) {
+            Some(row) => Self::Row(row),
+            None => Self::Refused(Box::new(located(document, path, error))),
         }
+    }
+}
+
+/// What a set gives, and what of it is not rated.
+pub(crate) struct Partly<T> {
+    pub(crate) rated: Vec<T>,
+    pub(crate) not_rated: Vec<NotRated>,
+}
+
+impl<T> Partly<T> {
+    /// Both meshes, each by itself: one that cannot be rated leaves the other.
+    ///
+    /// # Errors
+    /// [`Fault::Refused`], and [`Fault::Row`] where nothing is loaded.
+    pub(crate) fn of_meshes(
+        mut mesh: impl FnMut(usize, MeshName) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
+    ) -> Result<Self, Fault> {
+        let mut all = Self { rated: vec![], not_rated: vec![] };
+        for (place, name) in MeshName::BOTH.into_iter().enumerate() {
+            match mesh(place, name) {
+                Ok((rated, not_rated)) => {
+                    all.rated.extend(rated);
+                    all.not_rated.extend(not_rated);
+                }
+                Err(Fault::Row(row)) if row.reason != Reason::NoTorque => {
+                    all.not_rated.push(row.of_mesh(name));
+                }
+                Err(fault) => return Err(fault),
+            }
+        }
+        if let ([], [first, second]) = (&all.rated[..], &all.not_rated[..]) {
+            let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
+            // What keeps both meshes from being rated is of the set.
+            if of_set(first) == of_set(second) {
+                return Err(Fault::Row(of_set(first)));
+            }
+        }
+        Ok(all)
     }
 }
 

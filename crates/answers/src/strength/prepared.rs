@@ -6,7 +6,7 @@ use crate::Error;
 use crate::gearbox::Subject;
 use crate::toothed;
 use epicyclic_formats::gearbox::{
-    AccuracyEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
+    AccuracyEntry, FloatingEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
 };
 use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
@@ -14,14 +14,14 @@ use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet};
 use epicyclic_gears::mesh::coaxial_planet;
 use epicyclic_strength::factor::{Given, Side, Symbol};
-use epicyclic_strength::load::{Arrangement, Dynamics};
+use epicyclic_strength::load::{Arrangement, Dynamics, Floating};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
 use epicyclic_train::set::{Gearing, SetSpec, Shifts};
 use std::collections::BTreeMap;
-use uom::si::f64::{KinematicViscosity, Length};
+use uom::si::f64::{Angle, KinematicViscosity, Length};
 
 /// A simple set with all that its strength asks for.
 pub(crate) struct RatedSet<'g> {
@@ -46,6 +46,11 @@ impl RatedSet<'_> {
     pub(crate) fn is_helical(&self) -> bool {
         self.meshes[0].pair.gears()[0].profile().is_helical()
     }
+
+    /// Whether `K_γ` of both meshes is given.
+    pub(crate) fn has_load_sharing(&self) -> bool {
+        self.methods.iter().all(|method| method.given.of(Side::First, Symbol::LoadSharing).is_some())
+    }
 }
 
 /// A simple set with all that its strength asks for but its size.
@@ -62,6 +67,10 @@ pub(crate) struct SetToSize<'g> {
     pub(crate) materials: &'g [String; 3],
     /// Teeth of sun, planets and ring.
     pub(crate) teeth: [ToothCount; 3],
+    /// Number of planets that the file gives.
+    pub(crate) planets: Option<u32>,
+    /// The least angle between neighbouring planets, where the file gives their spacing.
+    pub(crate) least_planet_angle: Option<Angle>,
     /// Shifts that the file gives.
     pub(crate) shifts: Option<Shifts>,
     pub(crate) profiles: Profiles,
@@ -155,7 +164,7 @@ impl<'a> Of<'a> {
             Some(strength),
             Some(shaper),
             Some(viscosity),
-        ) = (gears, entry.planets, entry.module, entry.face_width, strength, shaper, viscosity)
+        ) = (gears, self.spec.planet_count, entry.module, entry.face_width, strength, shaper, viscosity)
         {
             let shaper = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             let (module, face_width) = (module.0, face_width.0);
@@ -163,7 +172,7 @@ impl<'a> Of<'a> {
         }
         let known = [
             (toothed::missing_teeth(entry), gears.is_some()),
-            ("planets", entry.planets.is_some()),
+            ("planets", self.spec.planet_count.is_some()),
             ("module", entry.module.is_some()),
             ("face_width", entry.face_width.is_some()),
             ("strength", strength.is_some()),
@@ -224,6 +233,7 @@ impl<'a> Of<'a> {
             pitting_allowed: strength.pitting_allowed.unwrap_or(usual.pitting_allowed),
             long_life_factor: strength.long_life_factor.map_or(usual.long_life_factor, Number::get),
             accuracy_grade: strength.accuracy_grade.unwrap_or(usual.accuracy_grade),
+            floating: floating(self.entry),
             ..usual
         };
         let common = ("factors", &strength.factors);
@@ -300,6 +310,8 @@ impl<'a> Of<'a> {
                 path: self.path.clone(),
                 entry: self.entry,
                 teeth: [sun, planet, ring],
+                planets: self.spec.planet_count,
+                least_planet_angle: self.subject.gearbox.sets()[place].least_planet_angle(),
                 shifts: self.spec.shifts,
                 profiles: self.spec.profiles(&self.subject.rack),
                 materials: &strength.materials,
@@ -375,6 +387,25 @@ impl<'a> Of<'a> {
     fn refused(&self, keys: &[&str], message: &str) -> Error {
         refused(self.subject.document, &self.path, keys, message)
     }
+}
+
+/// Whether a member of a set floats, as its entry says.
+pub(crate) fn floating(entry: &SetEntry) -> Floating {
+    match entry.floating {
+        None => Floating::Assumed,
+        Some(FloatingEntry::None) => Floating::No,
+        Some(FloatingEntry::Sun | FloatingEntry::Ring | FloatingEntry::Carrier) => Floating::Yes,
+    }
+}
+
+/// `K_γ` that an entry gives: that of the mesh of sun and planets, then that of both meshes, by any spelling of its symbol.
+pub(crate) fn given_sharing(entry: &SetEntry) -> Option<f64> {
+    let strength = entry.strength.as_ref()?;
+    let all = strength.sun_mesh_factors.iter().chain(&strength.factors);
+    let own = |(name, value): (&String, &Number)| {
+        (Symbol::named(name) == Some(Symbol::LoadSharing)).then(|| value.get())
+    };
+    all.filter_map(own).next()
 }
 
 /// Refuses materials of one name, and cast iron without its modulus.

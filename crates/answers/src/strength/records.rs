@@ -4,7 +4,9 @@ pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLi
 use crate::Warning;
 use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
+use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_strength::factor::{Origin, Side};
+use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::MeshRating;
 use epicyclic_strength::spectrum::{DutyRating, Worn};
@@ -160,18 +162,18 @@ pub struct Rated {
     pub tangential_force_n: f64,
     /// Load cycles in the required life, `N_L`.
     pub cycles: f64,
-    /// Contact stress `σ_H`.
-    pub contact_stress_pa: f64,
-    /// Its limit `σ_HG`.
-    pub contact_limit_pa: f64,
-    /// Safety of the flank, `S_H`.
-    pub flank_safety: f64,
-    /// Root stress `σ_F`.
-    pub root_stress_pa: f64,
-    /// Its limit `σ_FG`.
-    pub root_limit_pa: f64,
-    /// Safety of the root, `S_F`.
-    pub root_safety: f64,
+    /// Contact stress `σ_H`; `null` of a flank in `not_rated`.
+    pub contact_stress_pa: Option<f64>,
+    /// Its limit `σ_HG`; `null` of a flank in `not_rated`.
+    pub contact_limit_pa: Option<f64>,
+    /// Safety of the flank, `S_H`; `null` of a flank in `not_rated`.
+    pub flank_safety: Option<f64>,
+    /// Root stress `σ_F`; `null` of a root in `not_rated`.
+    pub root_stress_pa: Option<f64>,
+    /// Its limit `σ_FG`; `null` of a root in `not_rated`.
+    pub root_limit_pa: Option<f64>,
+    /// Safety of the root, `S_F`; `null` of a root in `not_rated`.
+    pub root_safety: Option<f64>,
     /// All factors in the order of the calculation, if they are wanted.
     pub factors: Vec<Factor>,
 }
@@ -190,6 +192,7 @@ impl MeshAtPoint {
     pub(crate) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
         let of = |side: Side| {
             let own: &rating::GearRating = &self.rating.gears[side as usize];
+            let (flank, root) = (own.contact.as_ref().ok(), own.root.as_ref().ok());
             let factors =
                 if with_factors { self.rating.chain(side).map(Factor::of).collect() } else { vec![] };
             Rated {
@@ -202,16 +205,26 @@ impl MeshAtPoint {
                 mesh_speed_rad_s: self.load.speed.si(),
                 tangential_force_n: self.rating.tangential_force.si(),
                 cycles: own.cycles,
-                contact_stress_pa: own.contact.stress.si(),
-                contact_limit_pa: own.contact.limit.si(),
-                flank_safety: own.contact.safety,
-                root_stress_pa: own.root.stress.si(),
-                root_limit_pa: own.root.limit.si(),
-                root_safety: own.root.safety,
+                contact_stress_pa: flank.map(|flank| flank.stress.si()),
+                contact_limit_pa: flank.map(|flank| flank.limit.si()),
+                flank_safety: flank.map(|flank| flank.safety),
+                root_stress_pa: root.map(|root| root.stress.si()),
+                root_limit_pa: root.map(|root| root.limit.si()),
+                root_safety: root.map(|root| root.safety),
                 factors,
             }
         };
         Side::BOTH.map(of)
+    }
+
+    /// Flanks and roots that are not rated, of a set.
+    pub(crate) fn not_rated(&self, set: &str) -> Vec<NotRated> {
+        let parts = self
+            .rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        NotRated::parts(set, self.name, parts)
     }
 }
 
@@ -273,9 +286,15 @@ impl FactorOverDuty {
                     formula,
                 }));
             } else {
-                for (one, Factor { value, .. }) in all.iter_mut().zip(chain) {
-                    one.least = one.least.min(value);
-                    one.greatest = one.greatest.max(value);
+                for Factor { symbol, value, formula } in chain {
+                    match all.iter_mut().find(|one| one.symbol == symbol) {
+                        Some(one) => {
+                            one.least = one.least.min(value);
+                            one.greatest = one.greatest.max(value);
+                        }
+                        // In the steps before, this flank or root was not rated.
+                        None => all.push(Self { symbol, least: value, greatest: value, formula }),
+                    }
                 }
             }
         }
@@ -296,7 +315,7 @@ pub struct Wear {
 }
 
 impl Wear {
-    pub(crate) fn of(worn: Worn) -> Self {
+    pub(crate) fn of(worn: &Worn) -> Self {
         let damage = Some(worn.damage).filter(|damage| damage.is_finite());
         Self { damage, safety: worn.safety, life_s: worn.life.map(Physical::si) }
     }
@@ -314,10 +333,10 @@ pub struct OverDuty {
     pub toothed_gear: ToothedGear,
     /// Its material.
     pub material: String,
-    /// Its flank.
-    pub flank: Wear,
-    /// Its root.
-    pub root: Wear,
+    /// Its flank; `null` of one in `not_rated`.
+    pub flank: Option<Wear>,
+    /// Its root; `null` of one in `not_rated`.
+    pub root: Option<Wear>,
     /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value of, if they are wanted.
     pub factors: Vec<FactorOverDuty>,
 }
@@ -332,14 +351,14 @@ impl OverDuty {
         steps: &[MeshRating],
     ) -> [Self; 2] {
         Side::BOTH.map(|side| {
-            let own = rating.gears[side as usize];
+            let own = &rating.gears[side as usize];
             Self {
                 set: set.to_owned(),
                 mesh,
                 toothed_gear: mesh.gears()[side as usize],
                 material: materials[side as usize].clone(),
-                flank: Wear::of(own.contact),
-                root: Wear::of(own.root),
+                flank: own.contact.as_ref().ok().map(Wear::of),
+                root: own.root.as_ref().ok().map(Wear::of),
                 factors: FactorOverDuty::of(steps, side),
             }
         })
@@ -360,12 +379,70 @@ pub struct Overloaded {
     pub mesh: MeshName,
     /// Which of its gears.
     pub toothed_gear: ToothedGear,
-    /// Static safety of the flank, `S_H`.
-    pub flank_safety: f64,
-    /// Static safety of the root, `S_F`.
-    pub root_safety: f64,
+    /// Static safety of the flank, `S_H`; `null` of one in `not_rated`.
+    pub flank_safety: Option<f64>,
+    /// Static safety of the root, `S_F`; `null` of one in `not_rated`.
+    pub root_safety: Option<f64>,
     /// What is required against this overload.
     pub required: Required,
+}
+
+/// Where a mesh load factor comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SharingBasis {
+    /// A member floats.
+    Floating,
+    /// No member floats.
+    Rigid,
+    /// Not stated: a floating member is assumed.
+    Assumed,
+}
+
+impl SharingBasis {
+    pub(crate) const fn of(floating: Floating) -> Self {
+        match floating {
+            Floating::Assumed => Self::Assumed,
+            Floating::Yes => Self::Floating,
+            Floating::No => Self::Rigid,
+        }
+    }
+}
+
+/// How the planets of a set share the load, where the file gives no `K_γ`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LoadSharing {
+    /// The set.
+    pub set: String,
+    /// Number of planets.
+    pub planets: u32,
+    /// Mesh load factor `K_γ`.
+    pub mesh_load_factor: f64,
+    /// What it rests on.
+    pub basis: SharingBasis,
+}
+
+impl LoadSharing {
+    /// Of planets that share the load by the table; `None` where it ends before their number.
+    pub(crate) fn of(set: &str, planets: u32, floating: Floating) -> Option<Self> {
+        let mesh_load_factor = load_sharing(planets, floating).ok()?;
+        Some(Self { set: set.to_owned(), planets, mesh_load_factor, basis: SharingBasis::of(floating) })
+    }
+
+    /// That no member floats, which loads planets unevenly.
+    pub(crate) fn warning(&self) -> Option<Warning> {
+        (self.basis == SharingBasis::Rigid && self.planets > 1).then(|| Warning {
+            name: "rigid-load-sharing",
+            message: format!(
+                "set {}: no member floats, so the {} planets share the load unevenly: K_γ = {} is assumed; measure or calculate it and \
+                 give `K_gamma`",
+                self.set,
+                self.planets,
+                trimmed(self.mesh_load_factor, 4)
+            ),
+        })
+    }
 }
 
 /// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load factors.
@@ -426,50 +503,44 @@ pub struct Governing {
     pub required: f64,
 }
 
+impl Governing {
+    /// Of a gear: flank and root, as far as they are rated.
+    fn both(
+        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, MeshName, ToothedGear),
+        safeties: [Option<f64>; 2],
+        required: Required,
+    ) -> impl Iterator<Item = Self> + use<> {
+        let (gear, set) = (gear.cloned(), set.clone());
+        [Place::Flank, Place::Root].into_iter().zip(safeties).filter_map(move |(place, safety)| {
+            Some(Self {
+                against,
+                gear: gear.clone(),
+                set: set.clone(),
+                mesh,
+                toothed_gear,
+                place,
+                safety: safety?,
+                required: required.at(place),
+            })
+        })
+    }
+}
+
 impl Safeties {
-    /// Flank and root of each gear.
+    /// Flank and root of each gear that are rated.
     fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
         let points = self.at_point.iter().flat_map(move |one| {
-            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| {
-                Governing {
-                    against: Against::OperatingPoint,
-                    gear: Some(one.gear.clone()),
-                    set: one.set.clone(),
-                    mesh: one.mesh,
-                    toothed_gear: one.toothed_gear,
-                    place,
-                    safety,
-                    required: required.at(place),
-                }
-            })
+            let of = (Against::OperatingPoint, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [one.flank_safety, one.root_safety], required)
         });
         let duties = self.over_duty.iter().flat_map(move |one| {
-            [(Place::Flank, one.flank.safety), (Place::Root, one.root.safety)].map(|(place, safety)| {
-                Governing {
-                    against: Against::Duty,
-                    gear: None,
-                    set: one.set.clone(),
-                    mesh: one.mesh,
-                    toothed_gear: one.toothed_gear,
-                    place,
-                    safety,
-                    required: required.at(place),
-                }
-            })
+            let safety = |wear: &Option<Wear>| wear.as_ref().map(|wear| wear.safety);
+            let of = (Against::Duty, None, &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [safety(&one.flank), safety(&one.root)], required)
         });
         let overloads = self.overload.iter().flat_map(|one| {
-            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| {
-                Governing {
-                    against: Against::Overload,
-                    gear: Some(one.gear.clone()),
-                    set: one.set.clone(),
-                    mesh: one.mesh,
-                    toothed_gear: one.toothed_gear,
-                    place,
-                    safety,
-                    required: one.required.at(place),
-                }
-            })
+            let of = (Against::Overload, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [one.flank_safety, one.root_safety], one.required)
         });
         points.chain(duties).chain(overloads)
     }
@@ -508,7 +579,7 @@ impl fmt::Display for Governing {
     }
 }
 
-/// Why a set is not rated.
+/// Why a set, or a mesh, flank or root of it, is not rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
@@ -518,6 +589,8 @@ pub enum Reason {
     KeysMissing,
     /// A factor is neither given nor can be calculated.
     FactorMissing,
+    /// It is outside what the standard holds for.
+    BeyondStandard,
     /// No torques follow in the gear, or it cannot take the load.
     NoTorquesFollow,
     /// It carries no torque.
@@ -526,7 +599,7 @@ pub enum Reason {
     NoRolling,
 }
 
-/// A set that is not rated.
+/// A set that is not rated, or a mesh, flank or root of it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotRated {
@@ -536,17 +609,78 @@ pub struct NotRated {
     pub against: Option<Against>,
     /// In which selected gears; empty in all.
     pub gears: Vec<String>,
+    /// The mesh; `null` where none of the set is rated.
+    pub mesh: Option<MeshName>,
+    /// The gear of the mesh; `null` where neither is rated.
+    pub toothed_gear: Option<ToothedGear>,
+    /// Flank or root of this gear; `null` where neither is rated.
+    pub place: Option<Place>,
     /// Why.
     pub reason: Reason,
     /// The keys, or the factor, that are missing.
     pub missing: Vec<String>,
-    /// What the factor would follow from.
+    /// What the factor would follow from, or what is outside the standard.
     pub because: Option<String>,
+    /// The value that is outside the standard, lengths in mm, roughness in µm.
+    pub value: Option<f64>,
 }
 
 impl NotRated {
     pub(crate) fn new(set: &str, reason: Reason) -> Self {
-        Self { set: set.to_owned(), against: None, gears: vec![], reason, missing: vec![], because: None }
+        Self {
+            set: set.to_owned(),
+            against: None,
+            gears: vec![],
+            mesh: None,
+            toothed_gear: None,
+            place: None,
+            reason,
+            missing: vec![],
+            because: None,
+            value: None,
+        }
+    }
+
+    /// Of a set and what ended the calculation of it or of a part; `None` of a fault of the input.
+    pub(crate) fn of_error(set: &str, error: &strength::Error) -> Option<Self> {
+        use strength::Error as E;
+        match error {
+            E::MissingFactor { symbol, because } => Some(Self {
+                missing: vec![symbol.to_string()],
+                because: Some((*because).to_owned()),
+                ..Self::new(set, Reason::FactorMissing)
+            }),
+            E::IdleDuty => Some(Self::new(set, Reason::NoTorque)),
+            error if error.is_beyond_standard() => Some(Self {
+                because: Some(error.to_string()),
+                value: match error {
+                    E::OutOfRange { value, .. } | E::NotAbove { value, .. } => Some(*value),
+                    _ => None,
+                },
+                ..Self::new(set, Reason::BeyondStandard)
+            }),
+            _ => None,
+        }
+    }
+
+    /// The same of one mesh.
+    pub(crate) fn of_mesh(self, mesh: MeshName) -> Self {
+        Self { mesh: Some(mesh), ..self }
+    }
+
+    /// Flanks and roots of both gears of a mesh that have an error.
+    pub(crate) fn parts(
+        set: &str,
+        mesh: MeshName,
+        errors: [(Option<strength::Error>, Option<strength::Error>); 2],
+    ) -> Vec<Self> {
+        let of_gear = |(side, (flank, root)): (usize, (Option<strength::Error>, Option<strength::Error>))| {
+            [(Place::Flank, flank), (Place::Root, root)].into_iter().filter_map(move |(place, error)| {
+                let row = Self::of_error(set, &error?)?.of_mesh(mesh);
+                Some(Self { toothed_gear: Some(mesh.gears()[side]), place: Some(place), ..row })
+            })
+        };
+        errors.into_iter().enumerate().flat_map(of_gear).collect()
     }
 
     /// The same in one gear.
@@ -562,8 +696,9 @@ impl NotRated {
     /// Adds it to others, gears of one set and reason together.
     pub(crate) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
-            (&one.set, one.against, one.reason, &one.missing)
-                == (&self.set, self.against, self.reason, &self.missing)
+            let part = |one: &Self| (one.against, one.mesh, one.toothed_gear, one.place, one.reason);
+            part(one) == part(&self)
+                && (&one.set, &one.missing, &one.because) == (&self.set, &self.missing, &self.because)
                 && !one.gears.is_empty()
         };
         match all.iter_mut().find(alike) {
@@ -574,7 +709,20 @@ impl NotRated {
 
     /// In words: `set 1: module missing`.
     pub(crate) fn told(&self) -> String {
-        format!("set {}: {}", self.set, self.why())
+        format!("{}: {}", self.of(), self.why())
+    }
+
+    /// What is not rated, in words: `set 1`, `set 1, mesh planet-ring, root of the ring`.
+    #[must_use]
+    pub fn of(&self) -> String {
+        let mut words = format!("set {}", self.set);
+        if let Some(mesh) = self.mesh {
+            words += &format!(", mesh {mesh}");
+        }
+        if let (Some(gear), Some(place)) = (self.toothed_gear, self.place) {
+            words += &format!(", {place} of the {gear}");
+        }
+        words
     }
 
     /// Why, in words.
@@ -587,6 +735,9 @@ impl NotRated {
             (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
             (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {
                 format!("{missing} missing: {because}")
+            }
+            (Reason::BeyondStandard, because) => {
+                format!("outside ISO 6336: {}", because.as_deref().unwrap_or_default())
             }
             (Reason::NoTorquesFollow, _) => "no torques follow".to_owned(),
             (Reason::NoTorque, _) => "carries no torque".to_owned(),

@@ -8,6 +8,7 @@ use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::simple_set::Member;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
+use epicyclic_train::spacing::Spacing;
 use epicyclic_train::{GROUND, Gearbox};
 
 /// The one gear of the gearbox.
@@ -62,6 +63,8 @@ fn built(wanted: &Wanted, set: SetSpec) -> Result<Gearbox, Error> {
     let mode = wanted.mode;
     let [input, output] = [mode.input(), mode.output()].map(|member| link(wanted, member));
     let name = format!("Ratio {} ({mode})", wanted.ratio);
+    // Where planets at equal angles assemble, they stand there under either bound.
+    let set = set.spaced(Spacing::Placed(wanted.bounds.placement));
     let gearbox = Gearbox::builder(&name).links([input, output]).set(set).input(input).output(output);
     Ok(gearbox.gear(GEAR, [] as [&str; 0]).build()?)
 }

@@ -12,6 +12,7 @@ use epicyclic_formats::{Path, Physical, Quantity};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::mass::{MassProperties, TOOTH_FILL, ring};
 use epicyclic_strength::load::mesh_stiffness;
+use epicyclic_train::PlanetSet;
 use epicyclic_train::set::SetSpec;
 use epicyclic_vibration::{Body, Central, Freedom, Planet, PlanetarySet, Support};
 use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia, Torque};
@@ -23,6 +24,7 @@ pub(super) struct Of<'a> {
     pub(super) path: Path,
     pub(super) entry: &'a SetEntry,
     pub(super) spec: &'a SetSpec,
+    pub(super) set: &'a PlanetSet,
 }
 
 /// What the file says of a set, whatever a gear holds of it.
@@ -97,20 +99,19 @@ impl Of<'_> {
             _ => (None, StiffnessOrigin::Iso6336),
         };
         let planet = self.planet(vibration, by_teeth, radii)?;
+        let spacing = Spacing::of(self.set)
+            .transpose()
+            .map_err(|message| self.refused(&["planet_angles", "vibration", "planet_angles"], &message))?;
         if let (
-            Some(planets),
+            Some((planets, spacing)),
             Some(radii),
             Some(circle),
             Some(angles),
             Some(meshes),
             (Some(mass), Some(inertia)),
-        ) = (entry.planets, radii, circle, angles, meshes, planet)
+        ) = (self.set.planet_count().zip(spacing), radii, circle, angles, meshes, planet)
         {
             let teeth = toothed.map(|set| set.gears().map(|gear| gear.teeth().get()));
-            let at = vibration.planet_angles.as_ref();
-            let at: Option<Vec<f64>> = at.map(|all| all.iter().map(|angle| angle.0.si()).collect());
-            let spacing = Spacing::new(planets, teeth, at.as_deref())
-                .map_err(|message| self.refused(&["vibration", "planet_angles"], &message))?;
             return Ok(Ok(Prepared {
                 planets,
                 teeth,
@@ -133,7 +134,7 @@ impl Of<'_> {
             (!is_known).then(|| format!("{missing} (or {in_their_place})"))
         };
         let mut missing: Vec<String> = [
-            entry.planets.is_none().then(|| "planets".to_owned()),
+            self.set.planet_count().is_none().then(|| "planets".to_owned()),
             has(radii.is_some(), "vibration.base_radii"),
             has(circle.is_some(), "carrier_radius"),
             has(angles.is_some(), "vibration.pressure_angles"),
@@ -353,6 +354,11 @@ impl Prepared {
     /// Whether its planets are equally spaced.
     pub(super) fn is_equally_spaced(&self) -> bool {
         self.spacing.is_equal
+    }
+
+    /// Whether sun, ring or carrier has a tangential support.
+    pub(super) fn is_elastic(&self, member: usize) -> bool {
+        self.members[member].tangential.is_some()
     }
 
     /// Radial stiffness of the support of sun, ring or carrier; `None` where its centre is held.

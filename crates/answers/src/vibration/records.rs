@@ -369,7 +369,7 @@ pub enum Reason {
     UnequalPlanets,
     /// Its teeth are helical: it moves along its axis and tilts, too, which the planar model has not.
     Helical,
-    /// Its members are joined: no mesh turns.
+    /// Its members are joined, or several are held: no mesh turns.
     DoesNotRoll,
     /// No speeds follow in the gear.
     NoSpeeds,
@@ -392,7 +392,10 @@ impl NotCalculated {
             Reason::Helical => {
                 "its teeth are helical; vibrate takes spur teeth alone, helix_angle: 0 deg, since its model is planar".to_owned()
             }
-            Reason::DoesNotRoll => "its members are joined, no mesh turns".to_owned(),
+            Reason::DoesNotRoll => {
+                "no mesh turns: its members are joined, or several are held; with a tangential_support of a held one its modes are calculated"
+                    .to_owned()
+            }
             Reason::NoSpeeds => "no speeds follow in this gear".to_owned(),
             Reason::NoSymmetry => {
                 "the second set without three or more planets at equal angles: what two such do depends on the angle between them".to_owned()

@@ -1,9 +1,9 @@
-//! Where the planets of a set stand on its carrier.
-//!
-//! Sun and ring of `z_s` and `z_r` teeth let a planet stand at the angles `2π·κ/(z_s + z_r)` from another, `κ` an integer.
+//! Where the planets of a set stand on its carrier, for the phases of their meshes.
 
 use crate::number::short;
-use crate::tolerance::{AT_TEETH, EQUAL_SPACING};
+use crate::tolerance::EQUAL_SPACING;
+use epicyclic_formats::Physical;
+use epicyclic_train::PlanetSet;
 use std::f64::consts::TAU;
 
 /// The places of the planets.
@@ -12,78 +12,80 @@ pub(super) struct Spacing {
     /// Angles from `x`, of the first planet 0 where they are equally spaced.
     pub(super) angles_rad: Vec<f64>,
     pub(super) is_equal: bool,
-    /// `κ` of each planet; of sets with teeth alone.
+    /// Assembly position of each planet; none of sets without teeth, and of planets that cannot be assembled at equal angles.
     pub(super) places: Vec<u64>,
 }
 
 impl Spacing {
-    /// Of so many planets at given angles, rad, or equally spaced.
+    /// Of the planets of a set; `None` where their number is not known.
     ///
-    /// Equally spaced planets that the teeth do not let stand so have no `places`.
-    pub(super) fn new(planets: u32, teeth: Option<[u32; 3]>, given: Option<&[f64]>) -> Result<Self, String> {
-        let count = planets as usize;
-        let all = teeth.map(|[sun, _, ring]| u64::from(sun) + u64::from(ring));
-        let Some(given) = given else {
-            let step = all.filter(|all| planets > 0 && all.is_multiple_of(planets.into()));
-            let step = step.map(|all| all / u64::from(planets));
-            let angles_rad = (0..count).map(|n| TAU * n as f64 / count as f64).collect();
-            let places =
-                step.map_or_else(Vec::new, |step| (0..u64::from(planets)).map(|n| n * step).collect());
-            return Ok(Self { angles_rad, is_equal: true, places });
+    /// # Errors
+    /// Which planet is at no assembly position.
+    pub(super) fn of(set: &PlanetSet) -> Option<Result<Self, String>> {
+        let angles_rad: Vec<f64> = set.planet_angles()?.into_iter().map(Physical::si).collect();
+        if let Some(at) = set.misplaced().first() {
+            let [given, nearest] = [at.angle, at.nearest].map(|angle| short(angle.si().to_degrees()));
+            let (planet, positions) = (at.planet, at.positions);
+            return Some(Err(format!(
+                "planet {planet} at {given} deg from the first: its teeth fit at multiples of 360/{positions} deg, the nearest {nearest} deg"
+            )));
+        }
+        let first = angles_rad.first().copied().unwrap_or_default();
+        let turns: Vec<f64> =
+            angles_rad.iter().map(|angle| ((angle - first) / TAU).rem_euclid(1.0)).collect();
+        let place = |turn: &f64, positions: u64| {
+            let place = turn * positions as f64;
+            ((place - place.round()).abs() < AT_POSITION).then_some(place.round() as u64 % positions)
         };
-        if given.len() != count {
-            return Err(format!("{} angles of {count} planets", given.len()));
-        }
-        let Some(first) = given.first().copied() else { return Err("no planets".to_owned()) };
-        let mut angles_rad: Vec<f64> = given.to_vec();
-        let mut places = vec![];
-        if let Some(all) = all {
-            for (number, angle) in angles_rad.iter_mut().enumerate() {
-                let place = (*angle - first).rem_euclid(TAU) / TAU * all as f64;
-                let nearest = place.round();
-                let at = first + TAU * nearest / all as f64;
-                if (place - nearest).abs() > AT_TEETH {
-                    let [given, at] = [*angle, at].map(|angle| short(angle.to_degrees()));
-                    let number = number + 1;
-                    return Err(format!(
-                        "planet {number} at {given} deg: the {all} teeth of sun and ring let it stand at multiples of 360/{all} deg from the first, such as {at} deg"
-                    ));
-                }
-                *angle = at;
-                places.push(nearest as u64 % all);
-            }
-        }
-        let mut sorted: Vec<f64> = angles_rad.iter().map(|angle| (angle - first).rem_euclid(TAU)).collect();
+        let positions = set.assembly_positions().filter(|positions| *positions > 0);
+        let places = positions
+            .and_then(|positions| turns.iter().map(|turn| place(turn, positions)).collect())
+            .unwrap_or_default();
+        let mut sorted = turns;
         sorted.sort_by(f64::total_cmp);
-        let step = TAU / count as f64;
+        let step = 1.0 / sorted.len() as f64;
         let is_equal =
-            sorted.iter().enumerate().all(|(n, angle)| (angle - step * n as f64).abs() < EQUAL_SPACING);
-        Ok(Self { angles_rad, is_equal, places })
+            sorted.iter().enumerate().all(|(n, turn)| (turn - step * n as f64).abs() * TAU < EQUAL_SPACING);
+        Some(Ok(Self { angles_rad, is_equal, places }))
     }
 }
+
+/// A place is whole within this, in places: rounding of an angle times some hundred of them.
+const AT_POSITION: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use epicyclic_formats::Document;
+    use epicyclic_formats::gearbox::GearboxFile;
+
+    fn spacing(set: &str) -> Result<Spacing, String> {
+        let text = format!(
+            "gearbox: one\ninput: s\noutput: H\nsets: [{{ id: P, sun: s, ring: ground, carrier: H, {set} }}]\ngears: [{{ name: only }}]\n"
+        );
+        let file: GearboxFile = Document::parse_one("one.yaml", text.as_bytes()).unwrap().read().unwrap();
+        let gearbox = file.gearbox().map_err(|error| error.to_string())?;
+        Spacing::of(&gearbox.sets()[0]).unwrap()
+    }
 
     #[test]
     fn planets_stand_where_the_teeth_let_them() {
-        // 25 + 83 = 108 places of 3.333… degrees.
-        let teeth = Some([25, 29, 83]);
-        let degrees = |all: [f64; 4]| all.map(f64::to_radians);
-        let equal = Spacing::new(4, teeth, None).unwrap();
+        // 25 + 83 = 108 positions of 3.333… degrees.
+        let with = |keys: &str| spacing(&format!("teeth: [25, 83], planet_teeth: [29], {keys}"));
+        let at = |degrees: &str| with(&format!("planet_angles: [{degrees}]"));
+        let equal = with("planets: 4").unwrap();
         assert_eq!((equal.places.as_slice(), equal.is_equal), (&[0, 27, 54, 81][..], true));
-        let same = Spacing::new(4, teeth, Some(&degrees([0.0, 90.0, 180.0, 270.0]))).unwrap();
+        let same = at("0 deg, 90 deg, 180 deg, 270 deg").unwrap();
         assert_eq!((same.places, same.is_equal), (equal.places, true));
-        let pairs = Spacing::new(4, teeth, Some(&degrees([0.0, 86.67, 180.0, 266.67]))).unwrap();
+        let pairs = at("0 deg, 86.67 deg, 180 deg, 266.67 deg").unwrap();
         assert_eq!((pairs.places.as_slice(), pairs.is_equal), (&[0, 26, 54, 80][..], false));
         assert!((pairs.angles_rad[1] - TAU * 26.0 / 108.0).abs() < 1e-12);
-        let refused = Spacing::new(4, teeth, Some(&degrees([0.0, 88.0, 180.0, 270.0]))).unwrap_err();
-        assert!(refused.starts_with("planet 2 at 88 deg: the 108 teeth"), "{refused}");
-        assert!(Spacing::new(3, teeth, Some(&degrees([0.0, 90.0, 180.0, 270.0]))).is_err());
-        let free = Spacing::new(4, None, Some(&degrees([0.0, 88.0, 180.0, 270.0]))).unwrap();
+        let refused = at("0 deg, 88 deg, 180 deg, 270 deg").unwrap_err();
+        assert!(refused.starts_with("planet 2 at 88 deg from the first"), "{refused}");
+        let free = spacing("k: 3, planet_angles: [0 deg, 88 deg, 180 deg, 270 deg]").unwrap();
         assert!(free.places.is_empty() && !free.is_equal);
-        // 108 teeth and five planets.
-        assert!(Spacing::new(5, teeth, None).unwrap().places.is_empty());
+        // 108 positions and five planets.
+        assert!(with("planets: 5").unwrap().places.is_empty());
+        assert_eq!(with("planets: 5, spacing: least_unequal").unwrap().places, [0, 21, 43, 64, 86]);
     }
 }

@@ -96,6 +96,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("strength", &["strength", "worn.yaml", "--factors"]),
     ("strength", &["strength", "wind-stage-helical.yaml"]),
     ("strength", &["strength", "every-gearbox-key.yaml"]),
+    ("strength", &["strength", "sharp.yaml", "--torque", "500 N·m", "--speed", "1000 rpm"]),
     ("size", &["size", "travel-drive-duty.yaml", "--width-ratio", "1", "--most", "1"]),
     ("size", &["size", "held.yaml", "--most", "1"]),
     ("size", &["size", "travel-drive-duty.yaml", "--modules", "3 mm", "--face-widths", "20 mm, 30 mm"]),
@@ -954,6 +955,7 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
+    std::fs::write(folder.path().join("sharp.yaml"), common::SHARP).unwrap();
     std::fs::write(folder.path().join("bites.yaml"), bites()).unwrap();
     std::fs::write(folder.path().join("lacks.yaml"), lacks()).unwrap();
     std::fs::write(folder.path().join("held.yaml"), held()).unwrap();

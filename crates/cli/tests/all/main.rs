@@ -15,6 +15,7 @@ mod json_page;
 mod motor;
 mod motor_forms;
 mod pictures;
+mod planets;
 mod readme;
 mod report;
 mod serve;

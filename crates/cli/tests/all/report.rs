@@ -369,12 +369,8 @@ fn the_figures_of_every_gear_stand_side_by_side() {
 fn what_the_first_page_objects_to_is_not_said_again_with_every_gear() {
     let page = page(&["real-transmissions.yaml", "--transmission", "Prius"]);
     let (first, chapters) = page.split_once("<nav").unwrap();
-    let objections =
-        ["equal centre distances need shifted profiles", "planets turn faster relative to their carriers"];
-    for objection in objections {
-        assert_eq!(first.matches(objection).count(), 1, "{objection}");
-        assert_eq!(chapters.matches(objection).count(), 0, "{objection}");
-    }
+    let objection = "equal centre distances need shifted profiles";
+    assert_eq!((first.matches(objection).count(), chapters.matches(objection).count()), (1, 0));
     assert!(!chapters.contains("<h3>Warnings</h3>"), "nor an empty list");
 }
 

@@ -49,3 +49,18 @@ pub(crate) fn sessions(folder: &Path, all: &[&[&str]]) -> String {
 pub(crate) fn here() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
+
+/// A set whose ring has so sharp a root that the standard does not hold for it.
+pub(crate) const SHARP: &str = "\
+gearbox: sharp root
+input: sun
+output: arm
+sets:
+  - { id: P, sun: sun, ring: ground, carrier: arm, teeth: [12, 36], planet_teeth: [12], planets: 3, module: 4 mm, profile_shifts: [0, 0, 0],
+      face_width: 40 mm, strength: { materials: [18CrNiMo7-6, 18CrNiMo7-6, 34CrNiMo6], flank_roughness: [4 µm, 4 µm, 6 µm],
+      root_roughness: [16 µm, 16 µm, 20 µm], shaper: { teeth: 40, fillet: 0.2 }, ring_factors: { Y_delta_rel_T_stat: 1 },
+      factors: { K_A: 1.25, K_v: 1.1, K_H_beta: 1.25, K_H_alpha: 1, K_F_alpha: 1 } } }
+oil: { viscosity: 220 mm²/s }
+life: 20000 h
+gears: [{ name: only }]
+";

@@ -10,7 +10,7 @@ use epicyclic_gears::{Error as GearError, ToothCount};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Ratio};
 
-use super::{BoreText, CarrierFile, DriveFile, Misfit, ShaftFile, Spacing, TeethFile};
+use super::{BoreText, CarrierFile, DriveFile, Misfit, ShaftFile, TeethFile};
 use crate::{Number, Path, Physical, Problem, Quantity, Span};
 
 impl DriveFile {
@@ -86,10 +86,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
     let count = |value, path| ToothCount::new(value).map_err(|error| Misfit::new(path, error));
     let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));
     let tip_gap = file.tip_gap.map_or(0.0, Number::get);
-    let placement = match file.spacing {
-        None | Some(Spacing::Equal) => Placement::Equal,
-        Some(Spacing::LeastUnequal) => Placement::LeastUnequal,
-    };
+    let placement = file.spacing.map_or(Placement::Equal, Placement::from);
     if let (Some(sun), Some(planets)) = (sun, single(file.planets))
         && (planet.is_some() || ring.is_some())
         && (file.planet.is_none() || planet.is_some())

@@ -1,7 +1,8 @@
 //! Compound sets in files, and remarks.
 
-use super::{DescriptionError, RollingEntry};
-use crate::Quantity;
+use super::{DescriptionError, RollingEntry, spaced};
+use crate::drive::Spacing;
+use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
@@ -11,7 +12,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use uom::si::f64::{Force, Length, Mass, Ratio};
+use uom::si::f64::{Angle, Force, Length, Mass, Ratio};
 
 /// A set gear by gear: any central gears, any planets, any tree of meshes.
 ///
@@ -44,9 +45,15 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     pub planet_gears: BTreeMap<String, Vec<u32>>,
     /// The meshes: a tree over all gears.
     pub meshes: Vec<MeshEntry>,
-    /// How many of each planet stand around the axis.
+    /// How many of each planet stand around the axis. Default: as many as `planet_angles`.
     #[serde(default)]
     pub planets: Option<u32>,
+    /// Spacing of the planets. Default `equal`.
+    #[serde(default)]
+    pub spacing: Option<Spacing>,
+    /// Angle on the carrier of each planet of one kind, in place of `spacing`. Only differences of angles matter.
+    #[serde(default)]
+    pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// Module of its meshes, for the forces on the bearings of planets.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
@@ -107,6 +114,9 @@ pub struct PlanetSizeEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
+    /// Mesh load factor `K_γ` of its meshes, for the load of its bearings over the duty. Default: by the number of planets, a floating member assumed.
+    #[serde(default)]
+    pub load_sharing: Option<Number>,
 }
 
 /// The size of a planet of a compound set in a list of transmissions, for the forces on its bearing.
@@ -164,6 +174,7 @@ impl PlanetSized for ListedPlanetEntry {
             static_load_rating: None,
             fatigue_limit: None,
             bearing_diameter: None,
+            load_sharing: None,
         };
         entry.size()
     }
@@ -228,14 +239,17 @@ impl<P: PlanetSized> CompoundEntry<P> {
         }
         let planet =
             |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
-        Ok(CompoundSpec {
+        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None])?;
+        let spec = CompoundSpec {
             id: self.id.clone(),
             carrier: link(&self.carrier)?,
             centrals,
             planets: self.planet_gears.iter().map(planet).collect(),
             meshes,
             planet_count: self.planets,
-        })
+            spacing: Default::default(),
+        };
+        Ok(spec.spaced(spacing))
     }
 
     /// What it says of its size; the rest as usual.

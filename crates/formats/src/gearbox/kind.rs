@@ -12,15 +12,19 @@ pub enum RollingEntry {
     /// Balls.
     #[default]
     Balls,
-    /// Rollers or needles.
+    /// Rollers in a cage.
     Rollers,
+    /// Needles in a cage, which bear a faster orbit.
+    Needles,
+    /// Rollers or needles without a cage, which bear less speed.
+    FullComplement,
 }
 
 impl From<RollingEntry> for Rolling {
     fn from(rolling: RollingEntry) -> Self {
         match rolling {
             RollingEntry::Balls => Self::Balls,
-            RollingEntry::Rollers => Self::Rollers,
+            RollingEntry::Rollers | RollingEntry::Needles | RollingEntry::FullComplement => Self::Rollers,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
 
-use super::{DescriptionError, GearboxFile, SetEntry};
-use crate::{Number, Quantity};
+use super::{DescriptionError, GearboxFile, SetEntry, numbers};
+use crate::Quantity;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use uom::si::f64::Ratio;
@@ -11,11 +11,18 @@ impl GearboxFile {
     pub(super) fn with_friction(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
         let set = || entry.id.clone();
         let has_efficiency = entry.efficiency.is_some() || entry.meshes.is_some();
-        let own = entry.friction.map(|friction| friction.map(Number::get));
-        if own.is_some() && has_efficiency {
+        if entry.friction.is_some() && has_efficiency {
             return Err(DescriptionError::LossesTwice { set: set() });
         }
         let usual = self.friction.filter(|_| !has_efficiency).map(|friction| [friction.get(); 2]);
+        let is_of_teeth = || spec.toothed_set(&Default::default()).is_some();
+        let own = match &entry.friction {
+            Some(_) if !is_of_teeth() => return Err(DescriptionError::Friction { set: set() }),
+            Some(friction) => {
+                Some(numbers(&entry.id, "friction", "sun with planets, planets with ring", friction)?)
+            }
+            None => None,
+        };
         let Some(friction) = own.or(usual) else { return Ok(spec) };
         let rack = self.rack().map_err(DescriptionError::Rack)?;
         match spec.friction_losses(&rack, friction) {
@@ -23,7 +30,6 @@ impl GearboxFile {
                 let losses = losses.map_err(|source| DescriptionError::Set { set: set(), source })?;
                 Ok(spec.with_loss(losses))
             }
-            None if own.is_some() => Err(DescriptionError::Friction { set: set() }),
             None => Ok(spec),
         }
     }

@@ -79,6 +79,8 @@ impl File<'_> {
                 let keys = ["tip_alterations", "profile_shifts"];
                 keys.iter().fold(self.set(set), |path, key| self.key(path, key))
             }
+            E::Values { set, key, .. } => self.key(self.set(set), key),
+            E::SpacingTwice { set } => self.spacing(set),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
             E::MemberInNoLink { set, member } => self.text(self.set(set), member),
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
@@ -107,6 +109,8 @@ impl File<'_> {
             SolverError::RingToSunRatio { set, .. } => {
                 ["k", "teeth", "z_r"].iter().fold(self.set(set), |path, key| self.key(path, key))
             }
+            SolverError::PlanetCount { set, .. } => self.key(self.set(set), "planets"),
+            SolverError::Spacing { set, .. } => self.spacing(set),
             SolverError::Compound { set, fault } => self.of_compound(set, fault),
             SolverError::TooMany { what, limit, .. } => self.beyond(*what, *limit),
             SolverError::Drag { drag, fault } => self.of_drag(drag, fault),
@@ -141,6 +145,12 @@ impl File<'_> {
 
     fn set(&self, id: &str) -> Path {
         self.entry(&SETS, id)
+    }
+
+    /// The key that says where the planets of a set stand.
+    fn spacing(&self, id: &str) -> Path {
+        let keys = ["spacing", "planet_angles", "vibration", "planet_angles"];
+        keys.iter().fold(self.set(id), |path, key| self.key(path, key))
     }
 
     /// A drag of the gearbox, or that of a shift element.

@@ -195,3 +195,17 @@ pub struct RequiredEntry {
     /// Of the roots, `S_F`.
     pub root: Number,
 }
+
+/// Member of a planetary set that floats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FloatingEntry {
+    /// The sun.
+    Sun,
+    /// The ring.
+    Ring,
+    /// The carrier.
+    Carrier,
+    /// No member: all turn in rigid bearings.
+    None,
+}

@@ -1,7 +1,8 @@
 //! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
 use super::compound::{CompoundEntry, ListedPlanetEntry, Note};
-use super::{DescriptionError, losses};
+use super::{DescriptionError, losses, spaced};
+use crate::drive::Spacing;
 use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
@@ -11,7 +12,7 @@ use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use uom::si::f64::{AngularVelocity, Ratio, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Ratio, Torque};
 
 /// A file of transmissions.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -95,6 +96,12 @@ pub struct TransmissionSet {
     /// Number of planets.
     #[serde(default)]
     pub n_p: Option<u32>,
+    /// Spacing of the planets. Default `equal`.
+    #[serde(default)]
+    pub spacing: Option<Spacing>,
+    /// Angle of each planet on the carrier, in place of `spacing`. Only differences of angles matter.
+    #[serde(default)]
+    pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// First gear of a pair; of a planet set its first central gear, in place of `sun`.
     #[serde(default)]
     pub gear_a: Option<String>,
@@ -333,10 +340,10 @@ impl TransmissionSet {
         let count = |teeth: Option<u32>| teeth.map(ToothCount::new).transpose().map_err(gears);
         spec.planet = count(self.z_p.or(self.z_pa))?;
         spec.second_planet = count(self.z_pb)?;
-        Ok(match self.n_p {
-            Some(count) => spec.planet_count(count),
-            None => spec,
-        })
+        if let Some(count) = self.n_p {
+            spec = spec.planet_count(count);
+        }
+        Ok(spec.spaced(spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None])?))
     }
 }
 

@@ -70,7 +70,7 @@ pub struct VibrationEntry {
     pub planet: PlanetEntry,
     /// Radial stiffness of the bearings of one planet together.
     pub planet_bearing: Quantity<Stiffness>,
-    /// Angles of the planets on the carrier, where they are not equally spaced.
+    /// Read as `planet_angles` of the set, where files before version 2 have them; a file gives one of the two.
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// Stiffness of one mesh of the sun and of one of the ring along the line of action. Default: `c_γα·b` by ISO 6336.

@@ -7,8 +7,10 @@ use crate::quantity::format::{in_unit, trimmed};
 use crate::quantity::{Dimension, Physical};
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::tool::{Shaper, Tool};
+use epicyclic_gears::synthesis::Placement;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
+use epicyclic_train::spacing::Spacing;
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
 use std::fmt::Write as _;
 use uom::si::f64::{Angle, Length};
@@ -150,6 +152,13 @@ fn of_set(spec: &SetSpec) -> String {
     if let Some(count) = spec.planet_count {
         keys.push(format!("planets: {count}"));
     }
+    match &spec.spacing {
+        Spacing::Placed(Placement::Equal) => {}
+        Spacing::Placed(Placement::LeastUnequal) => keys.push("spacing: least_unequal".to_owned()),
+        Spacing::At(angles) => {
+            keys.push(format!("planet_angles: [{}]", list(angles.iter().map(|one| angle(*one)))));
+        }
+    }
     if let Some(Shifts { profile, tips }) = spec.shifts {
         keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
         if let Some(tips) = tips {
@@ -284,9 +293,14 @@ mod tests {
         let hob = Cutting { protuberance: 0.05, stock: 0.02, ..Cutting::from(Iso53::D) };
         let ring = Cutting { tool: Some(Tool::Shaper(shaper)), ..Cutting::default() };
         let shifted = shifted.cut([hob, Cutting::default(), ring]);
-        let helical = |id, degrees| {
+        let degrees = Angle::new::<uom::si::angle::degree>;
+        let helical = |id, angle| {
             let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 20, 60).unwrap();
-            set.helical(Angle::new::<uom::si::angle::degree>(degrees))
+            set.helical(degrees(angle))
+        };
+        let spaced = |id, spacing| {
+            let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 26, 96).unwrap();
+            set.planet_count(4).spaced(spacing)
         };
         let losses = MeshLoss::Meshes { first: eta(0.98), between: eta(0.97), second: eta(0.99) };
         let gearbox = Gearbox::builder("a \"box\": #1\n\\")
@@ -296,6 +310,8 @@ mod tests {
             .set(shifted)
             .set(helical("4", 8.0))
             .set(helical("5", 0.1 + 0.2))
+            .set(spaced("6", Spacing::Placed(Placement::LeastUnequal)))
+            .set(spaced("7", Spacing::At([0.0, 88.524_590_163_934_43, 180.0, -91.475].map(degrees).to_vec())))
             .set(SetSpec::pair("p", ["free", "out"], 20, 41).unwrap())
             .brake("1", "y")
             .clutch("in-y", "in", "shaft")

@@ -150,12 +150,15 @@ fn slip_layer(material: &Material) -> Result<f64, Error> {
     })
 }
 
+/// Greatest `R_z` that the formulas of `Y_RrelT` hold for, µm.
+pub(crate) const MOST_ROOT_ROUGHNESS: f64 = 40.0;
+
 /// `Y_RrelT`, of the root's `R_z` in µm.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] above 40 µm.
 pub fn surface_factor(class: Class, roughness_um: f64) -> Result<f64, Error> {
-    let rz = within(Quantity::RootRoughness, roughness_um, [0.0, 40.0], "µm")?;
+    let rz = within(Quantity::RootRoughness, roughness_um, [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
     let (smooth, constant, slope, exponent) = match class {
         Class::Structural => (1.07, 5.306, 4.203, 0.01),
         Class::GreyIron

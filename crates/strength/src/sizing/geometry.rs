@@ -2,13 +2,14 @@
 
 use super::{LeftOut, Sizing};
 use crate::tolerance::EDGE;
-use crate::units::{kg_m3, mm};
+use crate::units::{kg_m3, mm, radians};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::family::{Family, natural_centre_distance};
 use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
 use std::f64::consts::FRAC_PI_4;
 
@@ -140,6 +141,13 @@ fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
     })
 }
 
+/// Whether planets at stated angles touch: the set itself knows them as near to equal angles as they assemble.
+fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
+    let planet =
+        TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };
+    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, radians(angle)) <= task.limits.planet_gap)
+}
+
 /// The gears at every centre distance of the space; `others` is how many designs each of them has.
 ///
 /// The second figure counts the centre distances that were calculated, with those left out.
@@ -156,14 +164,15 @@ pub(super) fn geometries(
         if planets == 0 {
             return Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" });
         }
-        let is_equal = PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+        let is_placed =
+            task.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
         for (module, &module_mm) in modules_mm.iter().enumerate() {
             let wanted: Vec<Option<f64>> = match task.held_shifts {
                 Some(_) => vec![None],
                 None => centres(task, natural, module_mm).into_iter().map(Some).collect(),
             };
             space += wanted.len() as u64 * others;
-            if !is_equal {
+            if !is_placed {
                 left_out.spacing += wanted.len() as u64 * others;
                 continue;
             }
@@ -184,6 +193,7 @@ pub(super) fn geometries(
                         }),
                 };
                 match found {
+                    Ok((set, _)) if do_touch(task, &set) => left_out.planets_touch += others,
                     Ok((set, limited_by)) => {
                         all.push(Geometry::new(
                             task,

@@ -19,7 +19,7 @@
 //!
 //! | requirement | condition |
 //! |---|---|
-//! | spacing | the planets stand at equal angles: `(z_s + z_r)/p` is whole |
+//! | spacing | the planets stand at equal angles, `(z_s + z_r)/p` is whole, or at stated ones ([`Sizing::least_planet_angle`]) |
 //! | geometry | some shifts at this centre distance have no fault by [`Limits`]: undercut, thin tips, interference, planets that touch … |
 //! | face width | `b ≤ (b/d_s)_max·m·z_s`, where [`Space::width_ratio`] bounds it |
 //! | bearing fits | `(d_fp − D)/2 ≥` the least rim of the planets, `B ≤ b` |
@@ -64,7 +64,7 @@ mod geometry;
 mod search;
 
 use crate::mesh::{Gear, Method};
-use crate::spectrum::DutyRating;
+use crate::spectrum::{GearDuty, Worn};
 #[cfg(doc)]
 use crate::{bearing::life_over_duty, rating::overload, spectrum::rate_duty};
 use bearing::Bearing;
@@ -78,7 +78,7 @@ use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::quantity::SimpleGear;
 pub use search::size;
-use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Mass, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, KinematicViscosity, Length, Mass, Time, Torque};
 
 /// The discrete space.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,6 +185,8 @@ pub struct Sizing {
     pub held_ring_rim: Option<Length>,
     /// Bore of the planets where no bearing is sought.
     pub planet_bore: Option<Length>,
+    /// The least angle between neighbouring planets where they stand at stated angles; `None` where they must stand at equal ones.
+    pub least_planet_angle: Option<Angle>,
     /// What is minimised.
     pub objective: Objective,
     /// The space.
@@ -260,7 +262,7 @@ pub struct Design {
     /// Mass of all gears.
     pub mass: Mass,
     /// Both meshes over the duty.
-    pub meshes: [DutyRating; 2],
+    pub meshes: [[GearDuty<Worn>; 2]; 2],
     /// What is met least against the overloads; `None` where none loads the set.
     pub overload: Option<Governing>,
     /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under load.

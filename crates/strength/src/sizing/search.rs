@@ -9,8 +9,9 @@ use crate::load::load_sharing;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::planets::loads;
 use crate::rating::overload;
-use crate::spectrum::{DutyRating, Step, check_shares, rate_duty};
-use crate::units::{force, hours, length_mm, mass, mm, n_m, not_negative, positive, rad_s};
+use crate::root::factors::MOST_ROOT_ROUGHNESS;
+use crate::spectrum::{GearDuty, Step, Worn, check_shares, rate_duty};
+use crate::units::{force, hours, length_mm, mass, mm, n_m, not_negative, positive, rad_s, um, within};
 use crate::{Error, Quantity};
 use epicyclic_gears::quantity::SimpleGear;
 use std::cmp::{Ordering, Reverse};
@@ -137,6 +138,9 @@ fn check(task: &Sizing) -> Result<(), Error> {
     for required in [task.required_contact, task.required_root].into_iter().chain(overloads) {
         positive(Quantity::RequiredSafety, required, "")?;
     }
+    for gear in &task.gears {
+        within(Quantity::RootRoughness, um(gear.root_roughness), [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
+    }
     not_negative(Quantity::LeastRim, task.planet_rim, "modules")?;
     not_negative(Quantity::RingRimInModules, task.ring_rim, "modules")?;
     for (quantity, length) in [
@@ -179,7 +183,7 @@ fn steps(task: &Sizing, planets: u32) -> Result<MeshSteps, Error> {
         overloads.push((both.map(|load| load.torque), *one));
     }
     let given = task.methods[0].given.of(Side::First, Symbol::LoadSharing);
-    let sharing = given.map_or_else(|| load_sharing(planets), Ok)?;
+    let sharing = given.map_or_else(|| load_sharing(planets, task.methods[0].floating), Ok)?;
     Ok(MeshSteps { steps, overloads, contacts, sharing })
 }
 
@@ -217,7 +221,7 @@ impl PartialOrd for Candidate {
 /// Teeth that were rated.
 #[derive(Debug, Clone, Copy)]
 struct Rated {
-    meshes: [DutyRating; 2],
+    meshes: [[GearDuty<Worn>; 2]; 2],
     /// What is met least over the duty.
     over_duty: Governing,
     /// What is met least against the overloads.
@@ -369,53 +373,41 @@ impl Search<'_> {
                 viscosity: task.viscosity,
             };
             let method = Method { planets: Some(own.planets), ..task.methods[place] };
-            let over_duty = rate_duty(&mesh, &steps.steps[place], task.life, steps.contacts[place], &method)?;
+            let over_duty =
+                rate_duty(&mesh, &steps.steps[place], task.life, steps.contacts[place], &method)?.whole()?;
             let mut static_safeties = vec![];
             for (torques, against) in &steps.overloads {
                 let rating = overload(&mesh, torques[place], &method)?;
-                let gears = rating.gears.into_iter().enumerate();
-                static_safeties.extend(gears.flat_map(|(side, gear)| {
+                for (side, gear) in rating.gears.into_iter().enumerate() {
                     let of = |requirement, value, required| {
                         Governing::of_teeth(requirement, place, side, value, required)
                     };
-                    [
-                        of(Requirement::OverloadFlank, gear.contact, against.required_contact),
-                        of(Requirement::OverloadRoot, gear.root, against.required_root),
-                    ]
-                }));
+                    static_safeties.extend([
+                        of(Requirement::OverloadFlank, gear.contact?, against.required_contact),
+                        of(Requirement::OverloadRoot, gear.root?, against.required_root),
+                    ]);
+                }
             }
             Ok((over_duty, least(static_safeties)))
         };
-        let both = rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
+        let both: Result<_, Error> =
+            rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
         match both {
             Ok(both) => {
                 let meshes = both.map(|(over_duty, _)| over_duty);
                 let overload = least(both.into_iter().filter_map(|(_, overload)| overload));
                 Ok(Some(Rated { over_duty: self.least_over_duty(&meshes), meshes, overload }))
             }
-            Err(Error::NoRootSection { .. }) => Ok(None),
-            Err(Error::OutOfRange { quantity, .. } | Error::NotAbove { quantity, .. })
-                if matches!(
-                    quantity,
-                    Quantity::TransverseContactRatio
-                        | Quantity::ContactRatio
-                        | Quantity::TotalContactRatio
-                        | Quantity::NotchParameter
-                        | Quantity::Rim
-                        | Quantity::RingRim
-                ) =>
-            {
-                Ok(None)
-            }
+            Err(error) if error.is_beyond_standard() => Ok(None),
             Err(error) => Err(error),
         }
     }
 
     /// The safety over the duty that is least over what is required of it.
-    fn least_over_duty(&self, meshes: &[DutyRating; 2]) -> Governing {
+    fn least_over_duty(&self, meshes: &[[GearDuty<Worn>; 2]; 2]) -> Governing {
         let (contact, root) = (self.task.required_contact, self.task.required_root);
         let all = meshes.iter().enumerate().flat_map(|(mesh, rating)| {
-            rating.gears.iter().enumerate().flat_map(move |(side, gear)| {
+            rating.iter().enumerate().flat_map(move |(side, gear)| {
                 [
                     Governing::of_teeth(Requirement::Flank, mesh, side, gear.contact.safety, contact),
                     Governing::of_teeth(Requirement::Root, mesh, side, gear.root.safety, root),

@@ -127,7 +127,7 @@ impl Checks<'_> {
         let toothed = self.toothed();
         match &toothed {
             Some(Ok(set)) => {
-                for check in set.checks(&Limits::default()) {
+                for check in self.at_angles(set) {
                     let own = set.gears().into_iter().zip(SimpleGear::ALL);
                     let own = own
                         .filter(|(_, gear)| check.place == SimplePlace::Gear(*gear))
@@ -233,7 +233,7 @@ impl Checks<'_> {
     fn most_that_clear(&self) -> Option<u32> {
         let planets = self.set.planet_count()?;
         let neighbours = self.neighbours();
-        (2..planets).rev().find(|&fewer| self.clears(&neighbours, fewer))
+        (2..planets).rev().find(|&fewer| self.clears(&neighbours, &super::equal_steps(fewer)))
     }
 
     /// By how much the tips of the ring of a simple set are shorter than its basic rack has them, where the file says nothing of tips.

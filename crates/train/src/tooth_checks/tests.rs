@@ -26,8 +26,8 @@ fn found(set: SetSpec) -> Vec<String> {
     gearbox.tooth_checks(&BasicRack::default())
 }
 
-fn of(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> u128 {
-    slots(&start().set(short(kind, sun, ring, planets)).build().unwrap().sets[0]).unwrap()
+fn of(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> u64 {
+    start().set(short(kind, sun, ring, planets)).build().unwrap().sets[0].assembly_positions().unwrap()
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn a_ravigneaux_set_has_the_slots_of_all_its_central_gears() {
     };
     let gearbox = start().compound_set(set(72)).build().unwrap();
     // 66, 108, 42: gcd 6.
-    assert_eq!(slots(&gearbox.sets[0]), Some(6));
+    assert_eq!(gearbox.sets[0].assembly_positions(), Some(6));
     assert_eq!(
         gearbox.tooth_checks(&BasicRack::default()),
         [

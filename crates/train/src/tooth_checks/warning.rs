@@ -1,7 +1,10 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
+use crate::spacing::Misplaced;
+use crate::units::in_degrees;
 use epicyclic_gears::involute::check::Severity;
 use std::fmt;
+use uom::si::f64::Angle;
 
 /// A gear with its teeth, by name.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,8 +61,10 @@ pub(super) enum ToothWarning {
         planets: u32,
         /// By how much the tip circles overlap, in modules; 0 where they touch.
         overlap: f64,
-        /// The largest number of each that clears; `None` where not even two do.
+        /// The largest number of each that clears at equal angles; `None` where not even two do, and of planets at other angles.
         most: Option<u32>,
+        /// Whether they are at equal angles.
+        is_equal: bool,
     },
     /// Planets at equal angles that cannot be assembled.
     Assembly {
@@ -71,6 +76,11 @@ pub(super) enum ToothWarning {
         fewer: Option<u32>,
         /// The next larger number that assembles and clears.
         more: Option<u32>,
+    },
+    /// A planet at a given angle at which it cannot be put in.
+    Misplaced {
+        /// The planet and the angle.
+        at: Misplaced,
     },
     /// Shifts that leave a set no teeth or no mesh.
     ShiftsRefused {
@@ -167,6 +177,10 @@ impl ToothWarning {
                 let left = (*slots % u64::from(*planets)) as f64;
                 ("assembly", left, 0.0, "positions", "take another number of planets, or unequal angles")
             }
+            Self::Misplaced { at } => {
+                let apart = in_degrees(at.angle - at.nearest).abs();
+                ("planet-angle", apart, 0.0, "deg", "state an assembly position, or `spacing: least_unequal`")
+            }
             Self::ShiftsRefused { .. } => {
                 ("teeth", 0.0, 1.0, "", "change `profile_shifts` or `tip_alterations`")
             }
@@ -179,6 +193,12 @@ impl fmt::Display for NamedGear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({})", self.name, teeth(self.teeth))
     }
+}
+
+/// An angle as messages show it, to a ten-thousandth of a degree.
+fn rounded_degrees(angle: Angle) -> f64 {
+    const TEN_THOUSANDTHS: f64 = 1e4;
+    (in_degrees(angle) * TEN_THOUSANDTHS).round() / TEN_THOUSANDTHS
 }
 
 fn teeth(count: u32) -> String {
@@ -217,7 +237,7 @@ impl fmt::Display for ToothWarning {
                  {:.4} modules apart",
                 radii[0], radii[1], distance
             ),
-            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, .. } => {
+            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, is_equal, .. } => {
                 match one == other {
                     true => write!(
                         f,
@@ -235,7 +255,8 @@ impl fmt::Display for ToothWarning {
                 }
                 match most {
                     Some(most) => write!(f, "at most {most} clear"),
-                    None => f.write_str("not even 2 clear"),
+                    None if *is_equal => f.write_str("not even 2 clear"),
+                    None => f.write_str("give the planets larger angles from each other"),
                 }
             }
             Self::ShiftsRefused { error, .. } => error.fmt(f),
@@ -269,6 +290,14 @@ impl fmt::Display for ToothWarning {
             ),
             Self::AcrossAxis { gear, by, .. } => {
                 write!(f, "the tips of {gear} reach {by:.3} modules across the main axis")
+            }
+            Self::Misplaced { at: Misplaced { planet, angle, nearest, positions }, .. } => {
+                let [angle, nearest] = [angle, nearest].map(|angle| rounded_degrees(*angle));
+                write!(
+                    f,
+                    "planet {planet} cannot be assembled at {angle} deg from the first: its teeth fit at multiples of 360/{positions} deg, \
+                     the nearest {nearest} deg"
+                )
             }
             Self::DifferentPlanes { gears: [one, other], .. } => {
                 write!(f, "{one} and {other} must lie in different planes: their tip circles overlap")

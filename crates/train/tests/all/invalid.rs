@@ -68,11 +68,19 @@ fn members_on_one_link_are_refused() {
         first: SetMember::Central(CentralKind::Sun),
         second: SetMember::Central(CentralKind::Ring),
         link: "drive".into(),
+        is_pair: false,
+        is_held: false,
     };
     assert_eq!(on_one, expected);
     // The same by a permanent connection, and by two permanent grounds.
     assert!(matches!(fault(sound().tie("drive", "ring")), Error::CoincidentMembers { .. }));
-    assert!(matches!(fault(sound().ground("drive").ground("ring")), Error::CoincidentMembers { .. }));
+    let held = fault(sound().ground("drive").ground("ring"));
+    assert!(held.to_string().contains("both held to the housing, so that the set cannot turn"), "{held}");
+    let pair = |gears| fault(sound().set(SetSpec::pair("p", gears, 20, 41).unwrap()));
+    let at_rest = pair(["driven", "ground"]);
+    assert!(at_rest.to_string().starts_with("a gear of the pair `p` is held to the housing"), "{at_rest}");
+    let fused = pair(["driven", "driven"]);
+    assert!(fused.to_string().starts_with("both gears of the pair `p` are `driven`"), "{fused}");
 }
 
 #[test]
@@ -295,7 +303,7 @@ fn the_faults_of_a_compound_set_are_named() {
     assert_eq!(
         fault(same),
         "sun and ring of set `R` are both `ring`: such a set turns as a block; give them two links and join these \
-         by a clutch or brake"
+         by a clutch"
     );
 }
 

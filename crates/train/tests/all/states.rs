@@ -220,6 +220,42 @@ fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {
     }
 }
 
+/// Two suns on one shaft that mesh with one piece of planets at one ratio: the second mesh is redundant, and nothing turns as a block. With
+/// any other ratio it does.
+#[test]
+fn fused_suns_of_one_ratio_run_and_others_are_a_block() {
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::compound::{CompoundSpec, MeshSpec};
+    let fused = |second: u32| {
+        let mut set = CompoundSpec::new("T", "arm")
+            .sun("core", 9)
+            .sun("core2", second)
+            .ring("ground", 33)
+            .ring("r2", 63)
+            .planet("p", &[12, 24]);
+        for (central, gear) in [("core", "p.1"), ("ground", "p.1"), ("core2", "p.2"), ("r2", "p.2")] {
+            set.meshes
+                .push(MeshSpec { between: [central.into(), gear.into()], efficiency: MeshEfficiency::IDEAL });
+        }
+        Gearbox::builder("solid core")
+            .links(["core", "core2", "arm", "r2"])
+            .compound_set(set)
+            .tie("core", "core2")
+            .input("core")
+            .output("r2")
+            .gear("only", [""; 0])
+            .build()
+    };
+    let gearbox = fused(18).unwrap();
+    let found = gearbox.analyze("only").unwrap();
+    // By hand: ω_H = ω_s/(1 + 33/9), ω_p = ω_H·(1 − 33/12), ω_r2 = ω_H + (ω_p − ω_H)·24/63.
+    let carrier = 1.0 / (1.0 + 33.0 / 9.0);
+    let planet = carrier * (1.0 - 33.0 / 12.0);
+    let ring = carrier + (planet - carrier) * 24.0 / 63.0;
+    assert!((found.ratio().unwrap() * ring - 1.0).abs() < 1e-12, "{:?} {ring}", found.ratio());
+    assert!(fused(20).unwrap_err().to_string().contains("turns as a block"));
+}
+
 #[test]
 fn a_simpson_set_with_one_clutch_is_neutral_for_want_of_one_shift_element() {
     let gearbox = machines::simpson().gearbox;

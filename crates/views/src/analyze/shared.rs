@@ -37,6 +37,7 @@ pub(super) fn state(state: State) -> Figure {
         State::OutputAtRest => "output at rest",
         State::OutputFree => "output free",
         State::Underdetermined => "underdetermined",
+        State::SpeedsGiven => "given speeds",
         State::TorquesIndeterminate => "torques indeterminate",
         State::SelfLocking => "self-locking",
     };

@@ -30,7 +30,9 @@ pub(super) fn factors(strength: &Strength) -> Vec<Records> {
 fn at_point(strength: &Strength) -> Vec<(String, Vec<InMesh>)> {
     let over = |one: &Rated| {
         let required = strength.required;
-        (one.flank_safety / required.flank).min(one.root_safety / required.root)
+        let over =
+            |safety: Option<f64>, required: f64| safety.map_or(f64::INFINITY, |safety| safety / required);
+        over(one.flank_safety, required.flank).min(over(one.root_safety, required.root))
     };
     let mut sets: Vec<&str> = strength.at_point.iter().map(|one| one.set.as_str()).collect();
     sets.sort_unstable();
@@ -90,17 +92,22 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
     columns.extend(all.iter().map(|one| Column::number("value", one.heading)));
     columns.push(Column::words("formula", "from"));
     let mut rows = vec![];
-    for (place, factor) in all.first().map_or(&[][..], |one| &one.factors[..]).iter().enumerate() {
-        let told: Vec<&Told> = all.iter().map(|one| &one.factors[place]).collect();
+    // A flank or root that is not rated has no factors: the gear with most of them has the whole chain in order.
+    let longest = all.iter().max_by_key(|one| one.factors.len());
+    for factor in longest.map_or(&[][..], |one| &one.factors[..]) {
+        let own = |one: &'_ InMesh| one.factors.iter().position(|own| own.symbol == factor.symbol);
+        let told: Vec<Option<&Told>> =
+            all.iter().map(|one| own(one).map(|place| &one.factors[place])).collect();
         let mut formulas: Vec<Option<&str>> = vec![];
-        for one in &told {
+        for one in told.iter().flatten() {
             if !formulas.contains(&one.formula.as_deref()) {
                 formulas.push(one.formula.as_deref());
             }
         }
         for formula in formulas {
-            let value = |one: &&Told| {
-                if one.formula.as_deref() == formula { text(&one.value) } else { Figure::None }
+            let value = |one: &Option<&Told>| {
+                let own = one.filter(|one| one.formula.as_deref() == formula);
+                own.map_or(Figure::None, |one| text(&one.value))
             };
             let mut row = vec![text(&factor.symbol)];
             row.extend(told.iter().map(value));

@@ -53,7 +53,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             text(&one.planet),
             text(if one.rollers { "rollers" } else { "balls" }),
             column(Dimension::Force, Some(one.load_rating_n)),
-            Figure::Printed(one.load_sharing, 2),
+            one.load_sharing.map_or(Figure::None, |factor| Figure::Printed(factor, 2)),
             column(Dimension::Force, one.greatest_force_n),
             one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3)),
             time(one.basic_life_s),

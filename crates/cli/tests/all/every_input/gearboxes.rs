@@ -41,9 +41,24 @@ ties: [[ring, shaft], [wheels, turbine]]
 gears: [{ name: only }]
 ";
 /// The auxiliary set with its sun held, or its carrier, in place of its ring.
-const SUN_HELD: Changes = &[("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine")];
-const CARRIER_HELD: Changes =
-    &[("    ring: ground\n    carrier: auxiliary", "    ring: auxiliary\n    carrier: ground")];
+const SUN_HELD: Changes = &[
+    ("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine"),
+    (", tangential_support: 2000 N/µm", ""),
+    ("support: 30 N/µm", "support: 30 N/µm, tangential_support: 110 N/µm"),
+];
+const CARRIER_HELD: Changes = &[
+    ("    ring: ground\n    carrier: auxiliary", "    ring: auxiliary\n    carrier: ground"),
+    (", tangential_support: 2000 N/µm", ""),
+    ("support: 300 N/µm", "support: 300 N/µm, tangential_support: 510 N/µm"),
+];
+/// The angles of the planets where old files have them.
+const OLD_ANGLES: Changes = &[
+    ("    planet_angles: [0 deg, 120 deg, 240 deg]", "    #"),
+    (
+        "      planet_bearing: 400",
+        "      planet_angles: [0 deg, 120 deg, 240 deg]\n      planet_bearing: 400",
+    ),
+];
 const WITH_WINCH: Changes =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
@@ -97,6 +112,20 @@ const GEARBOX: &[Key] = &[
     key("compound_sets.meshes.behind", "behind: false", "behind: true", OVERVIEW),
     key("compound_sets.meshes.module", "module: 4 mm }", "module: 5 mm }", OVERVIEW),
     key("compound_sets.planets", "planets: 3 # how many of each", "planets: 4 # how many of each", OVERVIEW),
+    Key {
+        path: "compound_sets.spacing",
+        first: &[("planets: 3 # how many of each", "planets: 5 # how many of each")],
+        from: "spacing: equal # or",
+        to: "spacing: least_unequal # or",
+        look: OVERVIEW,
+    },
+    Key {
+        path: "compound_sets.planet_angles",
+        first: &[("spacing: equal # or", "planet_angles: [0 deg, 120 deg, 240 deg] # or")],
+        from: "120 deg, 240 deg] # or",
+        to: "121 deg, 240 deg] # or",
+        look: OVERVIEW,
+    },
     key("compound_sets.module", "module: 3 mm # of its", "module: 4 mm # of its", OVERVIEW),
     key("compound_sets.planet_sizes.face_widths", "face_widths: [40 mm]", "face_widths: [41 mm]", FIRST),
     key("compound_sets.planet_sizes.bore", "bore: 20 mm", "bore: 21 mm", FIRST),
@@ -118,6 +147,7 @@ const GEARBOX: &[Key] = &[
         "bearing_diameter: 26 mm",
         "bearing_diameter: 20 mm",
     ),
+    of_long_planet("compound_sets.planet_sizes.load_sharing", "load_sharing: 1.1", "load_sharing: 1.2"),
     key("compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", FIRST),
     key(
         "compound_sets.planet_sizes.carrier_radius",
@@ -168,7 +198,23 @@ const GEARBOX: &[Key] = &[
     key("vibration.transmission_error", "error: [3 µm, 1 µm]", "error: [3 µm, 2 µm]", TRAIN),
     key("vibration.ring_transmission_error", "error: [2 µm]", "error: [1 µm]", TRAIN),
     key("vibration.damping", "damping: 2 %", "damping: 3 %", TRAIN),
-    key("sets.vibration.planet_angles", "120 deg, 240 deg", "123.2432 deg, 240 deg", VIBRATE),
+    Key {
+        path: "sets.vibration.planet_angles",
+        first: OLD_ANGLES,
+        from: "120 deg, 240 deg",
+        to: "123.2432 deg, 240 deg",
+        look: VIBRATE,
+    },
+    key("sets.planet_angles", "120 deg, 240 deg", "123.2432 deg, 240 deg", VIBRATE),
+    key("sets.planet_angles", "120 deg, 240 deg", "121 deg, 240 deg", OVERVIEW),
+    Key {
+        path: "sets.spacing",
+        first: &[("planets: 3 # how many, or", "planets: 4 # how many, or")],
+        from: "spacing: equal # of the planets",
+        to: "spacing: least_unequal # of the planets",
+        look: OVERVIEW,
+    },
+    key("sets.floating", "floating: sun", "floating: none", STRENGTH),
     key("sets.vibration.planet_bearing", "planet_bearing: 400", "planet_bearing: 410", VIBRATE),
     key("sets.vibration.mesh_stiffness", "mesh_stiffness: [1200", "mesh_stiffness: [1300", VIBRATE),
     key("sets.vibration.pressure_angles", "pressure_angles: [24 deg", "pressure_angles: [25 deg", VIBRATE),
@@ -459,6 +505,12 @@ transmissions:
 note: a remark
 ";
 
+/// Without the shaft that turns with a planet: how many pins it has says nothing of assembly.
+const WITHOUT_DISC: Changes = &[
+    ("    planet_shafts: {P4: outer}\n", ""),
+    ("    disc: [P4]\n", ""),
+    ("\n    planets: 3\n", "\n    planets: 5\n    spacing: equal\n"),
+];
 const LISTED: &[&str] = &["--gear", "2", "--speed", "2000 rpm", "--torque", "300 N·m"];
 const FOURTH: &[&str] = &["--gear", "4"];
 
@@ -474,6 +526,20 @@ const TRANSMISSION: &[Key] = &[
     key("transmissions.sets.z_r", "z_r: 78", "z_r: 80", OVERVIEW),
     key("transmissions.sets.z_p", "z_p: 24", "z_p: 23", OVERVIEW),
     key("transmissions.sets.n_p", "z_p: 24, n_p: 4", "z_p: 24, n_p: 5", OVERVIEW),
+    Key {
+        path: "transmissions.sets.spacing",
+        first: &[("n_p: 4,", "n_p: 5, spacing: equal,")],
+        from: "spacing: equal",
+        to: "spacing: least_unequal",
+        look: OVERVIEW,
+    },
+    Key {
+        path: "transmissions.sets.planet_angles",
+        first: &[("n_p: 4,", "planet_angles: [0 deg, 120 deg, 240 deg],")],
+        from: "120 deg",
+        to: "121 deg",
+        look: OVERVIEW,
+    },
     key("transmissions.sets.z_pa", "z_pa: 15", "z_pa: 16", OVERVIEW),
     key("transmissions.sets.z_pb", "z_pb: 18", "z_pb: 19", LISTED),
     key("transmissions.sets.gear_a", "gear_a: X", "gear_a: R4", OVERVIEW),
@@ -500,6 +566,20 @@ const TRANSMISSION: &[Key] = &[
     key("transmissions.compound_sets.meshes.behind", "behind: false", "behind: true", LISTED),
     key("transmissions.compound_sets.meshes.module", "R4], module: 4 mm", "R4], module: 5 mm", LISTED),
     key("transmissions.compound_sets.planets", "planets: 3", "planets: 4", LISTED),
+    Key {
+        path: "transmissions.compound_sets.spacing",
+        first: WITHOUT_DISC,
+        from: "spacing: equal",
+        to: "spacing: least_unequal",
+        look: OVERVIEW,
+    },
+    Key {
+        path: "transmissions.compound_sets.planet_angles",
+        first: &[("\n    planets: 3\n", "\n    planet_angles: [0 deg, 120 deg, 240 deg]\n")],
+        from: "120 deg",
+        to: "20 deg",
+        look: OVERVIEW,
+    },
     Key {
         path: "transmissions.compound_sets.module",
         first: &[
