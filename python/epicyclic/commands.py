@@ -683,8 +683,8 @@ def design(
     planet_speed: Values | None = None,
     clutch_slip: Values | None = None,
     circulation: Values | None = None,
-    same_direction: bool = False,
     allow_crossing: bool = False,
+    may_reverse: bool = False,
     modules: Values | None = None,
     face_widths: Values | None = None,
     planets: Values | None = None,
@@ -711,10 +711,12 @@ def design(
     """A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in
     steps.
 
-    The scheme is what select chooses. Of its tooth numbers those with the smallest rings at one load of the teeth get
-    the sizes that size finds over a duty with the load in every gear, and the lightest is taken. Every step tells
-    what it took, among how many, what came next, and the option to choose otherwise. What no speed tells, materials
-    and load factors among it, is listed; ``basis`` and ``factors`` change it.
+    The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth numbers
+    those with the least class of deviation and the smallest rings at one load of the teeth get the sizes that size
+    finds over a duty with the load in every gear, and the lightest is taken. Every step tells what it took, among how
+    many, what came next, and the option to choose otherwise. Assumed values, such as materials and load factors, are
+    listed; ``basis`` and ``factors`` change them. Where nothing is left, the limits that would have to give are
+    listed, each with its option and the gearbox found with it.
 
     Parameters
     ----------
@@ -739,10 +741,11 @@ def design(
     order
         The objective that decides first among schemes, then the next for equal values
     tries
-        So many of the tooth designs get sizes, those with the smallest ring at one load of the teeth, and the
-        lightest is taken
+        Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the lightest is
+        taken. They are taken within a tenth of ``tolerance``; only where none holds within a third of it, then within
+        all of it
     tooth_design
-        The tooth design with this number in place of the lightest
+        The tooth design with this number in place of the lightest. It counts the designs of ``tries``
     sun
         Teeth of the suns
     planet
@@ -754,20 +757,22 @@ def design(
         from -9 to 9; ``aim`` and ``tip_thickness`` decide which close. Without it only sets that need no shift get
         sizes
     basis
-        A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is usual
+        A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is as
+        without it
     factors
-        Factors of both meshes by their symbols: 'K_A 1.5, K_v 1.1'
+        Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of ``basis``; each once
     life
         Required life
     save
         Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and report
         read it
     tolerance
-        How far a ratio may be off: 10%, or 0.1
+        Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03
     brakes
         Which brake gives which ratio
     signs
-        Which signs the ratios may have; direct drive is positive
+        Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a minus,
+        otherwise alike
     k
         Ring-to-sun ratios allowed
     prefer
@@ -784,11 +789,11 @@ def design(
         Greatest slip of the open direct-drive clutch over the input's speed
     circulation
         Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an objection
-    same_direction
-        Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct
-        drive
     allow_crossing
         Accept schemes that are not drawable: a link would cross another
+    may_reverse
+        Allow schemes whose output turns forward in some gears and backward in others; they are taken where no other
+        is left. Default: refused, unless a ratio is given with a minus
     modules
         Modules. Default: series I of ISO 54 to 20 mm
     face_widths
@@ -850,7 +855,7 @@ def design(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["design"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--input": input, "--power": power, "--torque": torque, "--shares": shares, "--overload": overload, "--scheme": scheme, "--order": order, "--tries": tries, "--tooth-design": tooth_design, "--sun": sun, "--planet": planet, "--ring": ring, "--ring-offset": ring_offset, "--basis": basis, "--factors": factors, "--life": life, "--save": save, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-type": bearing_type, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["design"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--input": input, "--power": power, "--torque": torque, "--shares": shares, "--overload": overload, "--scheme": scheme, "--order": order, "--tries": tries, "--tooth-design": tooth_design, "--sun": sun, "--planet": planet, "--ring": ring, "--ring-offset": ring_offset, "--basis": basis, "--factors": factors, "--life": life, "--save": save, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--allow-crossing": allow_crossing, "--may-reverse": may_reverse, "--modules": modules, "--face-widths": face_widths, "--planets": planets, "--centre-distance-step": centre_distance_step, "--width-ratio": width_ratio, "--aim": aim, "--tip-thickness": tip_thickness, "--planet-rim": planet_rim, "--ring-rim": ring_rim, "--bearings": bearings, "--bearing-type": bearing_type, "--bearing-rows": bearing_rows, "--no-bearings": no_bearings, "--minimise": minimise, "--most": most, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def losses(
@@ -1184,8 +1189,8 @@ def select(
     planet_speed: Values | None = None,
     clutch_slip: Values | None = None,
     circulation: Values | None = None,
-    same_direction: bool = False,
     allow_crossing: bool = False,
+    same_direction: bool = False,
     input: Values | None = None,
     power: Values | None = None,
     torque: Values | None = None,
@@ -1242,7 +1247,8 @@ def select(
     brakes
         Which brake gives which ratio
     signs
-        Which signs the ratios may have; direct drive is positive
+        Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a minus,
+        otherwise alike
     k
         Ring-to-sun ratios allowed
     prefer
@@ -1259,11 +1265,11 @@ def select(
         Greatest slip of the open direct-drive clutch over the input's speed
     circulation
         Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an objection
-    same_direction
-        Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct
-        drive
     allow_crossing
         Accept schemes that are not drawable: a link would cross another
+    same_direction
+        Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct
+        drive. Default: such schemes are marked and ranked last
     input
         Speed of the input, 1475 rpm: gives the speed of the output in each gear
     power
@@ -1330,7 +1336,7 @@ def select(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["select"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--teeth": teeth, "--limit": limit, "--order": order, "--save": save, "--nth": nth, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--same-direction": same_direction, "--allow-crossing": allow_crossing, "--input": input, "--power": power, "--torque": torque, "--load-factor": load_factor, "--face-width-ratio": face_width_ratio, "--planets": planets, "--mesh-load-factors": mesh_load_factors, "--ring-diameter": ring_diameter, "--least-module": least_module, "--greatest-module": greatest_module, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["select"], [], {"--speeds": speeds, "--ratios": ratios, "--all-structures": all_structures, "--teeth": teeth, "--limit": limit, "--order": order, "--save": save, "--nth": nth, "--tolerance": tolerance, "--brakes": brakes, "--signs": signs, "--k": k, "--prefer": prefer, "--efficiency": efficiency, "--least-efficiency": least_efficiency, "--link-speed": link_speed, "--planet-speed": planet_speed, "--clutch-slip": clutch_slip, "--circulation": circulation, "--allow-crossing": allow_crossing, "--same-direction": same_direction, "--input": input, "--power": power, "--torque": torque, "--load-factor": load_factor, "--face-width-ratio": face_width_ratio, "--planets": planets, "--mesh-load-factors": mesh_load_factors, "--ring-diameter": ring_diameter, "--least-module": least_module, "--greatest-module": greatest_module, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def synthesize(

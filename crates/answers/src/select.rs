@@ -6,12 +6,14 @@
 //! | [`required`] | what is wanted, as a record |
 //! | [`duty`] | speed and load of the input |
 //! | [`page`] | what a page of it draws |
+//! | [`reached`] | speeds asked for and reached |
 //! | [`saved`] | a design as a gearbox |
 //! | [`teeth`] | the choice over all tooth numbers of both sets |
 
 pub mod candidate;
 pub mod duty;
 pub mod page;
+pub mod reached;
 pub mod required;
 pub mod saved;
 pub mod teeth;
@@ -24,10 +26,12 @@ use duty::Duty;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{self as selection, Mechanism, Order, Requirements, Selection, Space, select_with};
+use reached::{Asked, ReachedSpeed};
 use required::{Objective, Required};
 use saved::Saved;
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::Velocity;
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +42,8 @@ pub struct Wanted {
     pub order: Order,
     /// The mechanisms to choose among.
     pub space: Space,
+    /// Speeds of the machine, the slowest first, where these give the ratios.
+    pub speeds: Vec<Velocity>,
     /// How many of the accepted candidates are told, and how many of the rejected.
     pub most: usize,
     /// Speed and load of the input.
@@ -48,6 +54,8 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
+    /// Speeds of the first candidate, asked for and reached, the slowest first; empty where none is accepted.
+    pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,
     /// How many candidates meet every required criterion.
@@ -64,11 +72,12 @@ pub struct Select {
     pub remedies: Vec<Remedy>,
     /// Where nothing is accepted: how many of all structures are; `null` where something is, or those were the mechanisms.
     pub accepted_of_all_structures: Option<usize>,
-    /// Where nothing is accepted: criteria that alone keep a candidate out, with the limit that would let the nearest pass.
+    /// Where nothing is accepted: criteria that alone, or the fewest together, keep a candidate out, with the limits that would let the
+    /// nearest pass.
     pub relaxations: Vec<Relaxation>,
 }
 
-/// A required criterion that alone keeps candidates out, where nothing is accepted.
+/// A required criterion that alone, or with the fewest others, keeps candidates out, where nothing is accepted.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Relaxation {
@@ -76,10 +85,22 @@ pub struct Relaxation {
     pub criterion: Criterion,
     /// The limit that would let the nearest of them pass, of `k` on the side where it lies; `null` of a yes or no.
     pub limit: Option<f64>,
+    /// Criteria that keep the same candidates out as well; none where one criterion alone would do.
+    pub with: Vec<RelaxedCriterion>,
     /// How many candidates nothing else keeps out.
     pub candidates: usize,
     /// The nearest one by the number of its candidate.
     pub nearest: u32,
+}
+
+/// A criterion with the limit that would let a candidate pass.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RelaxedCriterion {
+    /// Which criterion.
+    pub criterion: Criterion,
+    /// The limit; `null` of a yes or no.
+    pub limit: Option<f64>,
 }
 
 /// A criterion that is not required and that the first candidate does not meet, and what requiring it would leave.
@@ -142,48 +163,49 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
     solved(wanted, saved).map(|(answer, saved, _)| (answer, saved))
 }
 
-/// The same with the mechanism of the first candidate, if one is accepted.
+/// The same with the mechanisms of the accepted candidates, the best first, each once.
 ///
 /// # Errors
 /// As [`answer`].
-pub fn with_mechanism(wanted: &Wanted) -> Result<(Select, Option<Mechanism>), Error> {
-    solved(wanted, None).map(|(answer, _, mechanism)| (answer, mechanism))
+pub fn with_mechanisms(wanted: &Wanted) -> Result<(Select, Vec<Mechanism>), Error> {
+    solved(wanted, None).map(|(answer, _, mechanisms)| (answer, mechanisms))
 }
 
-fn solved(
-    wanted: &Wanted,
-    saved: Option<usize>,
-) -> Result<(Select, Option<Saved>, Option<Mechanism>), Error> {
-    let Wanted { requirements, order, space, most, duty } = wanted;
+fn solved(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Error> {
+    let Wanted { requirements, order, space, speeds, most, duty } = wanted;
     duty.torque()?;
     let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
     let ranked = ranked(&found);
     let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
     let first = ranked.first().filter(|_| accepted > 0).map(|first| first.candidate);
-    let best = first.map(|first| &first.objectives);
     let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, &found, wanted))?;
     let told = (0..accepted.min(*most)).chain(accepted..accepted + rejected.min(*most));
-    let candidates = told
+    let measured = |one: &selection::Candidate| (one.mixes_directions(), one.objectives);
+    let behind = |place: usize| decisive(*order, &measured(first?), &measured(ranked[place].candidate));
+    let candidates: Vec<Candidate> = told
         .map(|place| {
-            let ranked = &ranked[place];
-            let behind = best
-                .filter(|_| place < accepted)
-                .and_then(|best| decisive(*order, best, &ranked.candidate.objectives));
-            Candidate::of(ranked, behind, requirements, duty)
+            let behind = if place < accepted { behind(place) } else { None };
+            Candidate::of(&ranked[place], behind, requirements, duty)
         })
         .collect::<Result<_, Error>>()?;
-    let decided_by = best.and_then(|best| {
-        let others = &ranked[1..accepted];
-        let decides = |objective: &selection::Objective| {
-            others.iter().any(|one| differs(*objective, best, &one.candidate.objectives))
-        };
-        order.objectives().into_iter().find(decides).map(Objective::of)
-    });
+    let by = |objective| (1..accepted).any(|place| behind(place) == Some(objective));
+    let decided_by = std::iter::once(Objective::Direction)
+        .chain(order.objectives().into_iter().map(Objective::of))
+        .find(|objective| by(*objective));
+    let mut mechanisms: Vec<Mechanism> = vec![];
+    for one in &ranked[..accepted] {
+        if !mechanisms.contains(&one.candidate.mechanism) {
+            mechanisms.push(one.candidate.mechanism);
+        }
+    }
     let saved = saved
         .and_then(|no| ranked.get(no.checked_sub(1)?))
         .map(|one| Saved::of(one.candidate, requirements, &[], vec![]))
         .transpose()?;
+    let asked = Asked { speeds, ratios: requirements.series.braked(), input: duty.input_speed };
+    let best = candidates.first().filter(|first| first.accepted);
     let answer = Select {
+        speeds: best.map(|best| asked.reached_by(&best.gears)).unwrap_or_default(),
         required: Required::of(requirements, *order, duty)?,
         accepted,
         rejected,
@@ -194,7 +216,7 @@ fn solved(
         accepted_of_all_structures: if accepted == 0 { of_all_structures(wanted)? } else { None },
         relaxations: if accepted == 0 { relaxations(&ranked, requirements) } else { vec![] },
     };
-    Ok((answer, saved, first.map(|first| first.mechanism)))
+    Ok((answer, saved, mechanisms))
 }
 
 /// How many of all structures are accepted; nothing where those are searched anyway.
@@ -206,16 +228,21 @@ fn of_all_structures(wanted: &Wanted) -> Result<Option<usize>, Error> {
     Ok(Some(all.accepted.len()))
 }
 
-/// What alone keeps each of the rejected out, the nearest of each criterion.
+/// What keeps the rejected out, the fewest criteria together; the nearest candidate of each combination.
 fn relaxations(rejected: &[Ranked<'_>], requirements: &Requirements) -> Vec<Relaxation> {
     let mut found: Vec<(f64, Relaxation)> = vec![];
     for one in rejected {
-        let mut unmet = one.candidate.verdicts.iter().filter(|verdict| verdict.required && !verdict.met);
-        let (Some(only), None) = (unmet.next(), unmet.next()) else { continue };
-        let Some((limit, distance)) = limit_that_admits(one.candidate, only, requirements) else { continue };
-        let criterion = Criterion::of(only.criterion);
-        let of_it = Relaxation { criterion, limit, candidates: 1, nearest: one.no };
-        match found.iter_mut().find(|(_, other)| other.criterion == criterion) {
+        let unmet = one.candidate.verdicts.iter().filter(|verdict| verdict.required && !verdict.met);
+        let limits = unmet.map(|verdict| {
+            let (limit, distance) = limit_that_admits(one.candidate, verdict, requirements)?;
+            Some((RelaxedCriterion { criterion: Criterion::of(verdict.criterion), limit }, distance))
+        });
+        let Some(limits) = limits.collect::<Option<Vec<(RelaxedCriterion, f64)>>>() else { continue };
+        let distance = limits.iter().map(|(_, distance)| distance).sum();
+        let mut limits = limits.into_iter().map(|(limit, _)| limit);
+        let Some(RelaxedCriterion { criterion, limit }) = limits.next() else { continue };
+        let of_it = Relaxation { criterion, limit, with: limits.collect(), candidates: 1, nearest: one.no };
+        match found.iter_mut().find(|(_, other)| other.criteria().eq(of_it.criteria())) {
             None => found.push((distance, of_it)),
             Some((nearest, other)) => {
                 let candidates = other.candidates + 1;
@@ -226,7 +253,21 @@ fn relaxations(rejected: &[Ranked<'_>], requirements: &Requirements) -> Vec<Rela
             }
         }
     }
-    found.into_iter().map(|(_, one)| one).collect()
+    let fewest = found.iter().map(|(_, one)| one.with.len()).min();
+    found.into_iter().map(|(_, one)| one).filter(|one| Some(one.with.len()) == fewest).collect()
+}
+
+impl Relaxation {
+    /// Its criteria.
+    fn criteria(&self) -> impl Iterator<Item = Criterion> + '_ {
+        std::iter::once(self.criterion).chain(self.with.iter().map(|with| with.criterion))
+    }
+
+    /// Its criteria with their limits.
+    pub fn limits(&self) -> impl Iterator<Item = RelaxedCriterion> + '_ {
+        let first = RelaxedCriterion { criterion: self.criterion, limit: self.limit };
+        std::iter::once(first).chain(self.with.iter().copied())
+    }
 }
 
 /// The limit of a criterion that would admit a candidate, and how far it is from the one there is; nothing where none would.
@@ -253,7 +294,8 @@ fn limit_that_admits(
             let limit = verdict.limits[usize::from(verdict.value > verdict.limits[1])];
             // A gear that is self-locking has the efficiency 0: no limit admits it.
             let admits = verdict.value.is_finite() && verdict.value > 0.0;
-            admits.then(|| (Some(verdict.value), (verdict.value - limit).abs()))
+            // Distances of several criteria are summed.
+            admits.then(|| (Some(verdict.value), (verdict.value - limit).abs() / (1.0 + limit.abs())))
         }
     }
 }
@@ -296,8 +338,16 @@ fn ranked(found: &Selection) -> Vec<Ranked<'_>> {
     (1..).zip(all).map(|(no, (candidate, non_dominated))| Ranked { no, candidate, non_dominated }).collect()
 }
 
-/// The first objective in the order in which a design differs from the best.
-fn decisive(order: Order, best: &selection::Objectives, other: &selection::Objectives) -> Option<Objective> {
+/// The first objective in the order in which a design differs from the best, the direction of rotation before all; of each whether it
+/// mixes directions, and its objectives.
+fn decisive(
+    order: Order,
+    (best_mixes, best): &(bool, selection::Objectives),
+    (mixes, other): &(bool, selection::Objectives),
+) -> Option<Objective> {
+    if best_mixes != mixes {
+        return Some(Objective::Direction);
+    }
     let differs = |objective: &selection::Objective| differs(*objective, best, other);
     order.objectives().into_iter().find(differs).map(Objective::of)
 }
@@ -328,6 +378,7 @@ mod tests {
             requirements: Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap()),
             order: Order::default(),
             space: Space::Catalogue,
+            speeds: vec![],
             most,
             duty: Duty::default(),
         }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`records`] | meshes, gears and what is not rated |
 //! | `prepared` | the meshes of a file's sets |
+//! | [`factors`] | factors by their symbols, each once |
 //! | `axial` | axial forces of helical teeth |
 //! | `load` | the load of a set in a gear |
 //! | `duty` | the steps of a duty, and a set over them |
@@ -17,6 +18,7 @@ mod axial;
 mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
+pub mod factors;
 pub(crate) mod load;
 pub(crate) mod overload;
 pub(crate) mod place;

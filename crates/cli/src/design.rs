@@ -13,30 +13,31 @@ use crate::progress::Progress;
 use crate::select::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
 use crate::sizing;
 use epicyclic_answers::design::basis::Basis;
-use epicyclic_answers::design::{Design, Teeth, Wanted, answer};
+use epicyclic_answers::design::{Design, Wanted, answer};
 use epicyclic_answers::gearbox::one;
 use epicyclic_answers::report::gearbox;
 use epicyclic_answers::select::duty::{Duty, Load};
+use epicyclic_answers::strength::factors::twice;
 use epicyclic_answers::{Error, select};
 use epicyclic_formats::{Document, Number, Physical, Quantity, Span};
 use epicyclic_gears::synthesis::Bounds;
-use epicyclic_selection::{Mechanism, Objective, Order, Rating};
+use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
+use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_views::design::way_out;
 use epicyclic_views::page::{self, sheet::Sheet};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 
-/// Candidates among which the next scheme is sought.
-const SCHEMES_TOLD: usize = 3;
-
 /// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in steps.
 ///
-/// The scheme is what select chooses. Of its tooth numbers those with the smallest rings at one load of the teeth get the sizes that
-/// size finds over a duty with the load in every gear, and the lightest is taken. Every step tells what
-/// it took, among how many, what came next, and the option to choose otherwise. What no speed tells, materials and load factors
-/// among it, is listed; --basis and --factors change it.
+/// The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth numbers those with the least class of
+/// deviation and the smallest rings at one load of the teeth get the sizes that size finds over a duty with the load in every gear, and the
+/// lightest is taken. Every step tells what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
+/// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the limits that would have to give are
+/// listed, each with its option and the gearbox found with it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -74,11 +75,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
     order: List<Objective>,
 
-    /// So many of the tooth designs get sizes, those with the smallest ring at one load of the teeth, and the lightest is taken.
-    #[arg(long, value_name = "N", default_value = "50", conflicts_with = "tooth_design")]
+    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the lightest is taken. They are taken
+    /// within a tenth of --tolerance; only where none holds within a third of it, then within all of it.
+    #[arg(long, value_name = "N", default_value = "50")]
     tries: usize,
 
-    /// The tooth design with this number in place of the lightest.
+    /// The tooth design with this number in place of the lightest. It counts the designs of --tries.
     #[arg(long, value_name = "N")]
     tooth_design: Option<usize>,
 
@@ -99,11 +101,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
     ring_offset: Option<RangeInclusive<i32>>,
 
-    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is usual.
+    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is as without it.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     basis: Option<PathBuf>,
 
-    /// Factors of both meshes by their symbols: 'K_A 1.5, K_v 1.1'.
+    /// Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of --basis; each once.
     #[arg(long, value_name = "FACTORS")]
     factors: Option<List<Factor>>,
 
@@ -115,11 +117,24 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
+    /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
+    #[arg(long, default_value = "3%", allow_hyphen_values = true, help_heading = "Ratios")]
+    tolerance: Quantity<Ratio>,
+
     #[command(flatten)]
     ratios: RatioOptions,
 
     #[command(flatten)]
     criteria: Criteria,
+
+    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no other is left. Default: refused,
+    /// unless a ratio is given with a minus.
+    #[arg(long, help_heading = "Criteria")]
+    may_reverse: bool,
+
+    /// Refuse such schemes even where a ratio has a minus.
+    #[arg(long, hide = true, conflicts_with = "may_reverse")]
+    same_direction: bool,
 
     #[command(flatten)]
     sizes: sizing::Options,
@@ -145,10 +160,11 @@ impl FromStr for Named {
     }
 }
 
-/// A factor by its symbol: `K_A 1.5` or `K_A=1.5`.
+/// A factor by its symbol: `K_A 1.5`, `K_A=1.5` or `K_A: 1.5`.
 #[derive(Debug, Clone, PartialEq)]
 struct Factor {
-    symbol: String,
+    name: String,
+    symbol: Symbol,
     value: f64,
 }
 
@@ -156,13 +172,16 @@ impl FromStr for Factor {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let due = || format!("{text}: a symbol and a number are due, K_A 1.5");
-        let (symbol, value) = text.split_once(['=', ' ', ':']).ok_or_else(due)?;
-        let value: Number = value.trim().parse().map_err(|_| due())?;
-        if epicyclic_strength::factor::Symbol::named(symbol.trim()).is_none() {
-            return Err(format!("{text}: no factor is called `{}`", symbol.trim()));
-        }
-        Ok(Self { symbol: symbol.trim().to_owned(), value: value.get() })
+        let form = || format!("{text}: write a symbol and a number, as K_A 1.5");
+        let (name, value) =
+            text.rsplit_once(['=', ':']).or_else(|| text.trim().rsplit_once(' ')).ok_or_else(form)?;
+        let value: Number = value.trim().parse().map_err(|_| form())?;
+        let name = name.trim();
+        let symbol = Symbol::named(name).ok_or_else(|| {
+            let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
+            format!("{text}: no factor is called `{name}`; there are {}", all.join(", "))
+        })?;
+        Ok(Self { name: name.to_owned(), symbol, value: value.get() })
     }
 }
 
@@ -185,7 +204,16 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     match design.file {
         Some(_) => Ok(()),
-        None => Err(Failure::NothingFound("no gearbox that holds was found".to_owned())),
+        None => {
+            let way = design
+                .ways_out
+                .iter()
+                .flatten()
+                .next()
+                .map(|way| format!("; {}", way_out(way)))
+                .unwrap_or_default();
+            Err(Failure::NothingFound(format!("no gearbox that holds was found{way}")))
+        }
     }
 }
 
@@ -207,7 +235,10 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
     };
     let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
     let order = Order::new(&args.order.0).map_err(refuse_selection)?;
-    let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
+    let is_reverse_asked = args.ratios.signs(&args.speeds) == Signs::AsGiven;
+    let same_direction = args.same_direction || (!args.may_reverse && !is_reverse_asked);
+    let (tolerance, speeds) = (args.tolerance, &args.speeds);
+    let requirements = requirements(speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
     let space = args.speeds.space();
     let size = args.sizes.wanted(call)?;
     let usual = Bounds::default();
@@ -221,11 +252,19 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
         ..usual
     };
     Ok(Wanted {
-        selection: select::Wanted { requirements, order, space, most: SCHEMES_TOLD, duty },
+        selection: select::Wanted {
+            requirements,
+            order,
+            space,
+            speeds: speeds.of_machine(),
+            most: usize::MAX,
+            duty,
+        },
         mechanism: args.scheme.map(|scheme| scheme.0),
         bounds,
         ring_offsets: args.ring_offset.clone(),
-        teeth: args.tooth_design.map_or(Teeth::BestOf(args.tries.max(1)), Teeth::Number),
+        tries: args.tries.max(1),
+        tooth_design: args.tooth_design,
         shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
         overload: overload(args)?,
         basis: basis(call, args)?,
@@ -260,7 +299,13 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
         Some(file) => Basis::of(&input::document(call, file)?)?.completed(),
     };
     if let Some(factors) = &args.factors {
-        let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.symbol.clone(), of.value)).collect();
+        for (place, of) in factors.0.iter().enumerate() {
+            if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
+                let message = twice(of.symbol, [&before.name, &of.name]);
+                return Err(Failure::Option { option: "--factors", message });
+            }
+        }
+        let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
         basis = basis.with_factors(&all);
     }
     if let Some(life) = &args.life {
@@ -272,6 +317,9 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
 /// The option that a refusal speaks of.
 fn refuse_of(error: Error) -> Failure {
     match &error {
+        Error::NoSuchDesign { .. } => {
+            Failure::Option { option: "--tooth-design", message: error.to_string() }
+        }
         Error::Shares { .. } => Failure::Option { option: "--shares", message: error.to_string() },
         Error::Selection(of) => refuse_selection(of.clone()),
         Error::Duty(_) => {

@@ -83,11 +83,20 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N", requires = "save", default_value = "1")]
     nth: usize,
 
+    /// How far a ratio may be off: 10%, or 0.1.
+    #[arg(long, default_value = "10%", allow_hyphen_values = true, help_heading = "Ratios")]
+    tolerance: Quantity<Ratio>,
+
     #[command(flatten)]
     ratios: RatioOptions,
 
     #[command(flatten)]
     criteria: Criteria,
+
+    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct drive. Default: such
+    /// schemes are marked and ranked last.
+    #[arg(long, help_heading = "Criteria")]
+    same_direction: bool,
 
     #[command(flatten)]
     duty: DutyOptions,
@@ -125,17 +134,13 @@ pub(crate) struct Speeds {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Ratios")]
 pub(crate) struct RatioOptions {
-    /// How far a ratio may be off: 10%, or 0.1.
-    #[arg(long, default_value = "10%", allow_hyphen_values = true)]
-    tolerance: Quantity<Ratio>,
-
     /// Which brake gives which ratio.
     #[arg(long, value_enum, default_value_t = Brakes::Either)]
     brakes: Brakes,
 
-    /// Which signs the ratios may have; direct drive is positive.
-    #[arg(long, value_enum, default_value_t = SignChoice::Alike)]
-    signs: SignChoice,
+    /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a minus, otherwise alike.
+    #[arg(long, value_enum)]
+    signs: Option<SignChoice>,
 }
 
 /// Which brake gives which ratio.
@@ -193,10 +198,6 @@ pub(crate) struct Criteria {
     /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an objection.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     circulation: Option<Quantity<Ratio>>,
-
-    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct drive.
-    #[arg(long)]
-    same_direction: bool,
 
     /// Accept schemes that are not drawable: a link would cross another.
     #[arg(long)]
@@ -291,7 +292,9 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let duty = args.duty.duty();
     duty.torque().map_err(|error| refuse(args, error))?;
     let rating = rating(args, &duty)?;
-    let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
+    let (tolerance, same_direction) = (args.tolerance, args.same_direction);
+    let requirements =
+        requirements(&args.speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
     let order = Order::new(&args.order.0).map_err(|error| refuse(args, error.into()))?;
     if args.teeth {
         return with_teeth(call, args, requirements, order, duty);
@@ -304,7 +307,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let space = args.speeds.space();
     let eta0 = requirements.eta0;
     let nth = args.save.is_some().then_some(args.nth);
-    let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
+    let speeds = args.speeds.of_machine();
+    let found = select::solve(&Wanted { requirements, order, space, speeds, most, duty }, nth);
     let (found, saved) = found.map_err(|error| refuse(args, error))?;
     let designs = found.accepted + found.rejected;
     let files = save(call, args, saved, found.accepted, designs)?;
@@ -330,6 +334,11 @@ impl Speeds {
     /// The mechanisms to choose among.
     pub(crate) fn space(&self) -> Space {
         if self.all_structures { Space::All } else { Space::Catalogue }
+    }
+
+    /// The speeds of the machine; none where ratios are given.
+    pub(crate) fn of_machine(&self) -> Vec<Velocity> {
+        self.speeds.iter().flat_map(|speeds| speeds.values()).collect()
     }
 }
 
@@ -358,8 +367,9 @@ fn with_teeth(
     let is_shifted = shifts.is_some();
     let eta0 = requirements.eta0;
     let space = args.speeds.space();
+    let speeds = args.speeds.of_machine();
     let of_one_set = requirements.series.braked().len() == 1;
-    let wanted = teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, duty };
+    let wanted = teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, speeds, duty };
     let shown = Progress::new(call);
     if of_one_set && !is_shifted {
         let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
@@ -482,11 +492,27 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
     })
 }
 
+impl RatioOptions {
+    /// The signs: those given where one is negative, since it was written for a purpose.
+    pub(crate) fn signs(&self, wanted: &Speeds) -> Signs {
+        let mut ratios = wanted.ratios.iter().flat_map(|ratios| &ratios.0);
+        match self.signs {
+            Some(SignChoice::AsGiven) => Signs::AsGiven,
+            Some(SignChoice::Any) => Signs::Any,
+            Some(SignChoice::Alike) => Signs::Alike,
+            None if ratios.any(|ratio| ratio.get() < 0.0) => Signs::AsGiven,
+            None => Signs::Alike,
+        }
+    }
+}
+
 /// What these options ask for.
 pub(crate) fn requirements(
     wanted: &Speeds,
+    tolerance: Quantity<Ratio>,
     taken: &RatioOptions,
     criteria: &Criteria,
+    same_direction: bool,
     rating: Rating,
 ) -> Result<Requirements, Failure> {
     let series = match (&wanted.speeds, &wanted.ratios) {
@@ -503,16 +529,12 @@ pub(crate) fn requirements(
     let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
     Ok(Requirements {
-        tolerance: taken.tolerance.0.si(),
+        tolerance: tolerance.0.si(),
         orders: match taken.brakes {
             Brakes::Either => Orders::Both,
             Brakes::AsGiven => Orders::AsGiven,
         },
-        signs: match taken.signs {
-            SignChoice::Alike => Signs::Alike,
-            SignChoice::Any => Signs::Any,
-            SignChoice::AsGiven => Signs::AsGiven,
-        },
+        signs: taken.signs(wanted),
         limits: Limits {
             ring_to_sun: range("--k", criteria.k, usual.ring_to_sun)?,
             preferred: range("--prefer", criteria.prefer, usual.preferred)?,
@@ -521,7 +543,7 @@ pub(crate) fn requirements(
             planet_speed: criteria.planet_speed.get(),
             clutch_slip: criteria.clutch_slip.get(),
             circulation: criteria.circulation.map_or(usual.circulation, |share| share.0.si()),
-            same_direction: criteria.same_direction,
+            same_direction,
             drawable: !criteria.allow_crossing,
         },
         eta0,

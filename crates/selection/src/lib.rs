@@ -94,9 +94,10 @@ pub struct Selection {
     pub rejected: Vec<Candidate>,
     /// Mechanisms that cannot give the ratios.
     pub unreachable: Vec<Unreachable>,
-    /// The Pareto front over the accepted, best first by the order; members are places in `accepted`.
+    /// The Pareto front over the accepted, best first by the order; members are places in `accepted`. Candidates whose output reverses
+    /// against direct drive follow the others and are compared among themselves.
     pub front: Vec<Entry>,
-    /// Places in `accepted`, best first by the order.
+    /// Places in `accepted`, best first by the order; candidates whose output reverses against direct drive follow the others.
     pub best: Vec<usize>,
 }
 
@@ -149,10 +150,19 @@ pub fn select_with(
             if candidate.is_accepted() { &mut found.accepted } else { &mut found.rejected }.push(candidate);
         }
     }
-    let costs: Vec<_> = found.accepted.iter().map(|candidate| candidate.objectives.costs()).collect();
-    found.front = front::front(&costs, order, |place| found.accepted[place].objectives);
-    found.best = (0..costs.len()).collect();
-    found.best.sort_by(|&a, &b| order.compare(&costs[a], &costs[b]).then(a.cmp(&b)));
+    for mixed in [false, true] {
+        let of = |place: &usize| found.accepted[*place].mixes_directions() == mixed;
+        let mut places: Vec<usize> = (0..found.accepted.len()).filter(of).collect();
+        let objectives = |place: usize| found.accepted[places[place]].objectives;
+        let costs: Vec<_> = (0..places.len()).map(|place| objectives(place).costs()).collect();
+        for mut entry in front::front(&costs, order, objectives) {
+            entry.members.iter_mut().for_each(|member| *member = places[*member]);
+            found.front.push(entry);
+        }
+        let costs = |place: usize| found.accepted[place].objectives.costs();
+        places.sort_by(|&a, &b| order.compare(&costs(a), &costs(b)).then(a.cmp(&b)));
+        found.best.extend(places);
+    }
     Ok(found)
 }
 

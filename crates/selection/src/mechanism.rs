@@ -141,8 +141,9 @@ impl Mechanism {
         }
     }
 
-    /// Ratios of the braked gears at these ring-to-sun ratios.
-    pub(crate) fn ratios(self, k: &[f64]) -> Vec<f64> {
+    /// Ratios of the braked gears at these ring-to-sun ratios; none unless there is one a set.
+    #[must_use]
+    pub fn ratios(self, k: &[f64]) -> Vec<f64> {
         match (self, k) {
             (Self::OneSet(set), &[k]) => {
                 let c = coefficients(set, k);

@@ -52,7 +52,7 @@ pub struct Limits {
     /// [`OBJECTED_CIRCULATION`] is an objection.
     pub circulation: f64,
     /// Whether all gears, direct drive among them, must turn the output alike. Off: mixed
-    /// directions are reported.
+    /// directions are reported, and ranked behind all others.
     pub same_direction: bool,
     /// Whether the scheme must be drawable without self-crossing, where that is examined.
     pub drawable: bool,
@@ -137,6 +137,12 @@ impl Requirements {
             }
         }
         found
+    }
+
+    /// Whether the signs of these ratios keep to [`Limits::same_direction`].
+    #[must_use]
+    pub fn allows_directions_of(&self, ratios: &[f64]) -> bool {
+        !self.limits.same_direction || ratios.iter().all(|ratio| *ratio > 0.0)
     }
 
     pub(crate) fn check(&self) -> Result<(), Error> {

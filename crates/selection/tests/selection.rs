@@ -164,8 +164,10 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
         let order = Order::new(&[objective]).unwrap();
         let found = select_with(&excavator(), &Space::All, order, None).unwrap();
         for entry in &found.front {
-            let dominated =
-                found.accepted.iter().any(|candidate| candidate.objectives.dominates(&entry.objectives));
+            let dominated = found.accepted.iter().any(|candidate| {
+                candidate.mixes_directions() == found.accepted[entry.members[0]].mixes_directions()
+                    && candidate.objectives.dominates(&entry.objectives)
+            });
             assert!(!dominated);
         }
         found.accepted[found.best[0]].mechanism.to_string()
@@ -173,6 +175,36 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
     assert_eq!(first(Objective::Efficiency), "D.B.T1+D.T1.T2");
     assert_eq!(first(Objective::Speed), "D.T1.T2+B.T2.T1");
     assert_eq!(first(Objective::Size), "D.B.T1+B.T2.T1");
+}
+
+/// Whatever the order of the objectives: a design that reverses follows all others and surpasses none of them.
+#[test]
+fn designs_that_reverse_are_ranked_last() {
+    for ratios in [&[1.466, 2.566][..], &[1.6, 2.54], &[3.9375], &[2.5, 1.5]] {
+        for objective in Objective::ALL {
+            let requirements = Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap());
+            let order = Order::new(&[objective]).unwrap();
+            let found = select_with(&requirements, &Space::All, order, None).unwrap();
+            let of =
+                |mixed: bool| found.accepted.iter().filter(|one| one.mixes_directions() == mixed).count();
+            assert!(of(true) > 0 && of(false) > 0, "{ratios:?}");
+            let ranked: Vec<bool> =
+                found.best.iter().map(|&place| found.accepted[place].mixes_directions()).collect();
+            assert!(ranked.is_sorted(), "{objective}: {ranked:?}");
+            let mut places = found.best.clone();
+            places.sort_unstable();
+            assert_eq!(places, (0..found.accepted.len()).collect::<Vec<_>>());
+            // By trial: the front of each direction.
+            for (place, one) in found.accepted.iter().enumerate() {
+                let dominated = found.accepted.iter().any(|other| {
+                    other.mixes_directions() == one.mixes_directions()
+                        && other.objectives.dominates(&one.objectives)
+                });
+                let on_front = found.front.iter().any(|entry| entry.members.contains(&place));
+                assert_eq!(on_front, !dominated, "{one:?}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -2,12 +2,15 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, text};
-use crate::quantities::words;
+use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Text, View, warned};
+use crate::select::{percent, speeds_reached};
 use crate::size::{designs, left_out};
 use crate::strength::{Worn, over_duty};
 use epicyclic_answers::design::Design;
 use epicyclic_answers::design::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
+use epicyclic_answers::design::ways_out::{Limit, RelaxedLimit, WayOut};
+use epicyclic_answers::select::reached::largest_deviation;
 use epicyclic_answers::select::required::Objective;
 use epicyclic_answers::size::records::{Requirement, SizedDesign, SizedSet};
 use epicyclic_formats::Dimension;
@@ -24,10 +27,18 @@ impl AsReport for Design {
     }
 }
 
-/// The steps, and what no speed tells.
+/// The speeds asked for and reached, the steps, ways out, and assumed values.
 pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
-    let mut parts = vec![Part::Records(steps(design))];
+    let mut parts = vec![];
+    if !design.speeds.is_empty() {
+        parts.push(Part::Records(speeds_reached(&design.speeds)));
+    }
+    parts.push(Part::Records(steps(design)));
     parts.extend(stopped(design).map(|why| Part::Text(Text::paragraph(why))));
+    if let Some(ways) = design.ways_out.as_deref().filter(|ways| !ways.is_empty()) {
+        parts.push(Part::Records(ways_out(ways)));
+        parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
+    }
     parts.push(Part::Records(basis(&design.basis)));
     parts
 }
@@ -67,27 +78,116 @@ fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
 /// The scheme with the mass of its gears.
 pub(crate) fn in_short(design: &Design) -> String {
     let name = design.scheme.taken.as_deref().unwrap_or("no scheme");
+    let off = percent(largest_deviation(&design.speeds)).replace('+', "");
     match design.sizes.as_ref().and_then(|sizes| sizes.mass_kg).filter(|_| design.file.is_some()) {
         Some(mass) => {
-            format!("{name}: gears of {} hold over the duty.", words(Dimension::Mass, mass, DIGITS))
+            let mass = words(Dimension::Mass, mass, DIGITS);
+            format!("{name}: speeds within {off} of those asked for; gears of {mass} hold over the duty.")
         }
         None => format!("{name}: no gearbox that holds was found."),
     }
 }
 
-/// Why a design has an end before its last step.
+/// Why a design ends before its last step.
 fn stopped(design: &Design) -> Option<String> {
     let why = match (&design.teeth, &design.sizes, &design.file) {
+        (.., Some(_)) => return None,
         (None, ..) => {
-            "No scheme meets the criteria. `epicyclic select` with the same speeds tells which criterion each one fails."
+            "No scheme meets the criteria. `epicyclic select` with the same speeds and --tolerance lists the criteria that each one fails."
         }
-        (Some(_), None, _) => {
-            "No tooth numbers within the bounds give the ratios, or not so many. A wider --sun, --planet, --ring or --tolerance would help."
+        (Some(_), None, _) => "No tooth numbers within the bounds give the ratios, or not so many.",
+        (Some(_), Some(_), _) => {
+            "No size of a set holds over the duty; the nearest misses list what they lack."
         }
-        (.., None) => "No size of a set holds over the duty; the nearest misses tell what they lack.",
-        _ => return None,
     };
-    Some(why.to_owned())
+    let none = if design.ways_out.as_ref().is_some_and(Vec::is_empty) {
+        " No single limit relaxed gives a gearbox: the tolerance up to 10 %, the criteria, directions of rotation, structures, tooth numbers, \
+         ring offsets and sizes were tried, as far as they apply."
+    } else {
+        ""
+    };
+    Some(format!("{why}{none}"))
+}
+
+/// Limits that would have to give, each with its gearbox.
+fn ways_out(ways: &[WayOut]) -> Records {
+    let row = |way: &WayOut| {
+        let off = largest_deviation(&way.speeds);
+        let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
+        vec![
+            text(options(way)),
+            text(format!("{}{reverses}", way.scheme)),
+            text(sets(&way.teeth)),
+            text(percent(off)),
+            column(Dimension::Mass, way.teeth.mass_kg),
+        ]
+    };
+    Records {
+        name: "ways_out",
+        columns: vec![
+            Column::words("option", "option"),
+            Column::words("scheme", "scheme"),
+            Column::words("teeth", "teeth"),
+            Column::number("deviation", "deviation"),
+            Column::headed("mass", "kg", Dimension::Mass),
+        ],
+        rows: ways.iter().map(row).collect(),
+        views: vec![View {
+            note: "Each line is the result of the same search with this option. Deviation: the largest of a gear.".to_owned(),
+            ..View::new(
+                "Limits that would have to give, and the gearbox behind each",
+                &["option", "scheme", "teeth", "deviation", "mass"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+/// Speeds that a way out reaches.
+fn speeds_of(way: &WayOut) -> Records {
+    let mut records = speeds_reached(&way.speeds);
+    for view in &mut records.views {
+        view.title = format!("{}: {}", options(way), view.title.to_lowercase());
+    }
+    records
+}
+
+/// A way out in words: the options and what they give.
+#[must_use]
+pub fn way_out(way: &WayOut) -> String {
+    let mass = way.teeth.mass_kg.map(|mass| format!(", gears of {}", words(Dimension::Mass, mass, DIGITS)));
+    format!("{} gives {}{}", options(way), way.scheme, mass.unwrap_or_default())
+}
+
+/// The options that relax the limits, as they are typed.
+fn options(way: &WayOut) -> String {
+    let all: Vec<String> = way.limits.iter().map(option).collect();
+    all.join(" ")
+}
+
+fn option(one: &RelaxedLimit) -> String {
+    let number = |value: Option<f64>| trimmed(value.unwrap_or_default(), 6);
+    let (least, greatest) = (number(one.least), number(one.greatest));
+    match one.limit {
+        Limit::Tolerance => format!("--tolerance {}%", trimmed(100.0 * one.greatest.unwrap_or_default(), 6)),
+        Limit::RingToSunRatio => format!("--k {least}..{greatest}"),
+        Limit::Efficiency => format!("--least-efficiency {least}"),
+        Limit::LinkSpeed => format!("--link-speed {greatest}"),
+        Limit::PlanetSpeed => format!("--planet-speed {greatest}"),
+        Limit::ClutchSlip => format!("--clutch-slip {greatest}"),
+        Limit::Circulation => format!("--circulation {greatest}"),
+        Limit::SameDirection => "--may-reverse".to_owned(),
+        Limit::Drawable => "--allow-crossing".to_owned(),
+        Limit::Structures => "--all-structures".to_owned(),
+        Limit::SunTeeth => format!("--sun {least}.."),
+        Limit::PlanetTeeth => format!("--planet {least}.."),
+        Limit::RingTeeth => format!("--ring ..{greatest}"),
+        Limit::RingOffset => format!("--ring-offset {least}..{greatest}"),
+        Limit::WidthRatio => format!("--width-ratio {greatest}"),
+        Limit::Modules => "without --modules".to_owned(),
+        Limit::FaceWidths => "without --face-widths".to_owned(),
+        Limit::Planets => format!("--planets ..{greatest}"),
+    }
 }
 
 fn steps(design: &Design) -> Records {
@@ -109,8 +209,8 @@ fn steps(design: &Design) -> Records {
             .map(|row| row.map(|cell| if cell.is_empty() { Figure::None } else { text(cell) }).to_vec())
             .collect(),
         views: vec![View::new("Steps: what was taken", &["step", "taken"]), View {
-            note: "Each step takes the best of the one before it; all together are not searched. Other tooth numbers, or another scheme, may be \
-                   lighter."
+            note: "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
+                   scheme, may be lighter."
                 .to_owned(),
             ..View::new("Steps: among what, what came next, and how to choose otherwise", &["step", "among", "next", "chosen_otherwise_by"])
         }],
@@ -127,11 +227,16 @@ fn scheme(step: &SchemeStep) -> [String; 5] {
         }
     };
     let taken = step.taken.clone().unwrap_or_else(|| "none".to_owned());
+    let among = match &step.passed_over[..] {
+        [] => among,
+        before => format!("{among}; before it {} without sizes that hold", before.join(", ")),
+    };
     ["scheme".to_owned(), taken, among, step.next.clone().unwrap_or_default(), "--scheme, --order".to_owned()]
 }
 
 const fn objective(objective: Objective) -> &'static str {
     match objective {
+        Objective::Direction => "direction of rotation",
         Objective::Efficiency => "efficiency",
         Objective::Speed => "speed",
         Objective::RingToSunRatio => "k",
@@ -141,12 +246,14 @@ const fn objective(objective: Objective) -> &'static str {
     }
 }
 
+/// Teeth of sun, planet and ring of each set.
+fn sets(of: &TeethTaken) -> String {
+    let all: Vec<String> =
+        of.sets.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
+    all.join(" + ")
+}
+
 fn teeth(step: &TeethStep) -> [String; 5] {
-    let sets = |of: &TeethTaken| {
-        let all: Vec<String> =
-            of.sets.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
-        all.join(" + ")
-    };
     let taken = step.taken.as_ref().map_or_else(
         || "none".to_owned(),
         |of| {
@@ -154,13 +261,20 @@ fn teeth(step: &TeethStep) -> [String; 5] {
             format!("no. {}: {}, i = {}", of.number, sets(of), ratios.join(" and "))
         },
     );
-    let among = format!("{} of {} with sizes", step.tried, step.accepted);
+    let within = trimmed(100.0 * step.tolerance, DIGITS);
+    let among = format!("{} of {} with sizes, within {within} %", step.tried, step.accepted);
     let mass = |of: &TeethTaken| of.mass_kg.map(|mass| format!(", {}", words(Dimension::Mass, mass, DIGITS)));
     let next = step
         .next
         .as_ref()
         .map(|of| format!("no. {}: {}{}", of.number, sets(of), mass(of).unwrap_or_default()));
-    ["teeth".to_owned(), taken, among, next.unwrap_or_default(), "--tooth-design, --tries".to_owned()]
+    [
+        "teeth".to_owned(),
+        taken,
+        among,
+        next.unwrap_or_default(),
+        "--tooth-design, --tries, --tolerance".to_owned(),
+    ]
 }
 
 fn sizes(step: &SizesStep) -> [String; 5] {
@@ -210,7 +324,7 @@ fn basis(keys: &[BasisKey]) -> Records {
         views: vec![View {
             note: "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated."
                 .to_owned(),
-            ..View::new("What no speed tells (--basis, --factors, --life)", &["key", "value"])
+            ..View::new("Assumed values; change with --basis, --factors, --life", &["key", "value"])
         }],
         is_answer: false,
     }

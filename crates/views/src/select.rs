@@ -1,10 +1,12 @@
 //! The choice of a gearbox, as tables.
 
 mod best;
+mod reached;
 pub mod teeth;
 mod words;
 
 pub(crate) use best::in_short;
+pub(crate) use reached::{percent, speeds_reached};
 pub(crate) use words::unmet;
 pub use words::ways_out;
 
@@ -23,8 +25,12 @@ impl AsReport for Select {
     fn report(&self) -> Report {
         let told = self.candidates.iter().take_while(|one| one.accepted).count();
         let (accepted, rejected) = self.candidates.split_at(told);
+        let mut parts = vec![];
+        if !self.speeds.is_empty() {
+            parts.push(Part::Records(speeds_reached(&self.speeds)));
+        }
         // The list as CSV; tables show it in parts.
-        let mut parts = vec![Part::Records(candidates(&self.candidates, vec![]))];
+        parts.push(Part::Records(candidates(&self.candidates, vec![])));
         if !accepted.is_empty() {
             parts.push(Part::Records(candidates(accepted, accepted_views(self, accepted))));
         }
@@ -150,7 +156,7 @@ fn note(select: &Select, accepted: &[Candidate]) -> String {
         note += " n: of the output, rpm.";
     }
     if accepted.iter().any(|one| one.mixed_directions) {
-        note += " A negative ratio: the output reverses against direct drive.";
+        note += " A negative ratio: the output reverses against direct drive; such schemes are ranked last.";
     }
     if accepted.iter().any(|one| one.scheme.is_none()) {
         note += " A scheme that the source does not name is a.b.H of set 1, and of set 2 after the +.";

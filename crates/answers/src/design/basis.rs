@@ -2,9 +2,11 @@
 
 use super::records::BasisKey;
 use crate::Error;
+use crate::strength::factors;
 use crate::strength::place::refused;
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
+use epicyclic_strength::factor::Symbol;
 
 /// Materials, factors, tools, oil, life and required safeties, as a gearbox file writes them.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,12 +42,15 @@ impl Basis {
     /// [`Error::Document`] for a file without `strength`.
     pub fn of(document: &Document) -> Result<Self, Error> {
         let file = document.value();
-        let sets = file.get("sets").and_then(Value::as_sequence).into_iter().flatten();
-        let of_sets = || sets.filter_map(|set| set.get("strength")).next();
-        let strength = file.get("strength").or_else(of_sets).ok_or_else(|| {
+        let sets = file.get("sets").and_then(Value::as_sequence).map_or(0, Vec::len);
+        let of_sets = (0..sets).map(|place| Path::root().key("sets").index(place));
+        let mut places = std::iter::once(Path::root()).chain(of_sets).map(|path| path.key("strength"));
+        let path = places.find(|path| document.value_at(path).is_some()).unwrap_or_else(Path::root);
+        let strength = document.value_at(&path).filter(|_| path != Path::root()).ok_or_else(|| {
             let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
             refused(document, &Path::root(), &[], message)
         })?;
+        factors::check(document, &path)?;
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
         Ok(Self { strength: strength.clone(), keys: KEYS.iter().filter_map(own).collect() })
     }
@@ -78,17 +83,34 @@ impl Basis {
         self
     }
 
-    /// The same with factors of both meshes by their symbols in place of those of the same symbol.
+    /// The same with factors of both meshes by the names of their symbols, in place of those of the same symbol under any key and
+    /// in any spelling.
     #[must_use]
     pub fn with_factors(mut self, factors: &[(String, f64)]) -> Self {
-        if let Some(strength) = self.strength.as_mapping_mut() {
-            let own = strength.entry("factors".into()).or_insert_with(|| Value::Mapping(Default::default()));
-            if let Some(own) = own.as_mapping_mut() {
-                for (symbol, value) in factors {
-                    own.insert(symbol.as_str().into(), (*value).into());
+        let Some(strength) = self.strength.as_mapping_mut() else { return self };
+        for (name, value) in factors {
+            let symbol = Symbol::named(name);
+            let is_same = |other: &Value| other.as_str().is_some_and(|other| Symbol::named(other) == symbol);
+            for key in factors::KEYS {
+                let Some(own) = strength.get_mut(key).and_then(Value::as_mapping_mut) else { continue };
+                if key == "factors" {
+                    // The key keeps its place and its spelling.
+                    own.iter_mut()
+                        .filter(|(other, _)| is_same(other))
+                        .for_each(|(_, own)| *own = (*value).into());
+                } else {
+                    own.retain(|other, _| !is_same(other));
                 }
             }
+            let own = strength.entry("factors".into()).or_insert_with(|| Value::Mapping(Default::default()));
+            if let Some(own) = own.as_mapping_mut().filter(|own| !own.keys().any(is_same)) {
+                own.insert(name.as_str().into(), (*value).into());
+            }
         }
+        let is_of_factors = |key: &Value| key.as_str().is_some_and(|key| factors::KEYS.contains(&key));
+        strength.retain(|key, value| {
+            !(is_of_factors(key) && value.as_mapping().is_some_and(|mapping| mapping.is_empty()))
+        });
         self
     }
 }
@@ -136,5 +158,29 @@ mod tests {
         assert_eq!(changed.with("life", Value::from("7 h")).keys.len(), 3);
         let refused = of("life: 5 h\n").unwrap_err().to_string();
         assert!(refused.starts_with("basis.yaml:1:1") && refused.contains("`strength`"), "{refused}");
+    }
+    /// Whatever key has the factor, whatever its spelling.
+    #[test]
+    fn a_factor_given_by_option_acts_in_any_spelling() {
+        let file = "strength: { factors: { KA: 2, K_v: 1 }, sun_mesh_factors: { K_Hβ: 1.3 }, ring_factors: { Y_S: 2 } }\n";
+        let factors = [("K_A".to_owned(), 3.0), ("K_H_beta".to_owned(), 1.1), ("YS".to_owned(), 1.5)];
+        let changed = of(file).unwrap().with_factors(&factors);
+        let own = of("strength: { factors: { KA: 3.0, K_v: 1, K_H_beta: 1.1, YS: 1.5 } }\n").unwrap();
+        assert_eq!(changed.strength, own.strength);
+    }
+
+    #[test]
+    fn a_factor_that_stands_twice_is_refused_with_both_spellings() {
+        for key in factors::KEYS {
+            for [one, other] in
+                [["K_A", "KA"], ["K_Hβ", "K_H_beta"], ["Z_B", "Z_D"], ["Y_δrelT", "Y_delta_rel_T"]]
+            {
+                let file = format!("sets:\n- strength:\n    {key}:\n      {one}: 1\n      {other}: 1\n");
+                let refused = of(&file).unwrap_err().to_string();
+                let both = format!("`{one}` and `{other}` are the same factor");
+                assert!(refused.starts_with("basis.yaml:5:") && refused.contains(&both), "{refused}");
+            }
+        }
+        assert!(of("strength: { factors: { K_A: 1 }, sun_mesh_factors: { K_A: 2 } }\n").is_ok());
     }
 }

@@ -1,14 +1,13 @@
 //! Records of the steps of a design.
 
-use super::Tried;
-use crate::Error;
 use crate::catalogue::KRange;
 use crate::select::Select;
 use crate::select::candidate::Candidate;
 use crate::select::required::{Brakes, Objective, RatioSigns, Required};
-use crate::select::teeth::{self, Searches};
+use crate::select::teeth;
 use crate::size::Size;
 use crate::size::records::{Governing, SizedSet};
+use epicyclic_selection::Mechanism;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -99,16 +98,30 @@ pub struct SchemeStep {
     pub decided_by: Option<Objective>,
     /// Ring-to-sun ratios of its sets that give the ratios exactly.
     pub k: Vec<f64>,
+    /// Those that come before it and have no tooth numbers with sizes that hold.
+    pub passed_over: Vec<String>,
     /// The next one that meets the criteria; `null` where there is none.
     pub next: Option<String>,
 }
 
 impl SchemeStep {
-    pub(super) fn of(selection: &Select, asked_for: bool) -> Self {
+    /// Of all candidates: the mechanism taken, and those before it that have no sizes.
+    pub(super) fn of(
+        selection: &Select,
+        taken: Option<Mechanism>,
+        passed_over: &[Mechanism],
+        asked_for: bool,
+    ) -> Self {
         let name = |one: &Candidate| one.scheme.unwrap_or(&one.structure).to_owned();
-        let mut accepted = selection.candidates.iter().filter(|one| one.accepted);
-        let first = accepted.next();
+        let accepted = || selection.candidates.iter().filter(|one| one.accepted);
+        let of = |mechanism: &Mechanism| {
+            let structure = mechanism.to_string();
+            accepted().find(|one| one.structure == structure)
+        };
+        let first = taken.as_ref().and_then(of);
+        let passed_over: Vec<String> = passed_over.iter().filter_map(of).map(name).collect();
         let taken = first.map(name);
+        let is_left = |name: &String| Some(name) != taken.as_ref() && !passed_over.contains(name);
         Self {
             asked_for,
             criteria: Criteria::of(&selection.required),
@@ -116,8 +129,9 @@ impl SchemeStep {
             accepted: selection.accepted,
             decided_by: selection.decided_by,
             k: first.iter().flat_map(|first| &first.sets).map(|set| set.k).collect(),
-            next: accepted.map(name).find(|name| Some(name) != taken.as_ref()),
+            next: accepted().map(name).find(is_left),
             taken,
+            passed_over,
         }
     }
 }
@@ -126,7 +140,9 @@ impl SchemeStep {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethStep {
-    /// Pairs of tooth numbers, or tooth numbers of one set, that meet the criteria.
+    /// Largest deviation of the designs compared by mass: a part of the tolerance, or all of it.
+    pub tolerance: f64,
+    /// Pairs of tooth numbers, or tooth numbers of one set, within it that meet the criteria.
     pub accepted: u64,
     /// Of how many the sizes were sought.
     pub tried: usize,
@@ -140,7 +156,7 @@ pub struct TeethStep {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethTaken {
-    /// The number of the design, from 1: the smallest ring at one load of the teeth first.
+    /// The number of the design, from 1: the least class of deviation first, then the smallest ring at one load of the teeth.
     pub number: usize,
     /// Mass of its gears; `null` where a set has no size.
     pub mass_kg: Option<f64>,
@@ -151,25 +167,14 @@ pub struct TeethTaken {
 }
 
 impl TeethTaken {
-    fn of(design: &teeth::Design, tried: &Tried) -> Self {
+    /// Of a design without sizes, by its number.
+    pub(super) fn of(design: &teeth::Design, number: usize) -> Self {
         Self {
-            number: tried.number,
-            mass_kg: tried.mass_kg(),
+            number,
+            mass_kg: None,
             sets: design.tooth_numbers.iter().map(|set| [set.sun, set.planet, set.ring]).collect(),
             ratios: design.candidate.gears.iter().map(|gear| gear.ratio).collect(),
         }
-    }
-}
-
-impl TeethStep {
-    /// Of what the search found, those tried, the best first.
-    pub(super) fn of(found: &Searches<'_>, tried: &[Tried]) -> Result<Self, Error> {
-        let told = |place: usize| -> Result<Option<TeethTaken>, Error> {
-            let Some(one) = tried.get(place) else { return Ok(None) };
-            Ok(found.told(one.number)?.map(|design| TeethTaken::of(&design, one)))
-        };
-        let (taken, next) = (told(0)?, told(1)?);
-        Ok(Self { accepted: found.searched().accepted, tried: tried.len(), taken, next })
     }
 }
 

@@ -3,8 +3,10 @@
 use super::candidate::{BrakedGear, Candidate, Objectives, Ranked};
 use super::decisive;
 use super::duty::Duty;
+use super::reached::{Asked, ReachedSpeed};
 use super::required::{Required, finite};
 use super::saved::Saved;
+use crate::catalogue::GearName;
 use crate::teeth::shifted::{RequiredShifts, SetShifts, WantedShifts};
 use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
@@ -13,8 +15,9 @@ use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::WrittenSize;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, Found, OneSetSearch, Progress, ToothSearch};
+use epicyclic_selection::search::{Counts, Directions, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -23,7 +26,7 @@ use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use uom::si::f64::Length;
+use uom::si::f64::{Length, Velocity};
 
 /// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
@@ -45,11 +48,18 @@ pub struct Wanted {
     pub limits: SizeLimits,
     /// How many designs are told.
     pub most: usize,
+    /// Speeds of the machine, the slowest first, where these give the ratios.
+    pub speeds: Vec<Velocity>,
     /// Speed and load of the input.
     pub duty: Duty,
 }
 
 impl Wanted {
+    fn asked(&self) -> Asked<'_> {
+        let ratios = self.requirements.series.braked();
+        Asked { speeds: &self.speeds, ratios, input: self.duty.input_speed }
+    }
+
     fn shift(&self) -> Option<ProfileShift> {
         Some(self.shifts.as_ref()?.within(&self.bounds))
     }
@@ -87,6 +97,8 @@ impl SizeLimits {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
+    /// Speeds of the first design, asked for and reached, the slowest first; empty where there is none.
+    pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,
     /// Limits of the size of a set.
@@ -229,12 +241,45 @@ pub struct Searches<'a> {
 pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Error> {
     wanted.duty.torque()?;
     let of_one_set = wanted.requirements.series.braked().len() == 1;
-    let (found, of_structures, counts) =
-        if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
-    Ok(Searches { wanted, searched: Searched::of(counts), found, of_structures })
+    let some = |directions: Directions| {
+        let mut targets = wanted.requirements.targets().into_iter();
+        targets.any(|ratios| wanted.requirements.allows_directions_of(&ratios) && directions.hold(&ratios))
+    };
+    let part = |directions: Directions, [from, to]: [f64; 2]| {
+        let watch = |at: At| watch(At { share: from + (to - from) * at.share, ..at });
+        let (found, of_structures, counts) = if of_one_set {
+            of_one(wanted, directions, &watch)?
+        } else {
+            of_two(wanted, directions, &watch)?
+        };
+        Ok(Searches { wanted, searched: Searched::of(counts), found, of_structures })
+    };
+    if some(Directions::Same) && some(Directions::Mixed) {
+        // Designs that reverse follow all others.
+        let mixed = |same: Searches<'a>| Ok(same.followed_by(part(Directions::Mixed, [0.5, 1.0])?));
+        part(Directions::Same, [0.0, 0.5]).and_then(mixed)
+    } else {
+        part(Directions::Any, [0.0, 1.0])
+    }
 }
 
 impl<'a> Searches<'a> {
+    /// These designs, then those of another search over the same tooth numbers.
+    fn followed_by(mut self, more: Self) -> Self {
+        self.found.extend(more.found);
+        self.found.truncate(self.wanted.most);
+        for first in more.of_structures {
+            if self.of_structures.iter().all(|other| other.mechanism != first.mechanism) {
+                self.of_structures.push(first);
+            }
+        }
+        self.searched.structures += more.searched.structures;
+        self.searched.designs += more.searched.designs;
+        self.searched.tried += more.searched.tried;
+        self.searched.accepted += more.searched.accepted;
+        self
+    }
+
     /// What was searched.
     #[must_use]
     pub fn searched(&self) -> Searched {
@@ -266,16 +311,29 @@ impl<'a> Searches<'a> {
     /// # Errors
     /// None are known of a design that was found.
     pub fn saved(&self, no: usize) -> Result<Option<Saved>, Error> {
-        let Some(place) = no.checked_sub(1).filter(|place| *place < self.found.len()) else {
-            return Ok(None);
-        };
+        let place = no.checked_sub(1).filter(|place| *place < self.found.len());
+        place.map(|place| Ok(self.saved_design(place)?.1)).transpose()
+    }
+
+    /// Speeds of the design at a place, asked for and reached, the slowest first.
+    pub(crate) fn speeds(&self, place: usize) -> Vec<ReachedSpeed> {
+        let first = &self.found[place];
+        let k: Vec<f64> = first.teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
+        let gears = SchemeGear::BRAKED.into_iter().map(GearName::of);
+        let ratios = first.wanted.iter().copied().zip(first.mechanism.ratios(&k));
+        self.wanted.asked().reached(gears.zip(ratios).map(|(gear, (wanted, ratio))| (gear, wanted, ratio)))
+    }
+
+    /// The design at a place, measured in full and as a gearbox.
+    pub(crate) fn saved_design(&self, place: usize) -> Result<(Design, Saved), Error> {
         let (design, candidate) = self.design(place)?;
         let (requirements, teeth) = (&self.wanted.requirements, &self.found[place].teeth);
         let width = requirements.rating.face_width_ratio;
         let sizes = design.tooth_numbers.iter().filter_map(|set| size(set, width)).collect();
         let shifts = design.tooth_numbers.iter().map(|set| set.shifts);
         let teeth: Vec<(ToothNumbers, Option<SetShifts>)> = teeth.iter().copied().zip(shifts).collect();
-        Saved::of(&candidate, requirements, &teeth, sizes).map(Some)
+        let saved = Saved::of(&candidate, requirements, &teeth, sizes)?;
+        Ok((design, saved))
     }
 
     /// The whole answer.
@@ -293,15 +351,33 @@ impl<'a> Searches<'a> {
     pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
         let head = self.without_designs()?;
         finite::check(&head)?;
-        let SelectTeeth { required, size_limits, profile_shift, searched, shown, best_of_structures, .. } =
-            head;
+        let SelectTeeth {
+            speeds,
+            required,
+            size_limits,
+            profile_shift,
+            searched,
+            shown,
+            best_of_structures,
+            ..
+        } = head;
         let designs = Designs { of: self, told };
-        Ok(Streamed { required, size_limits, profile_shift, searched, shown, designs, best_of_structures })
+        Ok(Streamed {
+            speeds,
+            required,
+            size_limits,
+            profile_shift,
+            searched,
+            shown,
+            designs,
+            best_of_structures,
+        })
     }
 
     fn without_designs(&self) -> Result<SelectTeeth, Error> {
         let Wanted { requirements, order, limits, duty, .. } = self.wanted;
         Ok(SelectTeeth {
+            speeds: if self.shown() > 0 { self.speeds(0) } else { vec![] },
             required: Required::of(requirements, *order, duty)?,
             size_limits: RequiredSize {
                 greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
@@ -349,7 +425,7 @@ impl<'a> Searches<'a> {
         let tooth_numbers = teeth
             .map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating, shift.as_ref()))
             .collect::<Result<_, _>>()?;
-        let behind = decisive(wanted.order, &self.found[0].objectives, &first.objectives);
+        let behind = decisive(wanted.order, &self.found[0].measured(), &first.measured());
         let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
         let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
         Ok((Design { tooth_numbers, others: first.others, candidate: of }, candidate))
@@ -359,6 +435,7 @@ impl<'a> Searches<'a> {
 /// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
 #[derive(Serialize)]
 pub struct Streamed<'a> {
+    speeds: Vec<ReachedSpeed>,
     required: Required,
     size_limits: RequiredSize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -414,8 +491,20 @@ struct First {
     others: u64,
 }
 
-fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
+impl First {
+    /// Whether it mixes directions of rotation, and its objectives.
+    fn measured(&self) -> (bool, selection::Objectives) {
+        (self.wanted.iter().any(|ratio| *ratio < 0.0), self.objectives)
+    }
+}
+
+fn of_one(
+    wanted: &Wanted,
+    directions: Directions,
+    watch: &Watch,
+) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
     let search = OneSetSearch {
+        directions,
         sets: wanted.space.sets(),
         bounds: wanted.bounds.clone(),
         shift: wanted.shift(),
@@ -455,8 +544,13 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Cou
     Ok((found.entries().iter().take(wanted.most).filter_map(first).collect(), of_structures, found.counts()))
 }
 
-fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
+fn of_two(
+    wanted: &Wanted,
+    directions: Directions,
+    watch: &Watch,
+) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
     let search = ToothSearch {
+        directions,
         bounds: wanted.bounds.clone(),
         shift: wanted.shift(),
         order: wanted.order,
@@ -569,6 +663,7 @@ mod tests {
             shifts: None,
             limits: SizeLimits::default(),
             most: 3,
+            speeds: vec![],
             duty: Duty::default(),
         }
     }

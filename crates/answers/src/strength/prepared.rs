@@ -1,5 +1,6 @@
 //! The meshes of a file's sets, as far as the file says what their strength asks for.
 
+use super::factors;
 use super::place::refused;
 use super::records::{NotRated, Reason};
 use crate::Error;
@@ -114,6 +115,7 @@ fn each<'g, T>(
             not_rated.push(NotRated::new(set.id(), Reason::NotSimple));
             continue;
         };
+        factors::check(subject.document, &path.clone().key("strength"))?;
         let of = Of { subject, file, entry, spec, path };
         match made(&of, place, set.id())? {
             Ok(one) => all.push(one),
@@ -361,11 +363,7 @@ impl<'a> Of<'a> {
     }
 
     fn symbol(&self, key: &str, name: &str) -> Result<Symbol, Error> {
-        Symbol::named(name).ok_or_else(|| {
-            let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
-            let message = format!("no factor is called `{name}`; there are {}", all.join(", "));
-            self.refused(&["strength", key, name], &message)
-        })
+        factors::symbol(self.subject.document, &self.path.clone().key("strength").key(key), name)
     }
 
     fn material(&self, of: usize, name: &str) -> Result<Material, Error> {

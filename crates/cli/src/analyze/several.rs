@@ -25,7 +25,12 @@ impl<T: FromStr<Err: ToString>> FromStr for Assignments<T> {
                 .map_err(|error: T::Err| format!("{}: {}", one_line(link), error.to_string()))?;
             Ok((link.trim().to_owned(), value))
         };
-        written.split([',', ';']).map(str::trim).map(one).collect::<Result<_, String>>().map(Self)
+        let all: Vec<(String, T)> =
+            written.split([',', ';']).map(str::trim).map(one).collect::<Result<_, String>>()?;
+        match (0..all.len()).find(|&place| all[..place].iter().any(|(link, _)| *link == all[place].0)) {
+            Some(place) => Err(format!("{}: given twice; give one value", one_line(&all[place].0))),
+            None => Ok(Self(all)),
+        }
     }
 }
 

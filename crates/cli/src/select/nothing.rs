@@ -15,7 +15,7 @@ pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
     if !args.speeds.all_structures {
         more.push("--all-structures searches all, not only the source's");
     }
-    if args.criteria.same_direction {
+    if args.same_direction {
         more.push("leaving out --same-direction admits outputs that reverse");
     }
     more.push("without --teeth each criterion that stands in the way is told");

@@ -5,6 +5,7 @@ mod calls;
 mod cli;
 #[path = "../common/mod.rs"]
 mod common;
+mod design;
 mod draw;
 mod every_input;
 mod files;

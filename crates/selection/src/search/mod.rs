@@ -127,11 +127,38 @@ pub struct Progress {
 /// Called before anything is tried, and from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
+/// Directions of rotation of the output that a search tries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Directions {
+    /// Those that the requirements allow.
+    #[default]
+    Any,
+    /// The output turns alike in all gears, direct drive among them.
+    Same,
+    /// The output turns backward in some gear.
+    Mixed,
+}
+
+impl Directions {
+    /// Whether the ratios of the braked gears belong to them.
+    #[must_use]
+    pub fn hold(self, ratios: &[f64]) -> bool {
+        let mixed = ratios.iter().any(|ratio| *ratio < 0.0);
+        match self {
+            Self::Any => true,
+            Self::Same => !mixed,
+            Self::Mixed => mixed,
+        }
+    }
+}
+
 /// A search over teeth.
 #[derive(Debug, Clone)]
 pub struct ToothSearch {
     /// What is wanted: two ratios.
     pub requirements: Requirements,
+    /// Which of the signs that the requirements allow are searched, all by default.
+    pub directions: Directions,
     /// Structures to search, all 111 by default.
     pub structures: Vec<Structure>,
     /// Bounds of the tooth numbers of both sets.
@@ -221,6 +248,7 @@ impl ToothSearch {
     pub fn new(requirements: Requirements) -> Self {
         Self {
             requirements,
+            directions: Directions::default(),
             structures: Structure::all(),
             bounds: Bounds::default(),
             shift: None,
@@ -485,7 +513,7 @@ impl ToothSearch {
             let [first, second] = target[..] else {
                 return Err(Error::RatioCount { count: target.len() });
             };
-            if !(self.requirements.limits.same_direction && (first < 0.0 || second < 0.0)) {
+            if self.requirements.allows_directions_of(&target) && self.directions.hold(&target) {
                 targets.push([first, second]);
             }
         }

@@ -19,7 +19,7 @@ use super::found::{Counts, SizeLimits};
 use super::levels::{Level, levels};
 use super::patch::Allowed;
 use super::shifted::shifted;
-use super::{MOST_TOOTH_SETS, check_order};
+use super::{Directions, MOST_TOOTH_SETS, check_order};
 use crate::drawing::drawable_direct_clutches;
 use crate::front::{Entry, front};
 use crate::mechanism::{Mechanism, Space};
@@ -38,6 +38,8 @@ use uom::si::f64::Length;
 pub struct OneSetSearch {
     /// What is wanted: one ratio.
     pub requirements: Requirements,
+    /// Which of the signs that the requirements allow are searched, all by default.
+    pub directions: Directions,
     /// Ways to use the set, all six by default.
     pub sets: Vec<SetRoles>,
     /// Bounds of the tooth numbers.
@@ -112,6 +114,7 @@ impl OneSetSearch {
     pub fn new(requirements: Requirements) -> Self {
         Self {
             requirements,
+            directions: Directions::default(),
             sets: Space::All.sets(),
             bounds: Bounds::default(),
             shift: None,
@@ -189,7 +192,7 @@ impl OneSetSearch {
         let mut found = vec![];
         for target in self.requirements.targets() {
             let [wanted] = target[..] else { return Err(Error::OneRatio { count: target.len() }) };
-            if limits.same_direction && wanted < 0.0 {
+            if !(self.requirements.allows_directions_of(&target) && self.directions.hold(&target)) {
                 continue;
             }
             for &set in &self.sets {

@@ -1,6 +1,8 @@
 //! The choice over tooth numbers, as tables.
 
-use super::{best, common_columns, common_figures, length, size_column, size_note, title, with_speeds};
+use super::{
+    best, common_columns, common_figures, length, size_column, size_note, speeds_reached, title, with_speeds,
+};
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
 use crate::teeth::shifted::aim;
@@ -16,6 +18,9 @@ use std::io;
 impl AsReport for SelectTeeth {
     fn report(&self) -> Report {
         let mut parts = vec![];
+        if !self.speeds.is_empty() {
+            parts.push(Part::Records(speeds_reached(&self.speeds)));
+        }
         match self.designs.first() {
             None => parts.push(Part::Text(Text::paragraph("No design meets every criterion."))),
             Some(_) => parts.push(Part::Records(designs(self))),
@@ -204,7 +209,7 @@ fn of_structures(select: &SelectTeeth) -> Records {
         &["scheme", "teeth_1", "teeth_2", "ratio_1", "ratio_2", "efficiency"]
     };
     let reversed = if select.best_of_structures.iter().any(|one| one.mixed_directions) {
-        " A negative ratio: the output reverses against direct drive."
+        " A negative ratio: the output reverses against direct drive; such designs are ranked last."
     } else {
         ""
     };

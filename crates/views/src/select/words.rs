@@ -6,7 +6,7 @@ use epicyclic_answers::select::candidate::{
     Candidate, Criterion, InSource, InSourceStanding, Reach, ReachKind, Verdict,
 };
 use epicyclic_answers::select::required::Objective;
-use epicyclic_answers::select::{Relaxation, Remedy, Select, Unreachable};
+use epicyclic_answers::select::{RelaxedCriterion, Remedy, Select, Unreachable};
 use epicyclic_formats::quantity::format::trimmed;
 
 /// Mechanisms out of reach that are told one by one.
@@ -57,7 +57,9 @@ pub fn ways_out(select: &Select) -> Vec<String> {
             0 | 1 => String::new(),
             all => format!(", the nearest of {all} that nothing else keeps out"),
         };
-        ways.push(format!("{} admits {which}{more}", option_that_admits(select, relaxation)));
+        let options: Vec<String> = relaxation.limits().map(|one| option_that_admits(select, one)).collect();
+        let admit = if options.len() > 1 { "admit" } else { "admits" };
+        ways.push(format!("{} {admit} {which}{more}", options.join(" and ")));
     }
     if select.accepted_of_all_structures == Some(0) {
         ways.push("--all-structures finds nothing either".to_owned());
@@ -66,7 +68,7 @@ pub fn ways_out(select: &Select) -> Vec<String> {
 }
 
 /// The option with a value that admits the nearest candidate, to three digits on the safe side.
-fn option_that_admits(select: &Select, relaxation: &Relaxation) -> String {
+fn option_that_admits(select: &Select, relaxation: RelaxedCriterion) -> String {
     let limit = relaxation.limit.unwrap_or_default();
     let (up, down) = (|| trimmed(rounded(limit, f64::ceil), 4), || trimmed(rounded(limit, f64::floor), 4));
     match relaxation.criterion {
@@ -114,6 +116,9 @@ fn why_first(select: &Select, best: &Candidate) -> String {
     match select.decided_by {
         _ if select.accepted == 1 => "nothing else meets every criterion".to_owned(),
         None => "all others are equal to it in every objective".to_owned(),
+        Some(Objective::Direction) => {
+            "the output of all others reverses against direct drive; such schemes are ranked last".to_owned()
+        }
         Some(first) => format!("{}; the order asks for that first", extreme(first, best)),
     }
 }
@@ -121,6 +126,7 @@ fn why_first(select: &Select, best: &Candidate) -> String {
 fn extreme(objective: Objective, best: &Candidate) -> String {
     let shown = shown(objective, best);
     match objective {
+        Objective::Direction => "its output turns alike in all gears".to_owned(),
         Objective::Efficiency if best.gears.len() == 1 => format!("its efficiency is the highest, {shown}"),
         Objective::Efficiency => format!("the efficiency of its worse gear is the highest, {shown}"),
         Objective::Speed => {
@@ -138,6 +144,7 @@ fn extreme(objective: Objective, best: &Candidate) -> String {
 fn shown(objective: Objective, one: &Candidate) -> String {
     let of = &one.objectives;
     match objective {
+        Objective::Direction => String::new(),
         Objective::Efficiency => trimmed(of.efficiency, 4),
         Objective::Speed => trimmed(of.speed_of_input, 4),
         Objective::RingToSunRatio => trimmed(of.ring_to_sun_distance, 4),
@@ -152,6 +159,7 @@ fn behind(best: &Candidate, other: &Candidate) -> String {
     let name = named(other);
     let Some(objective) = other.behind_by else { return format!("{name}: equal in every objective") };
     let (what, than) = match objective {
+        Objective::Direction => return format!("{name}: its output reverses against direct drive"),
         Objective::Efficiency => ("efficiency", "less than"),
         Objective::Speed => ("speed", "above"),
         Objective::RingToSunRatio => ("distance of the ring-to-sun ratios", "above"),
@@ -159,8 +167,7 @@ fn behind(best: &Candidate, other: &Candidate) -> String {
         Objective::Size => ("size", "above"),
         Objective::Circulation => ("circulating power", "above"),
     };
-    let reversed = if other.mixed_directions { "; and its output reverses against direct drive" } else { "" };
-    format!("{name}: {what} {}, {than} {}{reversed}", shown(objective, other), shown(objective, best))
+    format!("{name}: {what} {}, {than} {}", shown(objective, other), shown(objective, best))
 }
 
 fn out_of_reach(all: &[Unreachable]) -> Vec<String> {

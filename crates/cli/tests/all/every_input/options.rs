@@ -394,13 +394,16 @@ design: --ratios 3.5 --power 75kW --input 1475rpm --modules 3mm --face-widths 40
   --tooth-design 2
 design: --ratios 3.5 --power 75kW --modules 3mm --face-widths 40mm --planets 3 --sun 40..52 --planet 38..44 --ring 120..140 --no-bearings --format json
   --speed 1400rpm
-design: --ratios '1.465, 2.56' --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 30..60 --planet 20..50 --ring 90..130 --no-bearings --tries 1 --format json
+design: --ratios=-3.5 --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 30..60 --planet 20..50 --ring 90..130 --no-bearings --tries 1 --format json
+  --same-direction
+design: --ratios '1.465, 2.56' --planet-speed 2.4 --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 30..60 --planet 20..50 --ring 90..130 --no-bearings --tries 1 --format json
+  --may-reverse
+design: --ratios '1.465, 2.56' --may-reverse --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 30..60 --planet 20..50 --ring 90..130 --no-bearings --tries 1 --format json
   --scheme III-1
   --all-structures
   --order size
   --brakes as-given
   --signs any
-  --same-direction
   --allow-crossing
 design: --speeds '0.8 m/s, 2 m/s' --input 1475rpm --torque '480 N·m' --modules '4 mm' --face-widths '30 mm, 60 mm' --planets 3 --sun 18..30 --planet 17..30 --ring 60..90 --no-bearings --tries 2 --output page.html
   --speeds '0.9 m/s, 2 m/s'

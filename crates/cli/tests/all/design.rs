@@ -1,0 +1,229 @@
+//! The command design: speeds first, directions of rotation, limits that would have to give, factors.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use crate::common;
+
+use common::{here, output, text};
+use serde_json::Value;
+use std::fs;
+
+/// Few sizes, so that a design is quick.
+const QUICK: &[&str] = &[
+    "--power=55kW",
+    "--input=1480rpm",
+    "--no-bearings",
+    "--modules=3 mm, 4 mm, 6 mm",
+    "--face-widths=30 mm, 60 mm",
+    "--planets=3..4",
+    "--tries=3",
+];
+
+/// The design of some options: exit code, answer, and the last line of what is said.
+fn design(options: &[&str]) -> (i32, Value, String) {
+    let line = [&["design", "--format=json"], QUICK, options].concat();
+    let done = output(here().path(), &line);
+    let answer = serde_json::from_slice(&done.stdout).unwrap_or(Value::Null);
+    (done.status.code().unwrap(), answer, text(&done.stderr).lines().last().unwrap_or_default().to_owned())
+}
+
+fn numbers(answer: &Value, key: &str) -> Vec<f64> {
+    answer["speeds"].as_array().unwrap().iter().map(|speed| speed[key].as_f64().unwrap()).collect()
+}
+
+/// The option of a limit, written without the program's words.
+fn typed(limit: &Value) -> Option<Vec<String>> {
+    let number = |key: &str| limit[key].as_f64().unwrap().to_string();
+    let one = |option: &str, value: String| Some(vec![format!("{option}={value}")]);
+    match limit["limit"].as_str().unwrap() {
+        "tolerance" => one("--tolerance", number("greatest")),
+        "ring_to_sun_ratio" => one("--k", format!("{}..{}", number("least"), number("greatest"))),
+        "efficiency" => one("--least-efficiency", number("least")),
+        "link_speed" => one("--link-speed", number("greatest")),
+        "planet_speed" => one("--planet-speed", number("greatest")),
+        "clutch_slip" => one("--clutch-slip", number("greatest")),
+        "same_direction" => Some(vec!["--may-reverse".to_owned()]),
+        "drawable" => Some(vec!["--allow-crossing".to_owned()]),
+        "structures" => Some(vec!["--all-structures".to_owned()]),
+        "sun_teeth" => one("--sun", format!("{}..60", number("least"))),
+        "planet_teeth" => one("--planet", format!("{}..80", number("least"))),
+        "ring_teeth" => one("--ring", format!("50..{}", number("greatest"))),
+        "ring_offset" => one("--ring-offset", format!("{}..{}", number("least"), number("greatest"))),
+        _ => None,
+    }
+}
+
+/// No gear reverses that should not, and what would have to give is found by the same search once it is typed.
+#[test]
+fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
+    let orders: &[&[&str]] = &[
+        &["--speeds", "0.63 m/s, 1.0 m/s, 1.6 m/s"],
+        &["--speeds", "0.8 m/s, 1.6 m/s"],
+        &["--ratios", "2.5, 1.5", "--sun=30..32", "--planet=20..22"],
+        &["--ratios", "3.9375", "--sun=19..21", "--planet=17..19"],
+    ];
+    let mut seen = vec![];
+    for order in orders {
+        let (code, answer, said) = design(order);
+        assert_eq!((code, &answer["file"]), (1, &Value::Null), "{order:?}: {answer}");
+        let ways = answer["ways_out"].as_array().unwrap();
+        assert!(!ways.is_empty(), "{order:?}");
+        assert!(said.starts_with("error: no gearbox that holds was found; --"), "{said}");
+        for way in ways {
+            let limits = way["limits"].as_array().unwrap();
+            seen.extend(limits.iter().map(|limit| limit["limit"].as_str().unwrap().to_owned()));
+            let Some(options) = limits.iter().map(typed).collect::<Option<Vec<_>>>() else { continue };
+            let options = options.concat();
+            let is_replaced = |word: &&&str| {
+                !options.iter().any(|option| option.split('=').next() == word.split('=').next())
+            };
+            let mut line: Vec<&str> = order.iter().filter(is_replaced).copied().collect();
+            line.extend(options.iter().map(String::as_str));
+            let (code, found, _) = design(&line);
+            assert_eq!(code, 0, "{line:?}");
+            assert_eq!(
+                (&found["speeds"], &found["teeth"]["taken"]),
+                (&way["speeds"], &way["teeth"]),
+                "{line:?}"
+            );
+            assert_eq!(found["scheme"]["taken"], way["scheme"]);
+            let reversed = found["speeds"].as_array().unwrap().iter().any(|speed| speed["reversed"] == true);
+            assert!(!reversed || options.contains(&"--may-reverse".to_owned()), "{line:?}");
+            let warned = found["warnings"].as_array().unwrap().iter();
+            assert_eq!(
+                warned.filter(|warning| warning["name"] == "output_reversed").count(),
+                usize::from(reversed)
+            );
+        }
+    }
+    for limit in ["planet_speed", "same_direction", "sun_teeth"] {
+        assert!(seen.contains(&limit.to_owned()), "{seen:?}");
+    }
+}
+
+/// Tooth numbers of scheme I by trial of all: none that are nearer to the ratio by a class are passed over for mass.
+#[test]
+fn deviations_come_before_mass() {
+    for (ratio, tolerance) in [(3.9375, 0.03), (3.7, 0.03), (4.3, 0.01), (5.1, 0.1), (3.0, 0.0)] {
+        let (ratio_of, within) = (format!("--ratios={ratio}"), format!("--tolerance={tolerance}"));
+        let (code, answer, said) = design(&[&ratio_of, &within]);
+        assert_eq!(code, 0, "{said}");
+        let of = |key: &str| numbers(&answer, key).into_iter().fold(0.0_f64, |most, of| most.max(of.abs()));
+        let off = of("speed_deviation").max(of("ratio_deviation"));
+        assert!(off <= tolerance + 1e-12, "{ratio}: {off}");
+        let taken = answer["teeth"]["tolerance"].as_f64().unwrap();
+        assert!(off <= taken + 1e-12 && taken <= tolerance);
+        // Planets at equal angles, without profile shift, three or four of them that do not touch.
+        let mut nearest = f64::INFINITY;
+        for (sun, planet) in (17..=60_u32).flat_map(|sun| (17..=80_u32).map(move |planet| (sun, planet))) {
+            let ring = sun + 2 * planet;
+            let fits = |planets: u32| (sun + ring).is_multiple_of(planets);
+            if (50..=140).contains(&ring) && (fits(3) || fits(4)) {
+                let reached = 1.0 + f64::from(ring) / f64::from(sun);
+                nearest = nearest.min((reached / ratio - 1.0).abs().max((ratio / reached - 1.0).abs()));
+            }
+        }
+        let classes = [0.1, 1.0 / 3.0, 1.0].map(|part| part * tolerance);
+        let least = classes.into_iter().find(|class| nearest <= class + 1e-12).unwrap();
+        assert!((taken - least).abs() < 1e-12, "{ratio}: within {taken}, and there are some within {least}");
+    }
+}
+
+/// Speeds by hand: what the ratios of the file give from the input and the fastest speed.
+#[test]
+fn the_answer_begins_with_the_speeds_asked_for_and_reached() {
+    let asked = [0.8, 3.15];
+    let (code, answer, _) = design(&["--speeds", "0.8 m/s, 3.15 m/s"]);
+    assert_eq!(code, 0);
+    assert_eq!(numbers(&answer, "asked_speed_m_s"), asked);
+    let [sun, _, ring] =
+        [0, 1, 2].map(|gear: usize| answer["teeth"]["taken"]["sets"][0][gear].as_f64().unwrap());
+    let ratio = 1.0 + ring / sun;
+    let reached = [3.15 / ratio, 3.15];
+    for (place, speed) in numbers(&answer, "speed_m_s").into_iter().enumerate() {
+        assert!((speed / reached[place] - 1.0).abs() < 1e-12);
+        let off = numbers(&answer, "speed_deviation")[place];
+        assert!((off - (reached[place] / asked[place] - 1.0)).abs() < 1e-12);
+    }
+    let output = numbers(&answer, "output_speed_rad_s")[0];
+    assert!((output - 1480.0 * std::f64::consts::TAU / 60.0 / ratio).abs() < 1e-9);
+    let line = [&["design", "--speeds", "0.8 m/s, 3.15 m/s"], QUICK].concat();
+    let shown = text(&output_of(&line));
+    assert!(shown.lines().nth(2).unwrap().starts_with("Speeds asked and reached"), "{shown}");
+}
+
+fn output_of(line: &[&str]) -> Vec<u8> {
+    output(here().path(), line).stdout
+}
+
+/// A minus is an order for a reverse gear; without one no gear reverses.
+#[test]
+fn a_reverse_gear_is_one_that_is_asked_for() {
+    let (code, answer, _) = design(&["--ratios=-3"]);
+    assert_eq!(code, 0);
+    assert_eq!(answer["speeds"][0]["reversed"], false);
+    assert!(answer["speeds"][0]["ratio"].as_f64().unwrap() < 0.0);
+    let (code, answer, _) = design(&["--ratios=3"]);
+    assert!(code == 0 && answer["speeds"][0]["ratio"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn a_factor_acts_in_any_spelling_and_is_given_once() {
+    let order = ["--ratios=4"];
+    let sizes = |factors: &str| {
+        let (code, answer, said) = design(&[&order[..], &["--factors", factors]].concat());
+        assert_eq!(code, 0, "{factors}: {said}");
+        answer["sizes"].clone()
+    };
+    let usual = design(&order).1["sizes"].clone();
+    let expected = sizes("K_A 3");
+    assert_ne!(usual, expected);
+    for spelling in ["KA=3", "K_A=3", "K_A: 3", "KA 3", "K_A = 3"] {
+        assert_eq!(sizes(spelling), expected, "{spelling}");
+    }
+    assert_eq!(sizes("K_Hβ 1.4"), sizes("KHbeta=1.4"));
+    let of_ring = sizes("Y_delta_rel_T_stat 0.5");
+    assert_eq!(of_ring, sizes("Y_δrelT,stat=0.5"));
+    for (factors, both) in
+        [("K_A 1.5, KA 3", ["`K_A`", "`KA`"]), ("K_Hβ=1, K_v=1, K_H_beta=1", ["`K_Hβ`", "`K_H_beta`"])]
+    {
+        let (code, _, said) = design(&[&order[..], &["--factors", factors]].concat());
+        assert!(code == 2 && both.iter().all(|name| said.contains(name)), "{said}");
+    }
+}
+
+/// By every command that takes the factors of a file.
+#[test]
+fn a_factor_that_a_file_gives_twice_is_refused() {
+    let folder = here();
+    let line = [&["design", "--ratios=4", "--save=box.yaml"], QUICK].concat();
+    assert_eq!(output(folder.path(), &line).status.code(), Some(0));
+    let file = fs::read_to_string(folder.path().join("box.yaml")).unwrap();
+    let twice = file.replace("K_A: 1.25", "K_A: 1.25\n        KA: 3");
+    assert_ne!(file, twice);
+    fs::write(folder.path().join("twice.yaml"), twice).unwrap();
+    let basis = [&["design", "--ratios=4", "--basis=twice.yaml"], QUICK].concat();
+    let lines: &[&[&str]] = &[
+        &["strength", "twice.yaml"],
+        &["size", "twice.yaml"],
+        &["report", "twice.yaml", "-o=r.html"],
+        &basis,
+    ];
+    for line in lines {
+        let done = output(folder.path(), line);
+        let said = text(&done.stderr);
+        let both = said.contains("`K_A` and `KA` are the same factor, K_A; give it once");
+        assert!(done.status.code() == Some(2) && both && said.contains("twice.yaml:"), "{line:?}: {said}");
+    }
+}
+
+#[test]
+fn a_link_whose_speed_is_given_twice_is_refused() {
+    let line =
+        ["analyze", "real-transmissions.yaml", "--transmission", "prius", "--gear", "all free", "--speeds"];
+    for value in ["engine=2000rpm, engine=1000rpm", "engine=2000rpm; mg1=1rpm; engine = 2000rpm"] {
+        let done = output(&common::examples(), &[&line[..], &[value]].concat());
+        let said = text(&done.stderr);
+        assert!(done.status.code() == Some(2) && said.contains("engine: given twice"), "{said}");
+    }
+}
