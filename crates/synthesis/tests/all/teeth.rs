@@ -9,7 +9,7 @@ use epicyclic_synthesis::judge::{judge, planet_speed};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::search::Search;
-use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Designs, Gears, SetTeeth, designs};
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Designs, Gears, SetTeeth, Sets, designs};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::Gearbox;
@@ -40,7 +40,7 @@ fn all(found: &Found, wish: &Wish, choices: &[&Choice]) -> Designs {
         &ratios,
         Gears::apart(&wish.gears),
         &wish.k,
-        choices,
+        Sets::apart(choices),
         Alike::default(),
         Aim::Deviation,
         usize::MAX,
@@ -144,7 +144,7 @@ fn sets_of_two_kinds_with_equal_teeth_are_not_alike() {
     let bounds = synthesis::Bounds::default();
     let (simple, double) = (Choice::within(&bounds).unwrap(), Choice::of_double_planets(&bounds).unwrap());
     let count = |alike| {
-        designs(&ratios, Gears::apart(&wish.gears), &wish.k, &[&simple, &double], alike, Aim::Teeth, 3).count
+        designs(&ratios, Gears::apart(&wish.gears), &wish.k, Sets::apart(&[&simple, &double]), alike, Aim::Teeth, 3).count
     };
     assert_eq!(count(Alike { sets: 2, ..Alike::default() }), 0);
     let (any, rings) = (count(Alike::default()), count(Alike { rings: 2, ..Alike::default() }));
