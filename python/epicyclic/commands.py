@@ -1365,6 +1365,11 @@ def synthesize(
     k_double: Values | None = None,
     equal_k: Values | None = None,
     efficiency: Values | None = None,
+    shares: Values | None = None,
+    least_efficiency: Values | None = None,
+    least_reverse_efficiency: Values | None = None,
+    most_circulating: Values | None = None,
+    first_class: bool = False,
     limit: Values | None = None,
     all_gearboxes: bool = False,
     shard: Values | None = None,
@@ -1400,7 +1405,8 @@ def synthesize(
     """Every gearbox of simple planet sets, brakes and clutches that has a list of ratios.
 
     All structures of so many sets are searched, over all ring-to-sun ratios k in the range, not a grid of them.
-    Numbers of sets and shift elements that are a range are tried from the smallest up, until one has solutions.
+    Numbers of sets and shift elements that are a range are tried from the smallest up, until one has a gearbox of
+    use: one that can be drawn and keeps ``least_efficiency``, ``least_reverse_efficiency`` and ``most_circulating``.
 
     Parameters
     ----------
@@ -1457,6 +1463,18 @@ def synthesize(
     efficiency
         Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set loses as
         much
+    shares
+        Shares of time of forward gears, by their numbers in ``ratios``: '1:5%, 2:10%, 3:85%'; other gears have none.
+        Gearboxes are ordered by the mean efficiency of the forward gears by these shares, in place of the least
+    least_efficiency
+        Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or cannot be
+        drawn, larger classes are searched
+    least_reverse_efficiency
+        Least efficiency of a reverse gear
+    most_circulating
+        Greatest circulating power of a forward gear over what enters
+    first_class
+        End at the first class with gearboxes, whether they are of use or not
     limit
         Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up to 10000
     all_gearboxes
@@ -1540,7 +1558,7 @@ def synthesize(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["synthesize"], [], {"--ratios": ratios, "--tolerance": tolerance, "--class": class_, "--sets": sets, "--elements": elements, "--engaged": engaged, "--links": links, "--open": open, "--k": k, "--brakes": brakes, "--clutches": clutches, "--shifts": shifts, "--skip-shifts": skip_shifts, "--direct": direct, "--step": step, "--falling-steps": falling_steps, "--slip": slip, "--link-speed": link_speed, "--planet-speed": planet_speed, "--drawable": drawable, "--double-planets": double_planets, "--k-double": k_double, "--equal-k": equal_k, "--efficiency": efficiency, "--limit": limit, "--all-gearboxes": all_gearboxes, "--shard": shard, "--longest": longest, "--merge": merge, "--order": order, "--objectives": objectives, "--teeth": teeth, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--equal-rings": equal_rings, "--equal-suns": equal_suns, "--equal-sets": equal_sets, "--teeth-aim": teeth_aim, "--teeth-limit": teeth_limit, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--save": save, "--nth": nth, "--explain": explain, "--transmission": transmission, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--merge": "repeated"}, output=output)
+    return _call.answer(["synthesize"], [], {"--ratios": ratios, "--tolerance": tolerance, "--class": class_, "--sets": sets, "--elements": elements, "--engaged": engaged, "--links": links, "--open": open, "--k": k, "--brakes": brakes, "--clutches": clutches, "--shifts": shifts, "--skip-shifts": skip_shifts, "--direct": direct, "--step": step, "--falling-steps": falling_steps, "--slip": slip, "--link-speed": link_speed, "--planet-speed": planet_speed, "--drawable": drawable, "--double-planets": double_planets, "--k-double": k_double, "--equal-k": equal_k, "--efficiency": efficiency, "--shares": shares, "--least-efficiency": least_efficiency, "--least-reverse-efficiency": least_reverse_efficiency, "--most-circulating": most_circulating, "--first-class": first_class, "--limit": limit, "--all-gearboxes": all_gearboxes, "--shard": shard, "--longest": longest, "--merge": merge, "--order": order, "--objectives": objectives, "--teeth": teeth, "--sun": sun, "--planet": planet, "--ring": ring, "--planet-count": planet_count, "--equal-rings": equal_rings, "--equal-suns": equal_suns, "--equal-sets": equal_sets, "--teeth-aim": teeth_aim, "--teeth-limit": teeth_limit, "--ring-offset": ring_offset, "--aim": aim, "--tip-thickness": tip_thickness, "--save": save, "--nth": nth, "--explain": explain, "--transmission": transmission, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, many={"--merge": "repeated"}, output=output)
 
 
 def atlas(

@@ -8,6 +8,7 @@
 //! | [`rating`] | what a solution is worth by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
+//! | [`shared_planets`] | sets that share planets |
 //! | `scheme` | which scheme of the document a solution is |
 
 pub mod explain;
@@ -17,6 +18,7 @@ pub mod page;
 pub mod rating;
 pub mod saved;
 mod scheme;
+pub mod shared_planets;
 pub mod teeth;
 
 mod drawn;
@@ -43,6 +45,7 @@ use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
+use epicyclic_synthesis::usable::Usable;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -54,6 +57,7 @@ use near_miss::NearMiss;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
+use shared_planets::SharedPlanets;
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, RangeInclusive};
 use teeth::{Choices, Teeth};
@@ -81,6 +85,15 @@ pub struct Synthesis {
     pub searched: Vec<Searched>,
     /// Sets of shift elements that have all gears, and what left them out.
     pub left_out: Vec<LeftOut>,
+    /// What a gearbox of use keeps; `null` where the search ended at the first class with gearboxes, whatever they are worth.
+    pub limits_of_use: Option<LimitsOfUse>,
+    /// Gearboxes that are not told, since larger classes have some of use: by the limit that they miss first.
+    pub left_behind: Vec<LeftOut>,
+    /// How many of those found miss no limit of use.
+    pub of_use: usize,
+    /// The share of time of each gear wanted, by which the mean efficiency is weighted; none where none are given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shares: Option<Vec<f64>>,
     /// Whether every structure of these classes was searched.
     pub complete: bool,
     /// How many solutions there are.
@@ -106,6 +119,18 @@ pub struct Synthesis {
     pub near_miss: Option<NearMiss>,
     /// These, the best first.
     pub solutions: Vec<Solution>,
+}
+
+/// Limits of a gearbox that is of use, beside that it can be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LimitsOfUse {
+    /// The least efficiency of a forward gear.
+    pub least_forward_efficiency: f64,
+    /// The least efficiency of a reverse gear.
+    pub least_reverse_efficiency: f64,
+    /// The greatest circulating power of a forward gear over what enters.
+    pub greatest_circulating_of_entering: f64,
 }
 
 /// Which solutions are told.
@@ -189,8 +214,17 @@ pub struct Solution {
     pub greatest_deviation: f64,
     /// How many shifts between neighbouring forward gears exchange more than one shift element.
     pub multiple_shifts: usize,
-    /// The least efficiency of a gear.
-    pub least_efficiency: f64,
+    /// The least efficiency of a forward gear; of a gearbox without one, of a gear.
+    pub forward_efficiency: f64,
+    /// The mean efficiency of the forward gears by their shares of time; none where no shares are given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_efficiency: Option<f64>,
+    /// The least efficiency of a reverse gear; `null` where there is none.
+    pub reverse_efficiency: Option<f64>,
+    /// The limit of use that it misses first; `null` where it misses none.
+    pub beyond_limit: Option<Reason>,
+    /// Sets with a carrier and a sun or ring in common: those that share planets are rated as the compound set that they are.
+    pub shared_planets: Vec<SharedPlanets>,
     /// The greatest slip of an open shift element in a gear, over the input's speed.
     pub greatest_slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
@@ -323,6 +357,10 @@ pub fn solve_by<E: From<Error>>(
         equal_k: (wanted.equal_k > 1).then_some(wanted.equal_k),
         searched: Vec::new(),
         left_out: Vec::new(),
+        limits_of_use: wanted.usable.map(LimitsOfUse::of),
+        left_behind: Vec::new(),
+        of_use: 0,
+        shares: wanted.shares.clone(),
         complete: true,
         found: 0,
         families: Vec::new(),
@@ -338,16 +376,26 @@ pub fn solve_by<E: From<Error>>(
     };
     let mut left_out = LeftOuts::default();
     let mut kept: Vec<Kept> = Vec::new();
-    let mut before = None;
+    let mut before: Option<Searching> = None;
+    // How many of those kept are of smaller classes without any of use.
+    let mut behind = 0;
     let mut known = BTreeSet::new();
     for Tried { searching, wish, selection } in tried(wanted)? {
-        let Searching { class, shift_elements, .. } = searching;
+        let size = |of: &Searching| (of.class.sets(), of.shift_elements);
         // All that engage another number of as many elements are searched, too.
-        if before.is_some_and(|before| before != (class.sets(), shift_elements)) && !kept.is_empty() {
-            break;
+        if let Some(before) = before.filter(|before| size(before) != size(&searching))
+            && !kept.is_empty()
+        {
+            if kept.iter().any(|one| one.fault.is_none()) {
+                break;
+            }
+            if behind < kept.len() {
+                behind = kept.len();
+                means.going_on(&before, &faults(&kept));
+            }
         }
-        before = Some((class.sets(), shift_elements));
-        let mut answered = means.search(&searching, &wish)?;
+        before = Some(searching);
+        let Some(mut answered) = means.search(&searching, &wish)? else { break };
         // What has more gears is not told again with fewer.
         answered.found.retain(|found| known.insert(identity(found)));
         answer.complete &= answered.complete;
@@ -368,6 +416,11 @@ pub fn solve_by<E: From<Error>>(
         }
     }
     answer.left_out = left_out.told();
+    if kept[behind..].iter().any(|one| one.fault.is_none()) {
+        answer.left_behind = faults(&kept[..behind]);
+        kept.drain(..behind);
+    }
+    answer.of_use = kept.iter().filter(|one| one.fault.is_none()).count();
     kept.sort_by(|one, other| {
         let missing = other.selection.len().cmp(&one.selection.len());
         missing.then_with(|| one.rating.compare(&other.rating, &order))
@@ -413,6 +466,23 @@ pub fn solve_by<E: From<Error>>(
         }
     }
     Ok((answer, kept))
+}
+
+/// By which limits of use how many gearboxes are of none.
+fn faults(kept: &[Kept]) -> Vec<LeftOut> {
+    let mut all = LeftOuts::default();
+    kept.iter().filter_map(|one| one.fault).for_each(|fault| all.add(Reason::of_fault(fault), 1));
+    all.told()
+}
+
+impl LimitsOfUse {
+    const fn of(usable: Usable) -> Self {
+        Self {
+            least_forward_efficiency: usable.forward,
+            least_reverse_efficiency: usable.reverse,
+            greatest_circulating_of_entering: usable.circulation,
+        }
+    }
 }
 
 /// The places of the solutions that are told, in rising order.
@@ -520,7 +590,13 @@ impl Solution {
                 .map(|gear| gear + 1)
                 .collect(),
             multiple_shifts: judged.multiple_shifts,
-            least_efficiency: judged.least_efficiency(),
+            forward_efficiency: judged.forward_efficiency(),
+            mean_efficiency: wanted.shares.as_ref().and_then(|shares| {
+                judged.mean_efficiency(&selection.iter().map(|gear| shares[*gear]).collect::<Vec<_>>())
+            }),
+            reverse_efficiency: judged.reverse_efficiency(),
+            beyond_limit: kept.fault.map(Reason::of_fault),
+            shared_planets: SharedPlanets::all(&found.structure, &judged.sharing),
             greatest_slip: judged.slip,
             greatest_link_speed: judged.link_speed,
             greatest_planet_speed: judged.planet_speed,

@@ -19,7 +19,8 @@ use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_answers::synthesize::{
     Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
 };
-use epicyclic_formats::{Number, Physical as _, Quantity, Span};
+use epicyclic_formats::wanted_ratio::Wanted as RatioOf;
+use epicyclic_formats::{Number, Physical as _, Quantity, Span, WantedRatio};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
@@ -29,12 +30,14 @@ use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::{self, search};
 use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::teeth::{Aim, Alike};
+use epicyclic_synthesis::usable::Usable;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
+use std::str::FromStr;
 use std::sync::{Mutex, PoisonError};
 use uom::si::f64::{Ratio, Time};
 
@@ -46,6 +49,9 @@ const MOST_ELEMENTS: u32 = 7;
 
 /// The most of them that a gear engages.
 const MOST_ENGAGED: u32 = 4;
+
+/// By how much the sum of shares may be off 1, by rounding of what was written.
+const SHARES: f64 = 1e-6;
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -59,7 +65,8 @@ const ANY_K: RangeInclusive<f64> = 1.05..=20.0;
 /// Every gearbox of simple planet sets, brakes and clutches that has a list of ratios.
 ///
 /// All structures of so many sets are searched, over all ring-to-sun ratios k in the range, not a grid of them. Numbers of sets
-/// and shift elements that are a range are tried from the smallest up, until one has solutions.
+/// and shift elements that are a range are tried from the smallest up, until one has a gearbox of use: one that can be drawn and
+/// keeps --least-efficiency, --least-reverse-efficiency and --most-circulating.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -68,10 +75,11 @@ Examples:
   epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --save best.yaml
 
 Objectives of --order and --objectives: drawable, shifts (that exchange several
-shift elements), efficiency (the least of a gear), drag (slips of the open shift
-elements), torque (the greatest inside), speed (the greatest of a link or
-planet), circulation (power), progression (of the steps), deviation (of the
-ratios).
+shift elements), efficiency (the least of a forward gear, or with --shares their
+mean), drag (slips of the open shift elements), torque (the greatest inside),
+speed (the greatest of a link or planet), circulation (power), progression (of
+the steps), deviation (of the ratios), reverse (the least efficiency of a
+reverse gear).
 
 A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. How large a search is and about how long it takes is
@@ -132,6 +140,14 @@ pub(crate) struct Args {
     /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set loses as much.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
+
+    /// Shares of time of forward gears, by their numbers in --ratios: '1:5%, 2:10%, 3:85%'; other gears have none. Gearboxes are ordered
+    /// by the mean efficiency of the forward gears by these shares, in place of the least.
+    #[arg(long, value_name = "GEAR:SHARE,…")]
+    shares: Option<List<GearShare>>,
+
+    #[command(flatten)]
+    usable: UsableOptions,
 
     /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up to 10000.
     #[arg(long, value_name = "N")]
@@ -240,6 +256,47 @@ struct Wishes {
     /// Only gearboxes that can be drawn: no link across another, each brake reached from the housing.
     #[arg(long)]
     drawable: bool,
+}
+
+/// What a gearbox of use keeps.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "When the search stops")]
+struct UsableOptions {
+    /// Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or cannot be drawn, larger
+    /// classes are searched.
+    #[arg(long, value_name = "SHARE", default_value = "0.9", allow_hyphen_values = true)]
+    least_efficiency: Quantity<Ratio>,
+
+    /// Least efficiency of a reverse gear.
+    #[arg(long, value_name = "SHARE", default_value = "0.8", allow_hyphen_values = true)]
+    least_reverse_efficiency: Quantity<Ratio>,
+
+    /// Greatest circulating power of a forward gear over what enters.
+    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
+    most_circulating: Number,
+
+    /// End at the first class with gearboxes, whether they are of use or not.
+    #[arg(long)]
+    first_class: bool,
+}
+
+/// The share of time of a gear: `3:20%`.
+#[derive(Debug, Clone, Copy)]
+struct GearShare {
+    gear: usize,
+    share: f64,
+}
+
+impl FromStr for GearShare {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = || format!("`{text}` is no gear and its share, such as 3:20% or 3:0.2");
+        let (gear, share) = text.split_once(':').ok_or_else(expected)?;
+        let gear = gear.trim().parse().map_err(|_| expected())?;
+        let share: Quantity<Ratio> = share.trim().parse().map_err(|_| expected())?;
+        Ok(Self { gear, share: share.0.si() })
+    }
 }
 
 /// Which shifts are allowed.
@@ -357,6 +414,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         rules: args.wishes.rules()?,
         limits: args.wishes.limits()?,
         drawable: args.wishes.drawable,
+        shares: args.shares.as_ref().map(|shares| shares_of(&shares.0, &args.ratios.0)).transpose()?,
+        usable: args.usable.wanted()?,
         efficiency,
         most,
         all_gearboxes: args.all_gearboxes,
@@ -422,7 +481,8 @@ fn searched(
     longest: Option<Time>,
 ) -> Result<(Synthesis, Vec<Kept>), Failure> {
     let hearing = Hearing::new(call);
-    solve_by(wanted, &mut Here { call, wanted, longest, hearing, judging: Mutex::default() })
+    let judging = Mutex::default();
+    solve_by(wanted, &mut Here { call, wanted, longest, hearing, judging, goes_on: false })
 }
 
 /// A search on this machine.
@@ -433,20 +493,29 @@ struct Here<'c, 'd> {
     hearing: Hearing<'d>,
     /// While solutions are judged: how far that is, and whether the search had been asked to end before.
     judging: Mutex<Option<(Progress<'d>, bool)>>,
+    /// Whether gearboxes were found, none of use, and larger classes are searched.
+    goes_on: bool,
 }
 
 impl Means<Failure> for Here<'_, '_> {
-    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, Failure> {
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<Option<run::Answer>, Failure> {
         let Self { call, wanted, hearing, .. } = self;
         wanted.limits.check(&wish.gears).map_err(|error| options::of_synthesis(error.into()))?;
-        size::check(call, searching, wish, self.longest)?;
+        match size::check(call, searching, wish, self.longest) {
+            // What was found in smaller classes is told all the same.
+            Err(Failure::TooLong(why)) if self.goes_on => {
+                call.complain(&format!("note: larger classes are not searched: {why}"));
+                return Ok(None);
+            }
+            checked => checked?,
+        }
         let shown = Progress::new(call);
         let found = search(searching.class, wish, Share::WHOLE, &|at| {
             shown.at(at.done as f64 / at.of.max(1) as f64);
             if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         *self.judging.lock().unwrap_or_else(PoisonError::into_inner) = None;
-        found.map_err(|error| options::of_synthesis(error.into()))
+        found.map(Some).map_err(|error| options::of_synthesis(error.into()))
     }
 
     fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
@@ -468,6 +537,16 @@ impl Means<Failure> for Here<'_, '_> {
             searching.class.sets(),
             searching.shift_elements,
             epicyclic_views::synthesize::left_out_in_words(left_out)
+        ));
+    }
+
+    fn going_on(&mut self, searching: &Searching, faults: &[LeftOut]) {
+        self.goes_on = true;
+        self.call.complain(&format!(
+            "note: up to {} sets with {} shift elements no gearbox is of use: {}; larger classes are searched, with --first-class not",
+            searching.class.sets(),
+            searching.shift_elements,
+            epicyclic_views::synthesize::counts_in_words(faults)
         ));
     }
 }
@@ -498,6 +577,61 @@ impl Wishes {
             planet_speed: greatest("--planet-speed", self.planet_speed)?,
         })
     }
+}
+
+impl UsableOptions {
+    fn wanted(&self) -> Result<Option<Usable>, Failure> {
+        let share = |option, value: Quantity<Ratio>| match value.0.si() {
+            share if (0.0..=1.0).contains(&share) => Ok(share),
+            _ => Err(Failure::Option { option, message: "from 0, which asks for nothing, to 100 %".into() }),
+        };
+        let circulation = self.most_circulating.get();
+        if circulation < 0.0 {
+            let message = "at least 0: circulating power over what enters".into();
+            return Err(Failure::Option { option: "--most-circulating", message });
+        }
+        let usable = Usable {
+            forward: share("--least-efficiency", self.least_efficiency)?,
+            reverse: share("--least-reverse-efficiency", self.least_reverse_efficiency)?,
+            circulation,
+        };
+        Ok((!self.first_class).then_some(usable))
+    }
+}
+
+/// The share of each gear of the list.
+fn shares_of(given: &[GearShare], gears: &[WantedRatio]) -> Result<Vec<f64>, Failure> {
+    let fault = |message: String| Err(Failure::Option { option: "--shares", message });
+    let mut shares: Vec<Option<f64>> = vec![None; gears.len()];
+    for GearShare { gear, share } in given {
+        let Some(place) = gear.checked_sub(1).filter(|place| *place < gears.len()) else {
+            return fault(format!("gear {gear}: --ratios has gears 1 to {}", gears.len()));
+        };
+        let is_reverse = match gears[place].wanted {
+            RatioOf::Around { ratio, .. } => ratio < 0.0,
+            RatioOf::Range { most, .. } => most < 0.0,
+            RatioOf::Free => false,
+        };
+        if is_reverse {
+            return fault(format!("gear {gear} is a reverse gear: shares are of forward gears"));
+        }
+        if !(0.0..=1.0).contains(share) {
+            return fault(format!("gear {gear}: a share is from 0 to 100 %"));
+        }
+        if shares[place].replace(*share).is_some() {
+            return fault(format!("gear {gear} is given twice"));
+        }
+    }
+    let shares: Vec<f64> = shares.into_iter().map(Option::unwrap_or_default).collect();
+    let sum: f64 = shares.iter().sum();
+    if (sum - 1.0).abs() > SHARES {
+        return fault(format!("the shares are {} % together: they must be 100 %", short_percent(sum)));
+    }
+    Ok(shares)
+}
+
+fn short_percent(share: f64) -> String {
+    epicyclic_formats::quantity::format::trimmed(100.0 * share, 6)
 }
 
 /// How many sets have equal k.
@@ -546,12 +680,15 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
     let (number, ratios) = (args.nth, ratios.join(", "));
     let name = format!("Gearbox {number} for {ratios}");
     let gearbox = saved::gearbox(one, &name, one.teeth.first())?;
-    let comment = format!(
+    let mut comment = vec![format!(
         "Gearbox {number} of {} found by synthesize for the ratios {ratios}, each within {} %.",
         found.found,
         100.0 * found.tolerance
-    );
-    let text = saved::file(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    )];
+    comment.extend(one.judged.sharing.compounds.iter().map(|compound| {
+        format!("Sets that share planets, as one compound set: {}.", compound.name().replace('+', " and "))
+    }));
+    let text = saved::file(&gearbox, &comment).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(vec![(file.clone(), text.into_bytes())])
 }
 

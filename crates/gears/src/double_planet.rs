@@ -108,6 +108,46 @@ pub struct Pair {
     pub angle_rad: f64,
 }
 
+impl Pair {
+    /// The places of a pair between a sun and a ring by their teeth, sun, inner planet, outer planet, ring, which need not be whole
+    /// numbers; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
+    #[must_use]
+    pub fn of([sun, inner, outer, ring]: [f64; 4], rack: &BasicRack) -> Option<Self> {
+        let circle = |mesh: Mesh, planet: f64| TipCircle {
+            centre_radius: mesh.centre_distance(),
+            tip_radius: Gear::external(planet).tip_radius(rack),
+        };
+        let of_inner = circle(Mesh::external(sun, inner), inner);
+        let of_outer = circle(Mesh::internal(ring, outer), outer);
+        let distance = Mesh::external(inner, outer).centre_distance();
+        let (r1, r2) = (of_inner.centre_radius, of_outer.centre_radius);
+        // Halves of whole numbers: exact.
+        let closes = r2 > 0.0 && (r1 - r2).abs() <= distance && distance <= r1 + r2;
+        closes.then(|| {
+            let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
+            Self { inner: of_inner, outer: of_outer, angle_rad: libm::acos(cosine.clamp(-1.0, 1.0)) }
+        })
+    }
+
+    /// Whether so many pairs at equal angles are clear of a sun and a ring with these teeth, and of each other, by more than `gap` modules.
+    #[must_use]
+    pub fn fits(&self, sun_and_ring: [f64; 2], pairs: u32, rack: &BasicRack, gap: f64) -> bool {
+        let whole_rad = std::f64::consts::TAU / f64::from(pairs);
+        self.clears(sun_and_ring, rack, gap, &Angle { whole_rad, half_sine: libm::sin(whole_rad / 2.0) })
+    }
+
+    fn clears(&self, [sun, ring]: [f64; 2], rack: &BasicRack, gap: f64, angle: &Angle) -> bool {
+        let Self { inner, outer, angle_rad } = *self;
+        let (sun, ring) = (Gear::external(sun).tip_radius(rack), Gear::internal(ring).tip_radius(rack));
+        let gap = gap + TOUCH;
+        ring - inner.centre_radius - inner.tip_radius > gap
+            && outer.centre_radius - outer.tip_radius - sun > gap
+            && inner.gap_to_alike(angle.half_sine) > gap
+            && outer.gap_to_alike(angle.half_sine) > gap
+            && inner.gap(outer, angle.whole_rad - angle_rad) > gap
+    }
+}
+
 impl DoublePlanetNumbers {
     /// Ring-to-sun ratio `k = z_b/z_a`.
     #[must_use]
@@ -145,21 +185,7 @@ impl DoublePlanetNumbers {
     /// The places of a pair; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
     #[must_use]
     pub fn pair(&self, rack: &BasicRack) -> Option<Pair> {
-        let [sun, ring, inner, outer] = [self.sun, self.ring, self.inner, self.outer].map(ToothCount::as_f64);
-        let circle = |mesh: Mesh, planet: f64| TipCircle {
-            centre_radius: mesh.centre_distance(),
-            tip_radius: Gear::external(planet).tip_radius(rack),
-        };
-        let of_inner = circle(Mesh::external(sun, inner), inner);
-        let of_outer = circle(Mesh::internal(ring, outer), outer);
-        let distance = Mesh::external(inner, outer).centre_distance();
-        let (r1, r2) = (of_inner.centre_radius, of_outer.centre_radius);
-        // Halves of whole numbers: exact.
-        let closes = r2 > 0.0 && (r1 - r2).abs() <= distance && distance <= r1 + r2;
-        closes.then(|| {
-            let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
-            Pair { inner: of_inner, outer: of_outer, angle_rad: libm::acos(cosine.clamp(-1.0, 1.0)) }
-        })
+        Pair::of([self.sun, self.inner, self.outer, self.ring].map(ToothCount::as_f64), rack)
     }
 
     /// Where the pairs stand: as near to equal angles as they assemble; `None` where the ring has no more teeth than the sun.
@@ -178,15 +204,8 @@ impl DoublePlanetNumbers {
 
     /// The triangle and all clearances.
     fn clears(&self, rack: &BasicRack, gap: f64, angle: &Angle) -> bool {
-        let Some(Pair { inner, outer, angle_rad }) = self.pair(rack) else { return false };
-        let tip = |gear: Gear| gear.tip_radius(rack);
-        let (sun, ring) = (tip(Gear::external(self.sun.as_f64())), tip(Gear::internal(self.ring.as_f64())));
-        let gap = gap + TOUCH;
-        ring - inner.centre_radius - inner.tip_radius > gap
-            && outer.centre_radius - outer.tip_radius - sun > gap
-            && inner.gap_to_alike(angle.half_sine) > gap
-            && outer.gap_to_alike(angle.half_sine) > gap
-            && inner.gap(outer, angle.whole_rad - angle_rad) > gap
+        let gears = [self.sun, self.ring].map(ToothCount::as_f64);
+        self.pair(rack).is_some_and(|pair| pair.clears(gears, rack, gap, angle))
     }
 }
 

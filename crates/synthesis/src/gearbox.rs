@@ -1,6 +1,7 @@
 //! A structure with elements and ring-to-sun ratios as a gearbox of the solver.
 
 use crate::motion::Element;
+use crate::sharing::Sharing;
 use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name, link_of_name};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
@@ -60,7 +61,8 @@ pub fn real_k(structure: &Structure, place: usize, k: f64) -> f64 {
 }
 
 /// The gearbox with these elements and this efficiency of a simple set's two meshes together, by the gears that each engages some of
-/// them (by their places). The three meshes of a double-planet set lose as much each: `η^(3/2)` together.
+/// them (by their places). The three meshes of a double-planet set lose as much each: `η^(3/2)` together. Sets that share planets at
+/// these `k` ([`Sharing`]) are one compound set, whose meshes lose as much each, too.
 ///
 /// # Errors
 /// Those of the solver: `k` not above 1, a gear that engages no element or one that is not there.
@@ -74,7 +76,14 @@ pub fn gearbox(
     let links = (1..=structure.links()).filter_map(|link| Some(solver_name(Link::try_from(link).ok()?)));
     let each = MeshEfficiency::new(mesh_efficiency.get().sqrt()).unwrap_or(mesh_efficiency);
     let mut builder = Gearbox::builder(&structure.to_string()).links(links);
-    for (place, k) in k.iter().enumerate() {
+    let sharing = Sharing::of(structure, k);
+    for (place, one) in k.iter().enumerate() {
+        if let Some(compound) = sharing.compound_of(place) {
+            if compound.sets[0] == place {
+                builder = builder.compound_set(compound.spec(structure, k, each));
+            }
+            continue;
+        }
         let names = structure.members(place).map(solver_name);
         let (kind, loss) = if structure.is_double_planet(place) {
             (SetKind::DoublePlanet, MeshLoss::Meshes { first: each, between: each, second: each })
@@ -83,7 +92,7 @@ pub fn gearbox(
         };
         let (name, members) = ((place + 1).to_string(), names.each_ref().map(String::as_str));
         builder =
-            builder.set(SetSpec::new(&name, kind, members, real_k(structure, place, *k)).with_loss(loss));
+            builder.set(SetSpec::new(&name, kind, members, real_k(structure, place, *one)).with_loss(loss));
     }
     let names = own_names(elements);
     for (element, name) in elements.iter().zip(&names) {

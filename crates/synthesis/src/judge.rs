@@ -4,10 +4,13 @@ use crate::gearbox::gearbox;
 use crate::motion::Element;
 use crate::refine::Refined;
 use crate::run::Found;
+use crate::sharing::Sharing;
 use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::compound::CentralKind;
+use epicyclic_train::planet_set::PlanetSet;
 use epicyclic_train::set::SetKind;
 use epicyclic_train::{Analysis, Gearbox};
 #[cfg(feature = "parallel")]
@@ -36,15 +39,51 @@ pub struct Judged {
     /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of a double-planet set
     /// what they exceed whatever their teeth ([`planet_speed`]).
     pub planet_speed: f64,
-    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
+    /// Which sets share planets at the best `k`.
+    pub sharing: Sharing,
+    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish; sets that share planets are one.
     pub gearbox: Gearbox,
 }
 
 impl Judged {
-    /// The least efficiency of a gear; 0 where a gear has none.
+    /// Whether a gear counts as a forward one: its ratio is positive. Where none is, all count.
     #[must_use]
-    pub fn least_efficiency(&self) -> f64 {
-        self.efficiencies.iter().map(|efficiency| efficiency.unwrap_or(0.0)).fold(1.0, f64::min)
+    pub fn is_forward(&self, gear: usize) -> bool {
+        self.ratios[gear] > 0.0 || self.ratios.iter().all(|ratio| *ratio <= 0.0)
+    }
+
+    /// The least efficiency of a forward gear, 0 where a gear has none.
+    #[must_use]
+    pub fn forward_efficiency(&self) -> f64 {
+        self.least_efficiency(true).unwrap_or(1.0)
+    }
+
+    /// The least efficiency of a reverse gear, 0 where a gear has none; nothing where there is no reverse gear.
+    #[must_use]
+    pub fn reverse_efficiency(&self) -> Option<f64> {
+        self.least_efficiency(false)
+    }
+
+    fn least_efficiency(&self, forward: bool) -> Option<f64> {
+        let gears = (0..self.ratios.len()).filter(|gear| self.is_forward(*gear) == forward);
+        gears.map(|gear| self.efficiencies[gear].unwrap_or(0.0)).reduce(f64::min)
+    }
+
+    /// The mean efficiency of the forward gears, weighted by their shares of time, each gear's in the order of the wish, over their sum.
+    ///
+    /// ```text
+    /// η = Σ s_g·η_g / Σ s_g
+    /// ```
+    ///
+    /// Nothing where the shares of all forward gears are 0.
+    #[must_use]
+    pub fn mean_efficiency(&self, shares: &[f64]) -> Option<f64> {
+        let (mut sum, mut all) = (0.0, 0.0);
+        for (gear, share) in shares.iter().enumerate().filter(|(gear, _)| self.is_forward(*gear)) {
+            sum += share * self.efficiencies[gear].unwrap_or(0.0);
+            all += share;
+        }
+        (all > 0.0).then(|| sum / all)
     }
 }
 
@@ -120,7 +159,6 @@ pub fn judge(
         planet_speed = planet_speed.max(self::planet_speed(&analysis));
     }
     Ok(Judged {
-        refined,
         engaged,
         multiple_shifts,
         ratios: solved,
@@ -128,12 +166,14 @@ pub fn judge(
         slip,
         link_speed,
         planet_speed,
+        sharing: Sharing::of(&found.structure, &refined.k),
+        refined,
         gearbox,
     })
 }
 
-/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a double-planet set are not known what
-/// its planets exceed.
+/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a double-planet set, or of a compound
+/// one, are not known, what its planets exceed: of a compound set for each sun and ring with one planet or two between them.
 ///
 /// ```text
 /// ∣ω_g − ω_H∣ = ∣ω_s − ω_H∣·z_s/z_g > 2·∣ω_s − ω_H∣/(k − 1)        of both planets of a double-planet set
@@ -143,15 +183,33 @@ pub fn judge(
 /// ([`epicyclic_gears::double_planet`]). So they turn faster than the planets of a simple set of the same `k`.
 #[must_use]
 pub fn planet_speed(analysis: &Analysis<'_>) -> f64 {
-    let sets = analysis.gearbox().sets().iter().zip(analysis.sets());
-    let of = sets.flat_map(|(set, motion)| {
+    let mut greatest: f64 = 0.0;
+    for (set, motion) in analysis.gearbox().sets().iter().zip(analysis.sets()) {
         let known = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
-        let is_unknown =
-            set.kind() == Some(SetKind::DoublePlanet) && motion.planets.iter().any(Option::is_none);
-        let exceeded = || Some(2.0 * motion.relative?.abs() / (set.basic_ratio().get() - 1.0));
-        known.chain(is_unknown.then(exceeded).flatten())
-    });
-    of.fold(0.0, f64::max)
+        greatest = known.fold(greatest, f64::max);
+        if !motion.planets.iter().any(Option::is_none) {
+            continue;
+        }
+        let relative =
+            |central: usize| Some(analysis.speed(set.members()[central])? - analysis.speed(set.carrier())?);
+        for [sun, ring] in suns_and_rings(set) {
+            let k = set.ratio_between(sun, ring).abs();
+            greatest = greatest.max(relative(sun).map_or(0.0, |speed| 2.0 * speed.abs() / (k - 1.0)));
+        }
+    }
+    greatest
+}
+
+/// Suns and rings of a set whose planets' teeth are not known, by their places, with one planet or two between them.
+fn suns_and_rings(set: &PlanetSet) -> Vec<[usize; 2]> {
+    if set.short().is_some() {
+        return if set.kind() == Some(SetKind::DoublePlanet) { vec![[0, 1]] } else { vec![] };
+    }
+    let of = |kind: CentralKind| {
+        (0..set.centrals().len()).filter(move |central| set.centrals()[*central].kind == kind)
+    };
+    let pairs = of(CentralKind::Sun).flat_map(|sun| of(CentralKind::Ring).map(move |ring| [sun, ring]));
+    pairs.filter(|[sun, ring]| set.path(*sun, *ring).len() <= 3).collect()
 }
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.

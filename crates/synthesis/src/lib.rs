@@ -20,7 +20,9 @@
 //! | [`limits`] | steps, slips and speeds that a solution has to keep |
 //! | [`family`] | which solutions have equal functions |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
+//! | [`usable`] | limits of a gearbox that is of use, by which a search goes on to larger classes |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
+//! | [`sharing`] | sets that share planets, as the compound set that they are |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -58,6 +60,7 @@ mod region;
 pub mod rules;
 pub mod run;
 pub mod search;
+pub mod sharing;
 pub mod shifts;
 pub mod solve;
 pub mod structure;
@@ -66,6 +69,7 @@ pub mod tally;
 pub mod teeth;
 pub mod ternary;
 mod tolerance;
+pub mod usable;
 mod watch;
 pub mod wish;
 pub mod work;

@@ -4,13 +4,14 @@
 //! |---|---|---|
 //! | [`Drawable`](Objective::Drawable) | 0 | 1 where links would cross in the scheme, with all shift elements ([`epicyclic_layout`]) |
 //! | [`Shifts`](Objective::Shifts) | less | shifts between neighbouring forward gears that exchange more than one shift element |
-//! | [`Efficiency`](Objective::Efficiency) | more | the least η of a gear, 0 where the losses hold one |
+//! | [`Efficiency`](Objective::Efficiency) | more | the least η of a forward gear, 0 where the losses hold one; with shares of time their mean η |
 //! | [`Drag`](Objective::Drag) | less | the mean over the forward gears of `Σ abs(ω_1 − ω_2)/ω_in` over the open shift elements |
 //! | [`Torque`](Objective::Torque) | less | the greatest torque of a shift element or a member of a set in any gear, over the input's, with losses |
 //! | [`Speed`](Objective::Speed) | less | the greatest speed of a link, or of a planet relative to its carrier, in any gear, over the input's |
 //! | [`Circulation`](Objective::Circulation) | less | the greatest circulating power of a gear, over what enters, with losses |
 //! | [`Progression`](Objective::Progression) | less | the greatest ratio of a step to the step before it; at or below 1 the steps fall throughout |
 //! | [`Deviation`](Objective::Deviation) | less | the greatest deviation of a ratio, by half its bounds' width |
+//! | [`Reverse`](Objective::Reverse) | more | the least η of a reverse gear, 0 where the losses hold one, 1 where there is none |
 //!
 //! The drag measure has no torque of an open shift element in it, which depends on its size, oil and clearances: it compares
 //! gearboxes of the same shift elements. With fewer than two steps between forward gears there is no progression, and all are
@@ -28,6 +29,9 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
+/// How many objectives there are.
+const COUNT: usize = 10;
+
 /// What a solution is measured by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Objective {
@@ -35,7 +39,7 @@ pub enum Objective {
     Drawable,
     /// Shifts that exchange more than one shift element.
     Shifts,
-    /// The least efficiency of a gear.
+    /// The efficiency of the forward gears.
     Efficiency,
     /// Mean sum of the slips of the open shift elements.
     Drag,
@@ -49,6 +53,8 @@ pub enum Objective {
     Progression,
     /// The greatest deviation of a ratio.
     Deviation,
+    /// The least efficiency of a reverse gear.
+    Reverse,
 }
 
 /// A name of no objective.
@@ -61,7 +67,7 @@ pub struct UnknownObjective {
 
 impl Objective {
     /// All, in the order in which they decide unless said otherwise.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; COUNT] = [
         Self::Drawable,
         Self::Shifts,
         Self::Efficiency,
@@ -71,6 +77,7 @@ impl Objective {
         Self::Circulation,
         Self::Progression,
         Self::Deviation,
+        Self::Reverse,
     ];
 
     /// Its name.
@@ -86,6 +93,7 @@ impl Objective {
             Self::Circulation => "circulation",
             Self::Progression => "progression",
             Self::Deviation => "deviation",
+            Self::Reverse => "reverse",
         }
     }
 
@@ -142,17 +150,18 @@ pub struct Rating {
     /// The gears in the order of the wish.
     pub gears: Vec<GearRating>,
     /// The objectives in the order of [`Objective::ALL`].
-    values: [f64; 9],
+    values: [f64; COUNT],
     /// The greatest ratio of a step to the step before; nothing of fewer than two steps.
     pub progression: Option<f64>,
 }
 
 impl Rating {
-    /// Rates a solution.
+    /// Rates a solution; with shares of time, one for each gear of the wish, by their mean efficiency
+    /// ([`Judged::mean_efficiency`]) in place of the least.
     ///
     /// # Errors
     /// Those of the solver; none are known for what [`judge`](crate::judge::judge) made.
-    pub fn of(judged: &Judged) -> Result<Self, epicyclic_train::Error> {
+    pub fn of(judged: &Judged, shares: Option<&[f64]>) -> Result<Self, epicyclic_train::Error> {
         let gearbox = &judged.gearbox;
         let gears: Vec<GearRating> = gearbox
             .gears()
@@ -169,13 +178,17 @@ impl Rating {
         let values = Objective::ALL.map(|objective| match objective {
             Objective::Drawable => f64::from(u8::from(!is_drawable(gearbox))),
             Objective::Shifts => judged.multiple_shifts as f64,
-            Objective::Efficiency => judged.least_efficiency(),
+            Objective::Efficiency => {
+                let mean = shares.and_then(|shares| judged.mean_efficiency(shares));
+                mean.unwrap_or_else(|| judged.forward_efficiency())
+            }
             Objective::Drag => drag,
             Objective::Torque => greatest(|gear| gear.shift_element_torque.max(gear.member_torque)),
             Objective::Speed => greatest(|gear| gear.link_speed.max(gear.planet_speed)),
             Objective::Circulation => greatest(|gear| gear.circulation),
             Objective::Progression => progression.unwrap_or(0.0),
             Objective::Deviation => judged.refined.deviation,
+            Objective::Reverse => judged.reverse_efficiency().unwrap_or(1.0),
         });
         Ok(Self { gears, values, progression })
     }
@@ -194,7 +207,8 @@ impl Rating {
 
     /// What is to be made small, in steps of what tells solutions apart.
     fn cost(&self, objective: Objective) -> f64 {
-        let sign = if objective == Objective::Efficiency { -1.0 } else { 1.0 };
+        let is_more_better = matches!(objective, Objective::Efficiency | Objective::Reverse);
+        let sign = if is_more_better { -1.0 } else { 1.0 };
         (sign * self.value(objective) / ALIKE).round()
     }
 
@@ -215,7 +229,7 @@ impl Rating {
 /// Places of the ratings that no other dominates in these objectives, ascending.
 #[must_use]
 pub fn front(ratings: &[&Rating], objectives: &[Objective]) -> Vec<usize> {
-    let costs: Vec<[f64; 9]> = ratings
+    let costs: Vec<[f64; COUNT]> = ratings
         .iter()
         .map(|rating| {
             Objective::ALL
@@ -271,7 +285,7 @@ mod tests {
         let eta = MeshEfficiency::new(0.97).unwrap();
         let rated = |found: &Found| {
             let judged = judge(found, &wish, eta).unwrap();
-            let rating = Rating::of(&judged).unwrap();
+            let rating = Rating::of(&judged, None).unwrap();
             let elements = found.solution.elements.iter().map(|choices| element_name(choices[0])).collect();
             (found.structure.to_string(), elements, judged, rating)
         };
@@ -322,7 +336,7 @@ mod tests {
     #[test]
     fn an_order_has_each_objective_once() {
         let order = Objective::order(&[Objective::Torque, Objective::Drag, Objective::Torque]);
-        assert_eq!(order.len(), 9);
+        assert_eq!(order.len(), COUNT);
         assert_eq!(order[..3], [Objective::Torque, Objective::Drag, Objective::Drawable]);
         assert_eq!("speed".parse(), Ok(Objective::Speed));
         assert!("mass".parse::<Objective>().unwrap_err().to_string().contains("drawable, shifts"));

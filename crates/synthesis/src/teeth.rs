@@ -18,6 +18,7 @@
 use crate::Error;
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::{Polynomial, Ratio};
+use crate::sharing::Compound;
 use crate::tolerance::WIDENING;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetNumbers;
@@ -27,6 +28,7 @@ use epicyclic_gears::synthesis::{self, ToothNumbers};
 use epicyclic_train::set::{Gearing, SetSpec};
 #[cfg(feature = "parallel")]
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -191,6 +193,25 @@ pub struct Designs {
     pub first: Vec<Design>,
 }
 
+/// What the tooth numbers of all sets are chosen from.
+#[derive(Debug, Clone, Copy)]
+pub struct Sets<'a> {
+    /// Those of each set.
+    pub choices: &'a [&'a Choice],
+    /// The sets that share planets.
+    pub compounds: &'a [Compound],
+    /// Bounds of the planets that they share.
+    pub bounds: Option<&'a synthesis::Bounds>,
+}
+
+impl<'a> Sets<'a> {
+    /// Sets that share no planets.
+    #[must_use]
+    pub const fn apart(choices: &'a [&'a Choice]) -> Self {
+        Self { choices, compounds: &[], bounds: None }
+    }
+}
+
 /// Tooth numbers of a set to choose from, by rising `k`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice(Vec<SetTeeth>);
@@ -265,7 +286,8 @@ impl Choice {
 }
 
 /// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side by side, the best `most` of
-/// them told. Each set has its range of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from.
+/// them told. Each set has its range of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from. Sets that share planets
+/// have equal teeth where they have a gear in common, and planets that fit all of them.
 ///
 /// # Panics
 /// Where there are not as many choices as ranges.
@@ -274,18 +296,19 @@ pub fn designs(
     ratios: &[Ratio],
     gears: Gears,
     ranges_of_k: &[RangeInclusive<f64>],
-    choices: &[&Choice],
+    from: Sets,
     alike: Alike,
     aim: Aim,
     most: usize,
 ) -> Designs {
     let sets = ranges_of_k.len();
-    assert_eq!(choices.len(), sets, "each set has its choice");
+    assert_eq!(from.choices.len(), sets, "each set has its choice");
     let mut search = Search {
         ratios,
         gears,
         widened: gears.bounds.iter().map(|gear| gear.widened()).collect(),
-        choices,
+        from,
+        planets: vec![FxHashMap::default(); from.compounds.len()],
         alike,
         aim,
         most,
@@ -309,7 +332,9 @@ struct Search<'a> {
     ratios: &'a [Ratio],
     gears: Gears<'a>,
     widened: Vec<Bounds>,
-    choices: &'a [&'a Choice],
+    from: Sets<'a>,
+    /// For each compound set its sets with common planets, by their suns and rings.
+    planets: Vec<FxHashMap<Vec<[ToothCount; 2]>, Option<Vec<SetTeeth>>>>,
     alike: Alike,
     aim: Aim,
     most: usize,
@@ -332,10 +357,12 @@ impl<'a> Search<'a> {
         if !shrink(functions, &self.widened, &mut cuboid) {
             return;
         }
-        let choice = self.choices[chosen.len()];
+        let choice = self.from.choices[chosen.len()];
         for set in choice.between(cuboid[0]) {
             chosen.push(set);
-            if self.alike.can_be(chosen, self.sets - chosen.len()) {
+            if self.alike.can_be(chosen, self.sets - chosen.len())
+                && self.from.compounds.iter().all(|compound| compound.agree(chosen))
+            {
                 let k = set.k_of_word();
                 let rest: Vec<[Vec<f64>; 2]> =
                     functions.iter().map(|of| of.each_ref().map(|of| put_in(of, k))).collect();
@@ -368,6 +395,7 @@ impl<'a> Search<'a> {
         if !self.gears.are_falling(&ratios) {
             return;
         }
+        let Some(chosen) = self.with_common_planets(chosen) else { return };
         self.found.count += 1;
         let ratios = || ratios.iter().map(|[above, below]| Fraction::new(*above, *below)).collect();
         let first = &mut self.found.first;
@@ -385,10 +413,25 @@ impl<'a> Search<'a> {
         // Of equal ones the first found stays first.
         let place = first.partition_point(|other| !comes_after(other));
         if place < self.most {
-            let sets = chosen.iter().map(|set| **set).collect();
-            first.insert(place, Design { sets, ratios: ratios(), deviation });
+            first.insert(place, Design { sets: chosen, ratios: ratios(), deviation });
             first.truncate(self.most);
         }
+    }
+}
+
+impl Search<'_> {
+    /// A full choice with planets that fit all sets which share them; nothing where there are none.
+    fn with_common_planets(&mut self, chosen: &[&SetTeeth]) -> Option<Vec<SetTeeth>> {
+        let mut sets: Vec<SetTeeth> = chosen.iter().map(|set| **set).collect();
+        let Some(bounds) = self.from.bounds else { return Some(sets) };
+        for (compound, known) in self.from.compounds.iter().zip(&mut self.planets) {
+            let key = compound.sets.iter().map(|set| [chosen[*set].sun(), chosen[*set].ring()]).collect();
+            let fitted = known.entry(key).or_insert_with(|| compound.with_planets(chosen, bounds));
+            for (set, teeth) in compound.sets.iter().zip(fitted.as_ref()?) {
+                sets[*set] = *teeth;
+            }
+        }
+        Some(sets)
     }
 }
 
@@ -542,7 +585,7 @@ mod tests {
                 &ratios,
                 Gears::apart(&gears),
                 &ranges,
-                &[&choice; 2],
+                Sets::apart(&[&choice; 2]),
                 alike,
                 Aim::Deviation,
                 usize::MAX,
@@ -609,7 +652,15 @@ mod tests {
         let (choice, ranges) = (few(), [1.4..=4.5, 1.4..=4.5]);
         for aim in [Aim::Deviation, Aim::Teeth] {
             let of = |most| {
-                designs(&ratios, Gears::apart(&gears), &ranges, &[&choice; 2], Alike::default(), aim, most)
+                designs(
+                    &ratios,
+                    Gears::apart(&gears),
+                    &ranges,
+                    Sets::apart(&[&choice; 2]),
+                    Alike::default(),
+                    aim,
+                    most,
+                )
             };
             let (all, five) = (of(usize::MAX), of(5));
             assert_eq!(five.first[..], all.first[..5]);
@@ -630,7 +681,7 @@ mod tests {
             &ratios,
             Gears::apart(&gears),
             &[1.4..=4.5, 1.4..=4.5],
-            &[&few(); 2],
+            Sets::apart(&[&few(); 2]),
             Alike::default(),
             Aim::Deviation,
             3,
@@ -664,7 +715,7 @@ mod tests {
                 &[ratio],
                 Gears::apart(&[bounds]),
                 &[1.4..=4.5, 1.4..=4.5],
-                &[&choice; 2],
+                Sets::apart(&[&choice; 2]),
                 Alike::default(),
                 Aim::Teeth,
                 1,

@@ -403,6 +403,9 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
                 most: MOST_PLANETS,
             }));
         }
+        if spec.proportional && !planet.teeth.is_empty() {
+            return Err(fault(CompoundFault::PlanetTeeth { planet: planet.name.clone() }));
+        }
         let mut counts = vec![];
         if planet.teeth.is_empty() {
             counts.push(None);
@@ -428,14 +431,25 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
                 };
                 (None, spec.centrals.len() + planet.ok_or_else(|| fault(unknown()))?)
             }
-            _ => (Some(teeth(&GearName::only(&central.name), central.teeth)?), place),
+            _ if spec.proportional => (None, place),
+            _ => {
+                let (gear, given) = (GearName::only(&central.name), central.teeth);
+                let count = (given.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&given))
+                    .then_some(given as u32);
+                let not_whole = || fault(CompoundFault::NotWhole { gear: gear.clone(), given });
+                (Some(teeth(&gear, count.ok_or_else(not_whole)?)?), place)
+            }
         };
         if centrals.iter().any(|other: &Central| other.body == body) {
             let planet = central.planet.clone().unwrap_or_default();
             return Err(fault(CompoundFault::TwoShafts { name: central.name.clone(), planet }));
         }
+        let proportion = (spec.proportional && central.planet.is_none()).then_some(central.teeth);
+        if let Some(given) = proportion.filter(|given| !(*given > 0.0 && given.is_finite())) {
+            return Err(fault(CompoundFault::Proportion { gear: GearName::only(&central.name), given }));
+        }
         gears.push((GearName::only(&central.name), GearOf::Central(place)));
-        centrals.push(Central { link, kind: central.kind, teeth, body });
+        centrals.push(Central { link, kind: central.kind, teeth, proportion, body });
     }
     let mut names = std::collections::BTreeSet::new();
     // What meshes are written with: `long.2` may be a step of a planet or a central gear.

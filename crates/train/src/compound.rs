@@ -83,7 +83,7 @@ impl fmt::Display for SetMember {
 }
 
 /// A member of a compound set.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CentralSpec {
     /// Its name within the set, by which meshes know it.
     pub name: String,
@@ -91,8 +91,8 @@ pub struct CentralSpec {
     pub link: String,
     /// What it is.
     pub kind: CentralKind,
-    /// Its teeth; none of a planet shaft.
-    pub teeth: u32,
+    /// Its teeth, of a [proportional](CompoundSpec::proportional) set a number proportional to them; 0 of a planet shaft.
+    pub teeth: f64,
     /// The planet that a planet shaft turns with.
     pub planet: Option<String>,
 }
@@ -133,6 +133,9 @@ pub struct CompoundSpec {
     pub planet_count: Option<u32>,
     /// Where they stand on the carrier.
     pub spacing: Spacing,
+    /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above 0, those of planets are
+    /// left out.
+    pub proportional: bool,
 }
 
 /// The name of a gear of a set: of a central gear, of a planet, or of a step of a planet with several gears.
@@ -173,24 +176,25 @@ impl CompoundSpec {
             meshes: vec![],
             planet_count: None,
             spacing: Spacing::default(),
+            proportional: false,
         }
     }
 
     /// Adds a sun, named as its link.
     #[must_use]
     pub fn sun(self, link: &str, teeth: u32) -> Self {
-        self.central(CentralKind::Sun, link, teeth)
+        self.central(CentralKind::Sun, link, f64::from(teeth))
     }
 
     /// Adds a ring, named as its link.
     #[must_use]
     pub fn ring(self, link: &str, teeth: u32) -> Self {
-        self.central(CentralKind::Ring, link, teeth)
+        self.central(CentralKind::Ring, link, f64::from(teeth))
     }
 
     /// Adds a central gear of any kind, named as its link.
     #[must_use]
-    pub fn central(mut self, kind: CentralKind, link: &str, teeth: u32) -> Self {
+    pub fn central(mut self, kind: CentralKind, link: &str, teeth: f64) -> Self {
         let (name, link) = (link.to_owned(), link.to_owned());
         self.centrals.push(CentralSpec { name, link, kind, teeth, planet: None });
         self
@@ -203,7 +207,7 @@ impl CompoundSpec {
             name: link.into(),
             link: link.into(),
             kind: CentralKind::PlanetShaft,
-            teeth: 0,
+            teeth: 0.0,
             planet: Some(planet.into()),
         });
         self
@@ -235,6 +239,31 @@ impl CompoundSpec {
     pub fn spaced(self, spacing: Spacing) -> Self {
         let planet_count = self.planet_count.or(spacing.count());
         Self { planet_count, spacing, ..self }
+    }
+
+    /// The same set whose teeth are not known, only their proportions.
+    ///
+    /// ```
+    /// use epicyclic_gears::efficiency::MeshEfficiency;
+    /// use epicyclic_train::compound::{CentralKind, CompoundSpec};
+    /// use epicyclic_train::Gearbox;
+    /// # fn main() -> Result<(), epicyclic_train::Error> {
+    /// let set = CompoundSpec::new("1", "arm")
+    ///     .central(CentralKind::Sun, "in", 1.0)
+    ///     .central(CentralKind::Ring, "out", 2.5)
+    ///     .proportional()
+    ///     .planet("planet", &[])
+    ///     .mesh("in", "planet", MeshEfficiency::IDEAL)
+    ///     .mesh("planet", "out", MeshEfficiency::IDEAL);
+    /// let gearbox = Gearbox::builder("k = 2.5").links(["in", "arm", "out"]).compound_set(set);
+    /// let gearbox = gearbox.brake("b", "arm").input("in").output("out").gear("1", ["b"]).build()?;
+    /// assert_eq!(gearbox.analyze("1")?.ratio(), Some(-2.5));
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn proportional(self) -> Self {
+        Self { proportional: true, ..self }
     }
 
     /// The same set with this efficiency of every mesh.

@@ -384,7 +384,7 @@ pub enum LinkFault {
 }
 
 /// What is wrong with the description of a compound set.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompoundFault {
     /// Fewer than two central gears.
@@ -398,6 +398,30 @@ pub enum CompoundFault {
     NoTeeth {
         /// The gear.
         gear: GearName,
+    },
+    /// Teeth that are no whole number.
+    #[error(
+        "gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`"
+    )]
+    NotWhole {
+        /// The gear.
+        gear: GearName,
+        /// What was given.
+        given: f64,
+    },
+    /// A proportion that is none.
+    #[error("gear `{gear}` has the proportion {given}: it must be above 0")]
+    Proportion {
+        /// The gear.
+        gear: GearName,
+        /// What was given.
+        given: f64,
+    },
+    /// Teeth of a planet where those of the central gears are not known.
+    #[error("planet `{planet}` has teeth in a proportional set: leave them out, as in `{planet}: []`")]
+    PlanetTeeth {
+        /// The planet.
+        planet: String,
     },
     /// A planet with too many gears.
     #[error("planet `{planet}` has {given} gears: {most} at most are allowed")]

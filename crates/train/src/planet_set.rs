@@ -25,6 +25,7 @@
 //! *segment*. A set with two central gears has one equation and one segment.
 
 use crate::compound::{CentralKind, CompoundSpec, SetMember};
+use crate::elimination::decimal;
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
@@ -87,6 +88,8 @@ pub struct Central {
     pub kind: CentralKind,
     /// Its teeth, where known; none of a planet shaft.
     pub teeth: Option<ToothCount>,
+    /// A number proportional to its teeth, in a set whose teeth are not known.
+    pub proportion: Option<f64>,
     /// Its body: its own, or that of the planet it turns with.
     pub(crate) body: usize,
 }
@@ -396,6 +399,11 @@ impl PlanetSet {
             .collect();
         set.tree.rationals = exact.iter().map(|exact| exact.or(rational)).collect();
         set.tree.exact = exact;
+        if set.centrals.iter().any(|central| central.proportion.is_some()) {
+            // Fractions of decimals decide states, but say nothing of teeth.
+            set.tree.exact.fill(None);
+            set.exact.fill(None);
+        }
         for (&ratio, &central) in set.tree.ratios.iter().zip(&set.tree.order) {
             if !(1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&ratio.abs()) {
                 return Err(Error::BasicRatio {
@@ -414,10 +422,11 @@ impl PlanetSet {
         // The teeth of a planet with one gear cancel between its meshes; it is taken by its pitch line.
         let is_compound = self.short().is_none();
         let count = |gear: GearOf| match (self.teeth(gear), gear) {
-            (None, GearOf::Planet(..)) if is_compound => Some(1),
-            (teeth, _) => teeth.map(ToothCount::get),
+            (None, GearOf::Planet(..)) if is_compound => Some(1.0),
+            (None, GearOf::Central(central)) => self.centrals[central].proportion,
+            (teeth, _) => teeth.map(ToothCount::as_f64),
         };
-        let counts: Vec<[Option<u32>; 2]> = self.meshes.iter().map(|mesh| mesh.gears.map(count)).collect();
+        let counts: Vec<[Option<f64>; 2]> = self.meshes.iter().map(|mesh| mesh.gears.map(count)).collect();
         let start = self.centrals[0].body;
         self.factors[start] = Some(1.0);
         self.exact[start] = Some(Fraction::from_integer(1));
@@ -429,14 +438,15 @@ impl PlanetSet {
                     let (Some(z_from), Some(z_to)) = (z_from, z_to) else { continue };
                     if self.exact[next].is_none()
                         && let Some(known) = self.exact[body]
+                        && let (Some(from), Some(to)) = (decimal(z_from), decimal(z_to))
                     {
-                        let step = Fraction::new(mesh.kind.sign() * i128::from(z_from), i128::from(z_to));
-                        self.exact[next] = known.checked_times(step);
+                        let step = from.checked_div_by(to).map(|step| step * mesh.kind.sign());
+                        self.exact[next] = step.and_then(|step| known.checked_times(step));
                     }
                     if self.factors[next].is_none()
                         && let Some(known) = self.factors[body]
                     {
-                        let step = f64::from(z_from) / f64::from(z_to);
+                        let step = z_from / z_to;
                         self.factors[next] = Some(known * mesh.kind.sign() as f64 * step);
                     }
                 }
@@ -481,8 +491,13 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
         Gearing::Teeth(first, second) => [Some(first), Some(second)],
         Gearing::BasicRatio(_) => [None; 2],
     };
-    let central =
-        |place: usize| Central { link: links[place], kind: kinds[place], teeth: teeth[place], body: place };
+    let central = |place: usize| Central {
+        link: links[place],
+        kind: kinds[place],
+        teeth: teeth[place],
+        proportion: None,
+        body: place,
+    };
     let centrals = vec![central(0), central(1)];
     let planet = |gears: &[Option<ToothCount>]| Planet { name: String::new(), gears: gears.to_vec() };
     let (g, f) = (spec.planet, spec.second_planet);
@@ -539,7 +554,7 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
         meshes,
         factors,
         exact: known,
-        rational: crate::elimination::decimal(ratio.get()),
+        rational: decimal(ratio.get()),
         loss: Some(spec.loss.set_efficiency()),
     })
 }

@@ -9,6 +9,7 @@ use crate::AsReport;
 use crate::figure::{self, Figure};
 use crate::report::{Column, Part, Records, Report, Text, View};
 use epicyclic_answers::synthesize::near_miss::NearMiss;
+use epicyclic_answers::synthesize::shared_planets::{SharedPlanets, WhyApart};
 use epicyclic_answers::synthesize::teeth::TeethOfSet;
 use epicyclic_answers::synthesize::{
     ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
@@ -42,11 +43,15 @@ impl AsReport for Synthesis {
             parts.push(Part::Text(Text::paragraph(near_miss(near))));
         }
         if !self.left_out.is_empty() {
-            parts.push(Part::Text(left_out(&self.left_out)));
+            parts.push(Part::Text(left_out("Left out, each counted once", &self.left_out)));
+        }
+        if !self.left_behind.is_empty() {
+            let heading = "Left behind in smaller classes, where no gearbox is of use, each counted once";
+            parts.push(Part::Text(left_out(heading, &self.left_behind)));
         }
         parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
         if let Some(first) = self.solutions.first() {
-            parts.push(Part::Text(Text::paragraph(NAMES)));
+            parts.push(Part::Text(Text::paragraph(format!("{NAMES}{}", efficiencies(self)))));
             parts.push(Part::Records(solutions(self)));
             parts.push(Part::Records(rating::ratings(&self.solutions)));
             parts.extend(rating::why(self).map(Part::Text));
@@ -75,17 +80,23 @@ pub fn wanted(gear: &WantedGear, tolerance: f64) -> String {
 }
 
 /// What left out how many solutions.
-fn left_out(all: &[LeftOut]) -> Text {
+fn left_out(heading: &str, all: &[LeftOut]) -> Text {
     let points = all.iter().map(|left_out| format!("{} {}", left_out.solutions, why(left_out.by))).collect();
-    Text { heading: Some("Left out, each counted once".into()), points, ..Text::default() }
+    Text { heading: Some(heading.into()), points, ..Text::default() }
+}
+
+/// The same in words: `2 not drawable: a link would cross another, 1 …`.
+#[must_use]
+pub fn counts_in_words(all: &[LeftOut]) -> String {
+    let words: Vec<String> =
+        all.iter().map(|left_out| format!("{} {}", left_out.solutions, why(left_out.by))).collect();
+    words.join(", ")
 }
 
 /// The same in a sentence that goes on; nothing where nothing was left out.
 #[must_use]
 pub fn left_out_in_words(all: &[LeftOut]) -> String {
-    let words: Vec<String> =
-        all.iter().map(|left_out| format!("{} {}", left_out.solutions, why(left_out.by))).collect();
-    if words.is_empty() { String::new() } else { format!("; left out {}", words.join(", ")) }
+    if all.is_empty() { String::new() } else { format!("; left out {}", counts_in_words(all)) }
 }
 
 const fn why(reason: Reason) -> &'static str {
@@ -100,13 +111,55 @@ const fn why(reason: Reason) -> &'static str {
         Reason::LinkSpeed => "with a faster link",
         Reason::PlanetSpeed => "with a planet that turns faster on its carrier",
         Reason::Unjudged => "not judged before the search was ended",
+        Reason::Efficiency => "with a forward gear below --least-efficiency",
+        Reason::ReverseEfficiency => "with a reverse gear below --least-reverse-efficiency",
+        Reason::Circulation => "with more power circulating in a forward gear than --most-circulating",
     }
 }
 
 const NAMES: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a double-planet set, in \
     formulas with k′ = k − 1. A shift element of one letter is a brake of this link, of two a clutch between them; in each gearbox the \
     brakes are called B1, B2, … and the clutches C1, C2, …, in this order. Mult.: shifts between neighbouring forward gears that \
-    exchange more than one shift element. Least η: the least efficiency of a gear.";
+    exchange more than one shift element. ";
+
+/// What the efficiencies are.
+fn efficiencies(answer: &Synthesis) -> String {
+    let forward = if answer.shares.is_some() {
+        "η fwd: the mean efficiency of the forward gears by their shares of time."
+    } else {
+        "η fwd: the least efficiency of a forward gear."
+    };
+    let reverse = answer.solutions.iter().any(|one| one.reverse_efficiency.is_some());
+    format!("{forward}{}", if reverse { " η rev: that of the reverse gears." } else { "" })
+}
+
+/// The efficiency of the forward gears by which gearboxes are ordered.
+fn forward_efficiency(of: &Solution) -> f64 {
+    of.mean_efficiency.unwrap_or(of.forward_efficiency)
+}
+
+/// What sets of a solution have in common.
+fn shared_planets(of: &SharedPlanets) -> String {
+    let sets: Vec<String> = of.sets.iter().map(usize::to_string).collect();
+    let sets = format!("sets {}", sets.join(" and "));
+    let links = |word: &str, links: &[char]| links.iter().map(|link| format!("{word} {link}")).collect();
+    let common: [Vec<String>; 2] = [links("sun", &of.common_suns), links("ring", &of.common_rings)];
+    let common = common.concat().join(" and ");
+    let carrier = of.carrier;
+    match of.apart {
+        None => format!(
+            "{sets} share planets, with carrier {carrier} and {common} in common, of equal teeth: they are rated as one compound set"
+        ),
+        Some(WhyApart::Steps) => format!(
+            "{sets} have carrier {carrier} and {common} in common, but a common planet would need steps: they are rated with planets of \
+             their own"
+        ),
+        Some(WhyApart::Room) => format!(
+            "{sets} have carrier {carrier} and {common} in common, but with these k a common planet leaves no room for the other gears: \
+             they are rated with planets of their own"
+        ),
+    }
+}
 
 const TORQUES: &str = "T_e, T_m: the greatest torque of a shift element, of a member of a set. Link, planet: the greatest speed of a link, of a \
     planet relative to its carrier. Circ.: circulating power over what enters.";
@@ -171,6 +224,16 @@ fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
     let (reducible, undecided) = (sum(|class| class.reducible), sum(|class| class.undecided));
     if reducible > 0 {
         told.push(("reducible", format!("{reducible} further sets of shift elements have all ratios, but the k of a set moves none of them: a simpler gearbox does the same")));
+    }
+    if answer.found > 0 && answer.of_use == 0 && answer.limits_of_use.is_some() {
+        let first = answer.solutions.iter().filter_map(|one| one.beyond_limit).map(why).next();
+        told.push((
+            "of no use",
+            format!(
+                "no gearbox found is within the limits of use: gearbox 1 is {}",
+                first.unwrap_or_default()
+            ),
+        ));
     }
     if undecided > 0 {
         told.push((
@@ -288,8 +351,11 @@ fn solutions(answer: &Synthesis) -> Records {
             Figure::Text(format!("{:.2} %", 100.0 * of.greatest_deviation)),
             figure::count(of.multiple_shifts),
             figure::count(of.multiple_shifts),
-            Figure::Number(of.least_efficiency),
-            Figure::Text(format!("{:.4}", of.least_efficiency)),
+            Figure::Number(of.forward_efficiency),
+            of.mean_efficiency.map_or(Figure::None, Figure::Number),
+            of.reverse_efficiency.map_or(Figure::None, Figure::Number),
+            Figure::Text(format!("{:.4}", forward_efficiency(of))),
+            of.reverse_efficiency.map_or(Figure::None, |reverse| Figure::Text(format!("{reverse:.4}"))),
             figure::count(of.missing_gears.len()),
             Figure::Number(of.greatest_slip),
             Figure::Number(of.greatest_link_speed),
@@ -318,8 +384,20 @@ fn solutions(answer: &Synthesis) -> Records {
         Listed::BestOfFamilies => "others",
         Listed::AllGearboxes => "family",
     };
-    let columns =
-        ["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency", family];
+    // Without reverse gears there is no such column.
+    let reverse =
+        if answer.solutions.iter().any(|of| of.reverse_efficiency.is_some()) { "reverse" } else { "" };
+    let columns = [
+        "number",
+        "structure",
+        "shift_elements",
+        "k_rounded",
+        "deviation",
+        "multiple",
+        "efficiency",
+        reverse,
+        family,
+    ];
     Records {
         name: "solutions",
         columns: vec![
@@ -332,8 +410,11 @@ fn solutions(answer: &Synthesis) -> Records {
             Column::number("deviation", "off by").for_people(),
             Column::number("multiple_shifts", "multiple shifts"),
             Column::number("multiple", "mult.").for_people(),
-            Column::number("least_efficiency", "least efficiency"),
-            Column::number("efficiency", "least η").for_people(),
+            Column::number("forward_efficiency", "forward efficiency"),
+            Column::number("mean_efficiency", "mean efficiency"),
+            Column::number("reverse_efficiency", "reverse efficiency"),
+            Column::number("efficiency", "η fwd").for_people(),
+            Column::number("reverse", "η rev").for_people(),
             Column::number("missing_gears", "missing gears"),
             Column::number("greatest_slip", "greatest slip"),
             Column::number("greatest_link_speed", "greatest link speed"),
@@ -408,6 +489,7 @@ fn gears(found: &Solution) -> Text {
         "over the input's speed at most: slip of an open element {:.3}, a link {:.3}, a planet on its carrier {:.3}",
         found.greatest_slip, found.greatest_link_speed, found.greatest_planet_speed
     ));
+    points.extend(found.shared_planets.iter().map(shared_planets));
     let equal: Vec<String> = (1..)
         .zip(&found.sets)
         .filter(|(_, set)| set.has_equal_k)

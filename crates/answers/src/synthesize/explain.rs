@@ -1,4 +1,5 @@
-//! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it is not.
+//! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it is not. A compound set stands
+//! for the sets that share its planets.
 //!
 //! The gearbox is taken to a structure of the search: links joined for ever are one. Where double-planet sets are searched, its own
 //! stand for themselves; in a search of simple sets alone each stands, for its speeds, for a simple set with ring and carrier exchanged
@@ -244,16 +245,15 @@ impl Subject {
         // In a search of simple sets alone a double-planet set stands for one.
         let as_simple = *wanted.double_planets.end() == 0;
         let mut given: Vec<(Members, bool, String, f64)> = Vec::new();
-        for set in gearbox.sets() {
-            let [sun, ring, carrier] = match set.members() {
-                [sun, ring, carrier] => [*sun, *ring, *carrier].map(link),
-                _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
-            };
-            let k = set.basic_ratio().get().abs();
-            let (members, double, k) = match set.kind() {
-                Some(SetKind::Simple) => ([sun, ring, carrier], false, k),
-                Some(SetKind::DoublePlanet) if as_simple => ([sun, carrier, ring], false, k - 1.0),
-                Some(SetKind::DoublePlanet) => ([sun, ring, carrier], true, k),
+        // A compound set as the sets that share its planets.
+        for drawn in gearbox.drawn_sets() {
+            let set = &gearbox.sets()[drawn.set];
+            let [sun, ring, carrier] = drawn.links.map(link);
+            let k = drawn.basic_ratio(gearbox).abs();
+            let (members, double, k) = match drawn.kind {
+                SetKind::Simple => ([sun, ring, carrier], false, k),
+                SetKind::DoublePlanet if as_simple => ([sun, carrier, ring], false, k - 1.0),
+                SetKind::DoublePlanet => ([sun, ring, carrier], true, k),
                 _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
             };
             given.push((members, double, set.id().to_owned(), k));
@@ -484,6 +484,8 @@ mod tests {
             rules: Rules::default(),
             limits: Limits::default(),
             drawable: false,
+            shares: None,
+            usable: None,
             tolerance: 0.01,
             kind,
             sets: 2..=2,
@@ -669,6 +671,21 @@ mod tests {
         }
     }
 
+    /// The same gearbox with its Ravigneaux set as one set, from its file.
+    #[test]
+    fn a_6hp_is_found_by_its_compound_set() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/lepelletier.yaml");
+        let document = Document::parse_one("lepelletier.yaml", &std::fs::read(file).unwrap()).unwrap();
+        let gearbox = one(&document, &Choice::default()).unwrap().gearbox;
+        let all = Wanted { explain: Some(gearbox), most: 100, all_gearboxes: true, ..of_six_hp(1..=1) };
+        let (answer, _) = searched_alone(&all);
+        let found = answer.explanation.unwrap();
+        assert!(found.has_all_ratios && found.reasons.is_empty(), "{found:?}");
+        assert_eq!(found.structure.as_deref(), Some("0-1-a b-2-c d-2-c*"));
+        let solution = answer.solutions.iter().find(|one| Some(one.number) == found.number);
+        assert_eq!(solution.map(|one| one.shared_planets[0].sets.clone()), Some(vec![2, 3]));
+    }
+
     #[test]
     fn what_keeps_a_gearbox_with_a_double_planet_set_out_is_told() {
         let reasons = |wanted: &Wanted| searched_alone(wanted).0.explanation.unwrap().reasons;
@@ -696,9 +713,9 @@ mod tests {
 
     #[test]
     fn a_set_of_another_form_is_no_part_of_a_search() {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ravigneaux.yaml");
-        let document = Document::parse_one("ravigneaux.yaml", &std::fs::read(file).unwrap()).unwrap();
-        let gearbox = one(&document, &Choice::default()).unwrap().gearbox;
+        let stepped = SetSpec::new("1", SetKind::SteppedSuns, ["in", "out", "arm"], 2.0);
+        let gearbox = Gearbox::builder("steps").links(["in", "out", "arm"]).set(stepped).brake("b", "arm");
+        let gearbox = gearbox.input("in").output("out").build().unwrap();
         assert_eq!(obstacles(&wanted(&LIST, Kind::AllSparse, 5, 2, gearbox)), [Obstacle::SetKind]);
     }
 }

@@ -18,8 +18,8 @@ pub struct Family {
     pub best: usize,
     /// How many of its gearboxes are drawable.
     pub drawable: usize,
-    /// The least efficiency of a gear: the lowest and the highest of its gearboxes.
-    pub least_efficiency_range: [f64; 2],
+    /// The efficiency of the forward gears, the least or the mean by the shares of time: the lowest and the highest of its gearboxes.
+    pub forward_efficiency_range: [f64; 2],
     /// The mean drag over the forward gears, alike.
     pub mean_drag_of_input_range: [f64; 2],
     /// The greatest torque of a shift element or a member of a set, over the input's, alike.
@@ -57,7 +57,7 @@ impl Family {
             gearboxes: ratings.len(),
             best,
             drawable: ratings.iter().filter(|rating| rating.is_drawable()).count(),
-            least_efficiency_range: range(Objective::Efficiency),
+            forward_efficiency_range: range(Objective::Efficiency),
             mean_drag_of_input_range: range(Objective::Drag),
             greatest_torque_of_input_range: range(Objective::Torque),
             greatest_speed_of_input_range: range(Objective::Speed),

@@ -45,7 +45,10 @@ pub(super) fn keep(
         match wanted.limits.missed(&wish.gears, &judged) {
             Some(limit) => left_out.add(Reason::of(limit), 1),
             None => {
-                let rating = rank::Rating::of(&judged)?;
+                let shares: Option<Vec<f64>> =
+                    wanted.shares.as_ref().map(|of| selection.iter().map(|gear| of[*gear]).collect());
+                let rating = rank::Rating::of(&judged, shares.as_deref())?;
+                let fault = wanted.usable.and_then(|usable| usable.fault(&judged, &rating));
                 let family = family::Family::of(&found, wish, selection);
                 let selection = selection.to_vec();
                 kept.push(Kept {
@@ -53,6 +56,7 @@ pub(super) fn keep(
                     judged,
                     selection,
                     rating,
+                    fault,
                     number: 0,
                     family,
                     teeth: Vec::new(),

@@ -4,6 +4,7 @@ use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_synthesis::judge::Judged;
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::teeth::Design;
+use epicyclic_synthesis::usable::Fault;
 use epicyclic_synthesis::{family, rank};
 
 /// A solution that is told, as the search has it.
@@ -17,6 +18,8 @@ pub struct Kept {
     pub selection: Vec<usize>,
     /// What it is worth.
     pub rating: rank::Rating,
+    /// The limit of a gearbox that is of use that it misses first.
+    pub fault: Option<Fault>,
     /// Its number among all solutions, from 1, the best first.
     pub number: usize,
     /// Its family.

@@ -1,6 +1,7 @@
 //! What leaves out solutions that have all gears.
 
 use epicyclic_synthesis::limits::Limit;
+use epicyclic_synthesis::usable::Fault;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -39,6 +40,12 @@ pub enum Reason {
     PlanetSpeed,
     /// The search was ended before they were judged.
     Unjudged,
+    /// A forward gear has an efficiency below the limit.
+    Efficiency,
+    /// A reverse gear has an efficiency below the limit.
+    ReverseEfficiency,
+    /// More power circulates in a forward gear than the limit.
+    Circulation,
 }
 
 /// Counts of what was left out.
@@ -66,6 +73,15 @@ impl LeftOuts {
 }
 
 impl Reason {
+    pub(super) const fn of_fault(fault: Fault) -> Self {
+        match fault {
+            Fault::NotDrawable => Self::Drawable,
+            Fault::Forward => Self::Efficiency,
+            Fault::Reverse => Self::ReverseEfficiency,
+            Fault::Circulation => Self::Circulation,
+        }
+    }
+
     pub(super) fn of(limit: Limit) -> Self {
         match limit {
             Limit::Steps => Self::Steps,

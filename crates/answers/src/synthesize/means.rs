@@ -8,11 +8,11 @@ use std::ops::ControlFlow;
 
 /// How each class is searched, and who is told of what follows.
 pub trait Means<E>: Sync {
-    /// Searches a class; checks the [limits](super::Wanted::limits) with its gears first.
+    /// Searches a class; checks the [limits](super::Wanted::limits) with its gears first. Nothing where [more](Self::going_on) is not searched.
     ///
     /// # Errors
     /// Those of the search.
-    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E>;
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<Option<run::Answer>, E>;
 
     /// So many of a class's solutions are judged; a break leaves out the others and ends the search.
     fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
@@ -24,10 +24,15 @@ pub trait Means<E>: Sync {
     fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
         let _ = (searching, left_out);
     }
+
+    /// None of the gearboxes found so far, in classes up to this, is of use, by these faults: larger classes follow, if there are any.
+    fn going_on(&mut self, searching: &Searching, faults: &[LeftOut]) {
+        let _ = (searching, faults);
+    }
 }
 
 impl<E, F: FnMut(&Searching, &Wish) -> Result<run::Answer, E> + Sync> Means<E> for F {
-    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<run::Answer, E> {
-        self(searching, wish)
+    fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<Option<run::Answer>, E> {
+        self(searching, wish).map(Some)
     }
 }

@@ -55,14 +55,21 @@ pub fn near_miss(wanted: &Wanted, answer: &Synthesis) -> Result<Option<NearMiss>
         also: None,
         teeth: None,
         explain: None,
+        usable: None,
         ..wanted.clone()
     };
-    let (found, _) = match solve(&wider, &|_, _| ControlFlow::Continue(())) {
+    let (found, kept) = match solve(&wider, &|_, _| ControlFlow::Continue(())) {
         // So few sets have no such numbers of links or elements.
         Err(Error::Synthesis(_)) => return Ok(None),
         found => found?,
     };
-    Ok(found.solutions.first().filter(|one| one.missing_gears.is_empty()).map(|one| NearMiss {
+    // What is of no use is no hint either.
+    let is_of_use = kept.first().is_some_and(|kept| {
+        let fault = wanted.usable.and_then(|usable| usable.fault(&kept.judged, &kept.rating));
+        fault.is_none()
+    });
+    let first = found.solutions.first().filter(|one| is_of_use && one.missing_gears.is_empty());
+    Ok(first.map(|one| NearMiss {
         class: found.searched.last().map_or(ClassName::Core, |class| class.class),
         sets: one.sets.len(),
         shift_elements: one.shift_elements.len(),

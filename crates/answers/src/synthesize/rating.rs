@@ -15,7 +15,7 @@ pub enum Objective {
     Drawable,
     /// Shifts between neighbouring forward gears that exchange more than one shift element; less is better.
     Shifts,
-    /// The least efficiency of a gear; more is better.
+    /// The efficiency of the forward gears: the least, or the mean by the shares of time; more is better.
     Efficiency,
     /// The mean over the forward gears of the sum of the slips of the open shift elements; less is better.
     Drag,
@@ -29,6 +29,8 @@ pub enum Objective {
     Progression,
     /// The greatest deviation of a ratio, by half its bounds' width; less is better.
     Deviation,
+    /// The least efficiency of a reverse gear; more is better.
+    Reverse,
 }
 
 /// A solution's figures for the objectives.
@@ -94,6 +96,7 @@ impl Objective {
             rank::Objective::Circulation => Self::Circulation,
             rank::Objective::Progression => Self::Progression,
             rank::Objective::Deviation => Self::Deviation,
+            rank::Objective::Reverse => Self::Reverse,
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::saved::names;
 use crate::teeth::shifted::SetShifts;
 use epicyclic_formats::gearbox::{NotWritable, written};
 use epicyclic_synthesis::teeth::{Design, SetTeeth};
+use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
@@ -17,24 +18,38 @@ use epicyclic_train::{GearSpec, Gearbox};
 /// Those of the solver for tooth numbers that no set can have; none are known for those of a search.
 pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbox, Error> {
     let mut names = names(&kept.judged.ratios).into_iter();
-    let mut sets = teeth.map(|design| design.sets.iter());
-    let mut shifts = shifts(kept, teeth)?.into_iter();
-    let with_teeth = |set: SetSpec| match sets.as_mut().and_then(Iterator::next) {
-        None => match set.gearing {
-            Gearing::BasicRatio(k) => SetSpec { gearing: Gearing::BasicRatio(short(k)), ..set },
-            Gearing::Teeth(..) => set,
-        },
-        Some(of) => {
-            let set = of.put_into(set);
-            match shifts.next().flatten() {
-                None => set,
-                Some(shifts) => shifts.put_into(set),
+    let shifts = shifts(kept, teeth)?;
+    let sharing = &kept.judged.sharing;
+    // The sets of the gearbox in their order, each by the first of the structure's sets that it is.
+    let is_first = |place: &usize| sharing.compound_of(*place).is_none_or(|of| of.sets[0] == *place);
+    let mut places = (0..kept.found.structure.sets().len()).filter(is_first);
+    let with_teeth = |set: Description| {
+        let place = places.next().unwrap_or_default();
+        match (set, teeth) {
+            (Description::Short(set), None) => match set.gearing {
+                Gearing::BasicRatio(k) => SetSpec { gearing: Gearing::BasicRatio(short(k)), ..set }.into(),
+                Gearing::Teeth(..) => set.into(),
+            },
+            (Description::Short(set), Some(design)) => {
+                let set = design.sets[place].put_into(set);
+                match &shifts[place] {
+                    None => set.into(),
+                    Some(shifts) => shifts.put_into(set).into(),
+                }
             }
+            (Description::Compound(mut set), None) => {
+                set.centrals.iter_mut().for_each(|central| central.teeth = short(central.teeth));
+                set.into()
+            }
+            (Description::Compound(set), Some(design)) => match sharing.compound_of(place) {
+                Some(compound) => compound.put_into(set, &design.sets).into(),
+                None => set.into(),
+            },
         }
     };
     let gearbox = kept.judged.gearbox.to_builder().named(name);
     Ok(gearbox
-        .map_sets(with_teeth)
+        .map_descriptions(with_teeth)
         .map_gears(|gear| GearSpec {
             name: names.next().unwrap_or_default(),
             input: None,
@@ -59,7 +74,7 @@ pub(super) fn shifts(kept: &Kept, teeth: Option<&Design>) -> Result<Vec<Option<S
 /// The file of a solution, below these lines of comment.
 ///
 /// # Errors
-/// None are known: every set of a solution has a short form.
+/// None are known: central gears of a solution are named as their links.
 pub fn file(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWritable> {
     written(gearbox, comment)
 }

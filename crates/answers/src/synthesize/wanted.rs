@@ -8,6 +8,7 @@ use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
+use epicyclic_synthesis::usable::Usable;
 use epicyclic_synthesis::{Error, Kind};
 use epicyclic_train::Gearbox;
 use std::ops::{Range, RangeInclusive};
@@ -48,6 +49,11 @@ pub struct Wanted {
     pub limits: Limits,
     /// Whether solutions are drawable: with nested shafts, each brake reached from the housing.
     pub drawable: bool,
+    /// The share of time of each gear, by which the mean efficiency is weighted; without, the least efficiency counts.
+    pub shares: Option<Vec<f64>>,
+    /// What a gearbox of use keeps: while none found does, larger classes are searched. Without, the first class with gearboxes is
+    /// the last.
+    pub usable: Option<Usable>,
     /// Efficiency of a simple set's two meshes; each of the three of a double-planet set loses as much.
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
@@ -257,6 +263,8 @@ mod tests {
             rules: Rules::default(),
             limits: Limits { steps, ..Limits::default() },
             drawable: false,
+            shares: None,
+            usable: None,
             efficiency: MeshEfficiency::IDEAL,
             most: 1,
             all_gearboxes: false,

@@ -277,7 +277,10 @@ const RUNS: &[(&str, &[&str])] = &[
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s", "--circulation", "0.3"]),
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
-    ("synthesize", &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1"]),
+    (
+        "synthesize",
+        &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1", "--shares", "1:30%, 2:70%"],
+    ),
     (
         "synthesize",
         &["synthesize", "--ratios", "2.56, 1.465", "--tolerance", "5%", "--sets", "2", "--equal-k", "2"],
@@ -342,6 +345,20 @@ const RUNS: &[(&str, &[&str])] = &[
             "--teeth",
             "--ring",
             "60..90",
+        ],
+    ),
+    (
+        "synthesize",
+        &[
+            "synthesize",
+            "--ratios",
+            "2.56, 1.465",
+            "--sets",
+            "2",
+            "--elements",
+            "2..3",
+            "--least-efficiency",
+            "99.9%",
         ],
     ),
     (

@@ -24,4 +24,5 @@ mod shards;
 mod shells;
 mod simulate;
 mod streams;
+mod synthesize;
 mod vibration;

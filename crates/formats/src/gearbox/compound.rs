@@ -27,16 +27,19 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     pub carrier: String,
     /// Suns: link and teeth.
     #[serde(default)]
-    pub suns: BTreeMap<String, u32>,
+    pub suns: BTreeMap<String, f64>,
     /// Rings: link and teeth.
     #[serde(default)]
-    pub rings: BTreeMap<String, u32>,
+    pub rings: BTreeMap<String, f64>,
     /// Bevel gears on the left of their planets: link and teeth.
     #[serde(default)]
-    pub bevels_left: BTreeMap<String, u32>,
+    pub bevels_left: BTreeMap<String, f64>,
     /// Bevel gears on the right.
     #[serde(default)]
-    pub bevels_right: BTreeMap<String, u32>,
+    pub bevels_right: BTreeMap<String, f64>,
+    /// Teeth are not known: the numbers of suns, rings and bevel gears are proportional to them, and planets have none.
+    #[serde(default)]
+    pub proportional: bool,
     /// Links that turn as fast as a planet about its own axis (K-H-V, cycloidal drives): link and planet.
     #[serde(default)]
     pub planet_shafts: BTreeMap<String, String>,
@@ -223,7 +226,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
                 name: name.clone(),
                 link: link(name)?,
                 kind: CentralKind::PlanetShaft,
-                teeth: 0,
+                teeth: 0.0,
                 planet: Some(planet.clone()),
             });
         }
@@ -248,6 +251,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
             meshes,
             planet_count: self.planets,
             spacing: Default::default(),
+            proportional: self.proportional,
         };
         Ok(spec.spaced(spacing))
     }

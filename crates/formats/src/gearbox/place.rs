@@ -176,10 +176,12 @@ impl File<'_> {
     fn of_compound(&self, set: &str, fault: &CompoundFault) -> Path {
         let path = self.set(set);
         match fault {
-            CompoundFault::NoTeeth { gear } | CompoundFault::NameTwice { name: gear } => {
-                self.part_of_set(path, &gear.of)
-            }
+            CompoundFault::NoTeeth { gear }
+            | CompoundFault::NotWhole { gear, .. }
+            | CompoundFault::Proportion { gear, .. }
+            | CompoundFault::NameTwice { name: gear } => self.part_of_set(path, &gear.of),
             CompoundFault::PlanetGears { planet: name, .. }
+            | CompoundFault::PlanetTeeth { planet: name }
             | CompoundFault::TwoShafts { name, .. }
             | CompoundFault::Apart { name } => self.part_of_set(path, name),
             CompoundFault::UnknownGear { name, .. } => {

@@ -1,13 +1,14 @@
 //! A gearbox as the text of a file in our own format.
 //!
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
-//! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
+//! planets and losses, compound sets gear by gear, shift elements, permanent connections, gears with their inputs and outputs.
 
 use crate::quantity::format::{in_unit, trimmed};
 use crate::quantity::{Dimension, Physical};
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_gears::synthesis::Placement;
+use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::spacing::Spacing;
@@ -21,12 +22,18 @@ const DIGITS: usize = 5;
 /// Significant digits of angles in degrees.
 const DEGREE_DIGITS: usize = 12;
 
-/// A gearbox that has no short description.
+/// A central gear that a file cannot name: there each is named as its link.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("set `{set}` is described gear by gear; only sets with a sun, a ring and a carrier are written")]
+#[error(
+    "gear `{gear}` of set `{set}` is on link `{link}`: in a file the central gears of a compound set are named as their links"
+)]
 pub struct NotWritable {
     /// The set.
     pub set: String,
+    /// The gear.
+    pub gear: String,
+    /// Its link.
+    pub link: String,
 }
 
 /// The file of a gearbox, below these lines of comment.
@@ -52,7 +59,7 @@ pub struct NotWritable {
 /// ```
 ///
 /// # Errors
-/// [`NotWritable`] for a set described gear by gear.
+/// [`NotWritable`] for a compound set with a central gear of another name than its link.
 pub fn written(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWritable> {
     written_with_sizes(gearbox, &[], comment)
 }
@@ -89,14 +96,20 @@ pub fn written_with_sizes(
     if !shafts.is_empty() {
         line(format!("links: [{}]", shafts.join(", ")));
     }
-    line("sets:".to_owned());
+    let (mut short, mut compound) = (Vec::new(), Vec::new());
     for (place, set) in gearbox.sets().iter().enumerate() {
         match set.description() {
             Description::Short(spec) => {
-                line(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))));
+                short.push(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))));
             }
-            Description::Compound(_) => return Err(NotWritable { set: set.id().to_owned() }),
+            Description::Compound(spec) => compound.extend(of_compound_set(spec)?),
         }
+    }
+    for (key, sets) in [("compound_sets:", compound), ("sets:", short)] {
+        if !sets.is_empty() {
+            line(key.to_owned());
+        }
+        sets.into_iter().for_each(&mut line);
     }
     let pair = |element: &ShiftElement| element.links().map(link).join(", ");
     let (brakes, clutches): (Vec<&ShiftElement>, Vec<&ShiftElement>) =
@@ -152,13 +165,7 @@ fn of_set(spec: &SetSpec) -> String {
     if let Some(count) = spec.planet_count {
         keys.push(format!("planets: {count}"));
     }
-    match &spec.spacing {
-        Spacing::Placed(Placement::Equal) => {}
-        Spacing::Placed(Placement::LeastUnequal) => keys.push("spacing: least_unequal".to_owned()),
-        Spacing::At(angles) => {
-            keys.push(format!("planet_angles: [{}]", list(angles.iter().map(|one| angle(*one)))));
-        }
-    }
+    keys.extend(of_spacing(&spec.spacing));
     if let Some(Shifts { profile, tips }) = spec.shifts {
         keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
         if let Some(tips) = tips {
@@ -187,6 +194,17 @@ fn of_set(spec: &SetSpec) -> String {
     keys.join(", ")
 }
 
+/// The key of where planets stand; none of equal angles.
+fn of_spacing(spacing: &Spacing) -> Option<String> {
+    match spacing {
+        Spacing::Placed(Placement::Equal) => None,
+        Spacing::Placed(Placement::LeastUnequal) => Some("spacing: least_unequal".to_owned()),
+        Spacing::At(angles) => {
+            Some(format!("planet_angles: [{}]", list(angles.iter().map(|one| angle(*one)))))
+        }
+    }
+}
+
 fn of_tool(gear: &str, cutting: &Cutting) -> Option<String> {
     let mut keys = vec![];
     let number = |key: &str, value: f64| format!("{key}: {value}");
@@ -206,6 +224,51 @@ fn of_tool(gear: &str, cutting: &Cutting) -> Option<String> {
         }
     }
     (!keys.is_empty()).then(|| format!("{gear}: {{ {} }}", keys.join(", ")))
+}
+
+/// The lines of a compound set.
+fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
+    if let Some(CentralSpec { name, link, .. }) = spec.centrals.iter().find(|one| one.name != one.link) {
+        return Err(NotWritable { set: spec.id.clone(), gear: name.clone(), link: link.clone() });
+    }
+    let mut lines =
+        vec![format!("  - id: {}", scalar(&spec.id)), format!("    carrier: {}", scalar(&spec.carrier))];
+    let kinds = [
+        ("suns", CentralKind::Sun),
+        ("rings", CentralKind::Ring),
+        ("bevels_left", CentralKind::BevelLeft),
+        ("bevels_right", CentralKind::BevelRight),
+        ("planet_shafts", CentralKind::PlanetShaft),
+    ];
+    for (key, kind) in kinds {
+        let of = |one: &CentralSpec| {
+            let value = one.planet.as_deref().map_or_else(|| one.teeth.to_string(), scalar);
+            format!("{}: {value}", scalar(&one.link))
+        };
+        let gears = list(spec.centrals.iter().filter(|one| one.kind == kind).map(of));
+        if !gears.is_empty() {
+            lines.push(format!("    {key}: {{ {gears} }}"));
+        }
+    }
+    if spec.proportional {
+        lines.push("    proportional: true".to_owned());
+    }
+    let planet = |one: &PlanetSpec| {
+        format!("{}: [{}]", scalar(&one.name), list(one.teeth.iter().map(ToString::to_string)))
+    };
+    lines.push(format!("    planet_gears: {{ {} }}", list(spec.planets.iter().map(planet))));
+    lines.push("    meshes:".to_owned());
+    let mesh = |MeshSpec { between: [first, second], efficiency }: &MeshSpec| {
+        let of_loss = match efficiency.get() {
+            1.0 => String::new(),
+            eta => format!(", efficiency: {eta}"),
+        };
+        format!("      - {{ gears: [{}, {}]{of_loss} }}", scalar(first), scalar(second))
+    };
+    lines.extend(spec.meshes.iter().map(mesh));
+    lines.extend(spec.planet_count.map(|count| format!("    planets: {count}")));
+    lines.extend(of_spacing(&spec.spacing).map(|key| format!("    {key}")));
+    Ok(lines)
 }
 
 /// In degrees, where they are read as the same angle.
@@ -333,11 +396,23 @@ mod tests {
     }
 
     #[test]
-    fn a_set_described_gear_by_gear_is_refused() {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ravigneaux.yaml");
-        let gearbox = read(&std::fs::read_to_string(file).unwrap());
-        let refused = written(&gearbox, &[]).unwrap_err();
-        assert!(refused.to_string().contains("gear by gear"), "{refused}");
+    fn compound_sets_are_read_back_as_they_were() {
+        for name in ["ravigneaux", "every-gearbox-key"] {
+            let file = format!("{}/../../examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+            let gearbox = read(&std::fs::read_to_string(file).unwrap());
+            assert_eq!(read(&written(&gearbox, &[]).unwrap()).sets(), gearbox.sets(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_central_gear_of_another_name_than_its_link_is_refused() {
+        let mut set = CompoundSpec::new("1", "arm").sun("in", 20).ring("out", 60).planet("p", &[20]);
+        set = set.mesh("in", "p", MeshEfficiency::IDEAL).mesh("p", "big", MeshEfficiency::IDEAL);
+        set.centrals[1].name = "big".into();
+        let gearbox = Gearbox::builder("box").links(["in", "arm", "out"]).compound_set(set);
+        let gearbox = gearbox.brake("b", "arm").input("in").output("out").build().unwrap();
+        let refused = written(&gearbox, &[]).unwrap_err().to_string();
+        assert!(refused.contains("gear `big` of set `1` is on link `out`"), "{refused}");
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod found;
 mod refine;
 mod rules;
 mod search;
+mod sharing;
 mod side_by_side;
 mod solver;
 mod teeth;

@@ -13,7 +13,7 @@ use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::{Answer, Share, search};
 use epicyclic_synthesis::shifts::Shifts;
-use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Gears, designs};
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Gears, Sets, designs};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, enumerate};
 use found::holds;
@@ -164,8 +164,15 @@ fn tooth_numbers_keep_the_order_of_gears_side_by_side() {
     for found in all(class, &wish).found {
         let ratios: Vec<Ratio> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
         let gears = Gears { bounds: &wish.gears, side_by_side: &wish.side_by_side };
-        let by_search =
-            designs(&ratios, gears, &wish.k, &[&choice, &choice], Alike::default(), Aim::Deviation, 5);
+        let by_search = designs(
+            &ratios,
+            gears,
+            &wish.k,
+            Sets::apart(&[&choice, &choice]),
+            Alike::default(),
+            Aim::Deviation,
+            5,
+        );
         assert!(by_search.complete);
         let mut by_trial = 0;
         for one in &k {

@@ -379,7 +379,7 @@ impl BoxPlan {
                     name: format!("c{one}"),
                     link: name(own.link),
                     kind: own.kind,
-                    teeth: own.teeth,
+                    teeth: f64::from(own.teeth),
                     planet: own.planet.map(|planet| format!("p{planet}")),
                 });
             }

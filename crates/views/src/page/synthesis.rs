@@ -96,11 +96,11 @@ fn of_one(name: &str, solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, 
     let scheme =
         solution.scheme.map_or_else(String::new, |scheme| format!("Scheme {scheme} of the catalogue. "));
     let words = format!(
-        "{name}{scheme}Sets {}; k {}; shift elements {}. Least efficiency {}, {} multiple shifts, drag {}.",
+        "{name}{scheme}Sets {}; k {}; shift elements {}. Forward efficiency {}, {} multiple shifts, drag {}.",
         solution.structure,
         k.join(", "),
         elements.join(", "),
-        trimmed(solution.least_efficiency, 4),
+        trimmed(solution.mean_efficiency.unwrap_or(solution.forward_efficiency), 4),
         solution.multiple_shifts,
         trimmed(solution.rating.mean_drag_of_input, 4),
     );

@@ -16,7 +16,7 @@ pub(super) fn ratings(found: &[Solution]) -> Records {
         let rating = &of.rating;
         vec![
             figure::count(of.number),
-            Figure::Number(of.least_efficiency),
+            Figure::Number(super::forward_efficiency(of)),
             Figure::Number(rating.mean_drag_of_input),
             Figure::Number(rating.greatest_torque_of_input),
             Figure::Number(rating.greatest_speed_of_input),
@@ -30,7 +30,7 @@ pub(super) fn ratings(found: &[Solution]) -> Records {
         name: "ratings",
         columns: vec![
             Column::number("number", "no."),
-            Column::number("least_efficiency", "least η"),
+            Column::number("efficiency", "η fwd"),
             Column::number("mean_drag_of_input", "drag"),
             Column::number("greatest_torque_of_input", "torque"),
             Column::number("greatest_speed_of_input", "speed"),
@@ -104,7 +104,8 @@ pub(super) fn why(answer: &Synthesis) -> Option<Text> {
             None => format!("{number}: equal in every objective"),
             Some(Objective::Drawable) => format!("{number}: not drawable, {}", crossing(other)),
             Some(objective) => {
-                let than = if objective == Objective::Efficiency { "less than" } else { "above" };
+                let is_more_better = matches!(objective, Objective::Efficiency | Objective::Reverse);
+                let than = if is_more_better { "less than" } else { "above" };
                 format!(
                     "{number}: {} {}, {than} {}",
                     name(objective),
@@ -137,13 +138,14 @@ fn name(objective: Objective) -> &'static str {
     match objective {
         Objective::Drawable => "drawable",
         Objective::Shifts => "multiple shifts",
-        Objective::Efficiency => "least efficiency",
+        Objective::Efficiency => "forward efficiency",
         Objective::Drag => "drag",
         Objective::Torque => "torque",
         Objective::Speed => "speed",
         Objective::Circulation => "circulating power",
         Objective::Progression => "progression",
         Objective::Deviation => "deviation",
+        Objective::Reverse => "reverse efficiency",
     }
 }
 
@@ -154,7 +156,13 @@ fn extreme(objective: Objective, first: &Solution) -> String {
             "its scheme can be drawn without links that cross, which not all can".to_owned()
         }
         Objective::Shifts => format!("the fewest of its shifts exchange several shift elements, {value}"),
-        Objective::Efficiency => format!("the efficiency of its worst gear is the highest, {value}"),
+        Objective::Efficiency if first.mean_efficiency.is_some() => {
+            format!(
+                "the mean efficiency of its forward gears, by their shares of time, is the highest, {value}"
+            )
+        }
+        Objective::Efficiency => format!("the efficiency of its worst forward gear is the highest, {value}"),
+        Objective::Reverse => format!("the efficiency of its worst reverse gear is the highest, {value}"),
         Objective::Drag => {
             format!("its open shift elements slip least, {value} of the input's speed in the mean")
         }
@@ -176,12 +184,13 @@ fn shown(objective: Objective, of: &Solution) -> String {
     match objective {
         Objective::Drawable => if rating.drawable { "yes" } else { "no" }.to_owned(),
         Objective::Shifts => of.multiple_shifts.to_string(),
-        Objective::Efficiency => number(of.least_efficiency),
+        Objective::Efficiency => number(super::forward_efficiency(of)),
         Objective::Drag => number(rating.mean_drag_of_input),
         Objective::Torque => number(rating.greatest_torque_of_input),
         Objective::Speed => number(rating.greatest_speed_of_input),
         Objective::Circulation => number(rating.greatest_circulating_of_entering),
         Objective::Progression => rating.progression.map_or_else(|| "none".to_owned(), number),
         Objective::Deviation => number(rating.deviation_of_tolerance),
+        Objective::Reverse => of.reverse_efficiency.map_or_else(|| "none".to_owned(), number),
     }
 }

@@ -98,6 +98,13 @@ const GEARBOX: &[Key] = &[
     },
     key("compound_sets.suns", "small_sun: 30", "small_sun: 24", OVERVIEW),
     key("compound_sets.rings", "rings: { ring: 72 }", "rings: { ring: 78 }", OVERVIEW),
+    Key {
+        path: "compound_sets.proportional",
+        first: &[("pinion: [10]", "pinion: []")],
+        from: "proportional: false",
+        to: "proportional: true",
+        look: OVERVIEW,
+    },
     key("compound_sets.planet_shafts", "{ pto: disc }", "{ winch: disc }", FIRST),
     key("compound_sets.planet_gears", "long: [18]", "long: [20]", FIRST),
     of_winch("compound_sets.planet_gears", "{ disc: [40] }", "{ disc: [38] }"),
@@ -479,6 +486,7 @@ transmissions:
     carrier: n_bevel
     bevels_left: {L5: 16}
     bevels_right: {R5: 18}
+    proportional: false
     planet_gears: {pinion: [10]}
     meshes: [{gears: [L5, pinion]}, {gears: [R5, pinion]}]
   links:
@@ -552,6 +560,13 @@ const TRANSMISSION: &[Key] = &[
     key("transmissions.compound_sets.carrier", "carrier: W", "carrier: Y", OVERVIEW),
     key("transmissions.compound_sets.suns", "S4: 30", "S4: 29", OVERVIEW),
     key("transmissions.compound_sets.rings", "R4: 72", "R4: 71", OVERVIEW),
+    Key {
+        path: "transmissions.compound_sets.proportional",
+        first: &[("pinion: [10]", "pinion: []")],
+        from: "proportional: false",
+        to: "proportional: true",
+        look: OVERVIEW,
+    },
     key("transmissions.compound_sets.planet_shafts", "P4: outer", "P4: inner", LISTED),
     key("transmissions.compound_sets.planet_gears", "outer: [20]", "outer: [21]", LISTED),
     key("transmissions.compound_sets.bevels_left", "L5: 16", "L5: 15", OVERVIEW),

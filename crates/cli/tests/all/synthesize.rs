@@ -1,0 +1,141 @@
+//! `synthesize`: sets that share planets in its answer and its file, forward and reverse gears apart, where the search stops.
+
+use super::common::{here, output, text};
+use serde_json::Value;
+use std::path::Path;
+
+fn answer(folder: &Path, args: &[&str]) -> Value {
+    let done = output(folder, &[args, &["--format", "json"][..]].concat());
+    assert!(done.status.success(), "{args:?} {done:?}");
+    serde_json::from_slice(&done.stdout).unwrap()
+}
+
+fn list<'a>(of: &'a Value, key: &str) -> &'a Vec<Value> {
+    of[key].as_array().unwrap_or_else(|| panic!("{key} of {of}"))
+}
+
+/// 1-2-a b-2-a*, brakes a and b, at k 2.2 and 2.8 has the ratios −k₁ and (k₁ + k₂)/(k₂ − 1) = 5/1.8.
+const RAVIGNEAUX: [&str; 12] = [
+    "synthesize",
+    "--ratios=2.7778, -2.2",
+    "--sets",
+    "2",
+    "--elements",
+    "2",
+    "--engaged",
+    "1",
+    "--double-planets",
+    "1",
+    "--all-gearboxes",
+    "--first-class",
+];
+
+#[test]
+fn a_saved_compound_set_has_the_figures_of_the_answer() {
+    let folder = here();
+    let found = answer(folder.path(), &RAVIGNEAUX);
+    let is_compound = |one: &&Value| list(one, "shared_planets").iter().any(|of| of["apart"].is_null());
+    let compounds: Vec<&Value> = list(&found, "solutions").iter().filter(is_compound).collect();
+    assert!(!compounds.is_empty());
+    for solution in compounds {
+        let number = solution["number"].to_string();
+        let done =
+            output(folder.path(), &[&RAVIGNEAUX[..], &["--save", "box.yaml", "--nth", &number]].concat());
+        assert!(done.status.success(), "{done:?}");
+        let file = std::fs::read_to_string(folder.path().join("box.yaml")).unwrap();
+        assert!(file.contains("compound_sets:") && file.contains("proportional: true"), "{file}");
+        let analysed = answer(folder.path(), &["analyze", "box.yaml"]);
+        let efficiencies = |gears: &Vec<Value>, key: &str| {
+            let mut all: Vec<f64> = gears.iter().filter_map(|gear| gear[key].as_f64()).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let told = efficiencies(list(solution, "gears"), "efficiency");
+        let by_analyze = efficiencies(list(&analysed, "gears"), "efficiency");
+        assert_eq!(told.len(), 2);
+        assert!(
+            told.iter().zip(&by_analyze).all(|(one, other)| (one - other).abs() < 1e-9),
+            "{told:?} {by_analyze:?}"
+        );
+    }
+}
+
+/// What is of use by a limit decides where the search ends; the classes by themselves say what it has to find.
+#[test]
+fn a_search_goes_on_until_a_gearbox_is_of_use() {
+    let folder = here();
+    let search = |elements: &str, more: &[&str]| {
+        let args =
+            ["synthesize", "--ratios=2.56, 1.465", "--sets", "2", "--engaged", "1..2", "--all-gearboxes"];
+        answer(folder.path(), &[&args[..], &["--elements", elements], more].concat())
+    };
+    let of_class = |elements| search(elements, &["--first-class"]);
+    let classes = [of_class("2"), of_class("3")];
+    let of_use = |class: &Value, limit: f64| {
+        let is_of_use = |one: &&Value| {
+            one["rating"]["drawable"] == true && one["forward_efficiency"].as_f64().unwrap() >= limit
+        };
+        list(class, "solutions").iter().filter(is_of_use).count()
+    };
+    let found = |class: &Value| class["found"].as_u64().unwrap();
+    let mut ends = std::collections::BTreeSet::new();
+    for limit in ["0", "0.95", "0.97", "0.975", "0.98", "0.985", "0.99", "1"] {
+        let value: f64 = limit.parse().unwrap();
+        let whole = search("2..3", &["--least-efficiency", limit, "--most-circulating", "1000"]);
+        let behind: u64 =
+            list(&whole, "left_behind").iter().map(|of| of["solutions"].as_u64().unwrap()).sum();
+        let (expected, left) = match [of_use(&classes[0], value), of_use(&classes[1], value)] {
+            [first, _] if first > 0 => (found(&classes[0]), 0),
+            [_, second] if second > 0 => (found(&classes[1]), found(&classes[0])),
+            _ => (found(&classes[0]) + found(&classes[1]), 0),
+        };
+        assert_eq!((found(&whole), behind), (expected, left), "{limit}");
+        ends.insert(expected);
+    }
+    assert!(ends.len() > 1, "{ends:?}");
+}
+
+#[test]
+fn reverse_gears_do_not_decide_and_shares_weigh_the_forward_ones() {
+    let folder = here();
+    let search = |more: &[&str]| {
+        let args =
+            ["synthesize", "--ratios=3.059, 1.625, 1, 0.696, -2.294", "--sets", "2", "--elements", "5"];
+        let more = [&["--engaged", "2", "--class", "all-sparse", "--all-gearboxes"], more].concat();
+        answer(folder.path(), &[&args[..], &more].concat())
+    };
+    let efficiency = |gear: &Value| gear["efficiency"].as_f64().unwrap();
+    for one in list(&search(&[]), "solutions") {
+        let gears = list(one, "gears");
+        let least = gears[..4].iter().map(efficiency).fold(1.0, f64::min);
+        assert_eq!(one["forward_efficiency"].as_f64(), Some(least));
+        assert_eq!(one["reverse_efficiency"].as_f64(), Some(efficiency(&gears[4])));
+    }
+    let shares = [0.05, 0.15, 0.3, 0.5];
+    let by_shares = search(&["--shares", "1:5%, 2:15%, 3:30%, 4:50%", "--order", "efficiency"]);
+    let mut last = f64::INFINITY;
+    for one in list(&by_shares, "solutions") {
+        let mean: f64 =
+            list(one, "gears").iter().zip(shares).map(|(gear, share)| share * efficiency(gear)).sum();
+        assert!((one["mean_efficiency"].as_f64().unwrap() - mean).abs() < 1e-12);
+        assert!(mean < last + 1e-5, "{mean} after {last}");
+        last = mean;
+    }
+}
+
+#[test]
+fn shares_that_make_no_sense_are_refused() {
+    let folder = here();
+    for (shares, why) in [
+        ("1:50%", "the shares are 50 % together"),
+        ("1:50%, 1:50%", "gear 1 is given twice"),
+        ("4:100%", "gear 4: --ratios has gears 1 to 3"),
+        ("3:100%", "gear 3 is a reverse gear"),
+        ("1:150%, 2:-50%", "gear 1: a share is from 0 to 100 %"),
+        ("half", "is no gear and its share"),
+    ] {
+        let done = output(folder.path(), &["synthesize", "--ratios=2.56, 1.465, -2", "--shares", shares]);
+        let told = text(&done.stderr);
+        assert!(done.status.code() == Some(2) && told.contains(why), "{shares}: {told}");
+    }
+}
