@@ -20,8 +20,7 @@ pub(crate) fn gears(
     spec: &SetSpec,
     entry: &SetEntry,
 ) -> Result<Option<PlanetSet>, crate::Error> {
-    let at =
-        |keys: &'static [&str]| move |error: Error| refused(subject.document, path, keys, &error.to_string());
+    let at = |keys: &'static [&str]| move |error: Error| refused(subject.document, path, keys, &error);
     let set = spec.toothed_set(&subject.rack).transpose().map_err(at(&["profile_shifts"]))?;
     let Some(set) = set else { return Ok(None) };
     let shaper = entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());

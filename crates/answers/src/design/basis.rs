@@ -2,6 +2,7 @@
 
 use super::records::BasisKey;
 use crate::Error;
+use crate::fault::Named;
 use crate::strength::place::refused;
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
@@ -44,7 +45,7 @@ impl Basis {
         let of_sets = || sets.filter_map(|set| set.get("strength")).next();
         let strength = file.get("strength").or_else(of_sets).ok_or_else(|| {
             let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
-            refused(document, &Path::root(), &[], message)
+            refused(document, &Path::root(), &[], &Named("missing-key", message))
         })?;
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
         Ok(Self { strength: strength.clone(), keys: KEYS.iter().filter_map(own).collect() })

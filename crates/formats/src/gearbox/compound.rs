@@ -1,7 +1,7 @@
 //! Compound sets in files, and remarks.
 
 use super::{DescriptionError, RollingEntry};
-use crate::Quantity;
+use crate::{Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
@@ -217,10 +217,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
             });
         }
         let mut meshes = vec![];
-        for mesh in &self.meshes {
+        for (place, mesh) in self.meshes.iter().enumerate() {
             let eta =
                 mesh.efficiency.map_or(Ok(MeshEfficiency::IDEAL), |eta| MeshEfficiency::new(eta.0.value));
-            let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
+            let at = Path::root().key("meshes").index(place).key("efficiency");
+            let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
             meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
         }
         if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {
