@@ -108,8 +108,8 @@ def test_a_fault_of_a_file_has_its_place() -> None:
 @pytest.mark.parametrize(
     ("changes", "name", "path"),
     [
-        ({"sets": [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 0.5}]}, "refused", "sets[0]"),
-        ({"gears": {"slow": ["K3"]}}, "refused", "gears[0]"),
+        ({"sets": [{"id": "P", "sun": "D", "ring": "T1", "carrier": "B", "k": 0.5}]}, "ring-to-sun-ratio", "sets[0]"),
+        ({"gears": {"slow": ["K3"]}}, "unknown", "gears[0]"),
         ({"efficiency": 2}, "unknown-key", ""),
     ],
 )

@@ -278,7 +278,7 @@ mod tests {
     #[test]
     fn a_map_needs_two_places_a_way() {
         let speed = AngularVelocity::new::<revolution_per_minute>(1.0);
-        let steps = |places| inputs::Steps::new("a".to_owned(), speed, 2.0 * speed, places);
+        let steps = |places| inputs::map::Steps::new("a".to_owned(), speed, 2.0 * speed, places);
         assert!(steps(2).is_ok() && steps(1000).is_ok());
         assert!(matches!(steps(1), Err(Error::Places { places: 1, most: 1000 })));
         assert!(steps(1001).is_err());

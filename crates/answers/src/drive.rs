@@ -2,11 +2,12 @@
 
 mod warning;
 
+use crate::fault::Fault as _;
 use crate::number::{maybe_si, plain, si};
 use crate::shared::Fraction;
 use crate::{Answer, Error, Warning};
 use epicyclic_dynamics::drive::{self as dynamics, Choice, DriveDesign, DriveSpec, Start};
-use epicyclic_formats::{Document, Problem, drive as file};
+use epicyclic_formats::{Document, drive as file};
 use epicyclic_gears::bearing;
 use epicyclic_gears::geometry::ToothedGear;
 use schemars::JsonSchema;
@@ -377,8 +378,7 @@ pub fn of_file(document: &Document) -> Result<Drive, Error> {
     let (file, spec) = file::read(document)?;
     answer(file.title, &spec).map_err(|error| match error {
         Error::Drive(why) => {
-            let problem = Problem::Refused { message: why.to_string() };
-            let at = document.error(&file::place(&why), problem);
+            let at = document.error(&file::place(&why), why.problem());
             Error::Placed { at: Box::new(at), why: Box::new(Error::Drive(why)) }
         }
         error => error,

@@ -136,7 +136,7 @@ pub(crate) fn alone<'d>(document: &'d Document, command: &str, lacks: &str) -> R
     if document.value().get("transmissions").is_some() {
         let message = format!("{command} reads one gearbox; a list of transmissions states {lacks}");
         let place = Path::root().key("transmissions");
-        return Err(document.error(&place, Problem::Refused { message }).into());
+        return Err(document.error(&place, Problem::refused("several-transmissions", message)).into());
     }
     one(document, &Choice::default())
 }
@@ -161,17 +161,16 @@ pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, 
     document.must_be(FileKind::Gearbox)?;
     if !has("gearbox") && document.value().is_mapping() {
         let message = "this is no gearbox: one has the key gearbox, a list of published ones transmissions";
-        let problem = Problem::Refused { message: message.to_owned() };
+        let problem = Problem::refused("no-gearbox", message);
         return Err(document.error(&Path::root(), problem).into());
     }
     if choice.transmission.is_some() {
         return Err(Error::OneGearbox);
     }
     if has("shared_ring_meshes") {
-        let message =
-            "sets that share planets are one: describe them as an entry of compound_sets".to_owned();
+        let message = "sets that share planets are one: describe them as an entry of compound_sets";
         let place = Path::root().key("shared_ring_meshes");
-        return Err(document.error(&place, Problem::Refused { message }).into());
+        return Err(document.error(&place, Problem::refused("renamed-key", message)).into());
     }
     gearbox(document, Path::root(), choice.efficiency).map(Content::One)
 }
@@ -252,7 +251,8 @@ fn with_speeds(
     let message = format!(
         "gear `{gear}`: torques stand beside speeds of the gear; write also speeds: {{ {link}: 100 rpm }}, 0 rpm at rest"
     );
-    Err(document.error(&gear_place(document, base, gear, "torques"), Problem::Refused { message }).into())
+    let place = gear_place(document, base, gear, "torques");
+    Err(document.error(&place, Problem::refused("torques-without-speeds", message)).into())
 }
 
 fn names<'t>(transmissions: impl IntoIterator<Item = &'t Transmission>) -> Vec<String> {
@@ -268,7 +268,7 @@ fn chosen(
     let Some(name) = &choice.transmission else {
         return match transmissions {
             [] => {
-                let problem = Problem::Refused { message: "there is no transmission here".to_owned() };
+                let problem = Problem::refused("no-transmission", "there is no transmission here");
                 Err(document.error(&Path::root().key("transmissions"), problem).into())
             }
             [_] => Ok(Some(0)),

@@ -65,6 +65,7 @@ pub mod draw;
 pub mod drawability;
 pub mod drive;
 pub mod error;
+mod fault;
 pub mod finite;
 pub mod front;
 pub mod gearbox;

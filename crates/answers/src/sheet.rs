@@ -11,6 +11,7 @@
 mod output;
 pub mod records;
 
+use crate::fault::{Fault, Named};
 use crate::gearbox::{Subject, alone};
 use crate::strength::place::refused;
 use crate::tooth_checks::ToothChecks;
@@ -133,8 +134,8 @@ struct Place<'a> {
 
 impl Place<'_> {
     /// A refusal at the longest part of a path that the file has.
-    fn refused(&self, keys: &[&str], error: &dyn std::fmt::Display) -> Error {
-        refused(self.document, &self.path, keys, &error.to_string())
+    fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
+        refused(self.document, &self.path, keys, why)
     }
 }
 
@@ -146,7 +147,7 @@ fn sheet(
 ) -> Result<(SetSheet, Option<Allowed>), Error> {
     let module_m = module.si();
     if !(module_m.is_finite() && module_m > 0.0) {
-        return Err(place.refused(&["module"], &"the module must be above 0"));
+        return Err(place.refused(&["module"], &Named("not-positive", "the module must be above 0")));
     }
     let of = entry.data_sheet.as_ref();
     let balls = balls(place, of, set, module_m)?;
@@ -194,7 +195,10 @@ fn balls(
     if given.iter().all(|diameter| diameter.is_finite() && *diameter > 0.0) {
         return Ok(given);
     }
-    Err(place.refused(&["data_sheet", "ball_diameters"], &"diameters of balls must be above 0"))
+    Err(place.refused(
+        &["data_sheet", "ball_diameters"],
+        &Named("not-positive", "diameters of balls must be above 0"),
+    ))
 }
 
 /// The next size of two digits.

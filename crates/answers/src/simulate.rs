@@ -31,6 +31,7 @@ mod drags;
 mod elements;
 mod joints;
 mod parts;
+mod place;
 mod program;
 mod samples;
 mod shifts;
@@ -39,13 +40,14 @@ pub mod sweep;
 mod tests;
 mod threads;
 
+use crate::fault::{Fault, Named};
 use crate::gearbox::{self, Choice};
 use crate::tolerance::RESIDUAL;
 use crate::{Answer, Error, Warning};
 pub use drags::{DragKind, DragResult, DragSamples};
 pub use elements::ElementResult;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
-use epicyclic_formats::{Document, Path, Physical, Problem, Quantity};
+use epicyclic_formats::{Document, Path, Physical, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_motion::{self as motion, Change, Contact, Run};
 pub use joints::{ConverterResult, ConverterSamples, ShaftResult, ShaftSamples};
@@ -472,9 +474,13 @@ fn of_choice(document: &Document, file: &ScenarioFile, why: Error) -> Error {
         _ if file.transmission.is_some() => "transmission",
         _ => "gearbox_file",
     };
-    let at = document.error(&root(key), Problem::Refused { message: why.to_string() });
+    let at = document.error(&root(key), why.problem());
     Error::Placed { at: Box::new(at), why: Box::new(why) }
 }
+
+/// Refusals of numbers.
+const ABOVE_0: Named<&str> = Named("not-positive", "it must be above 0");
+const AT_LEAST_0: Named<&str> = Named("negative", "it must be at least 0");
 
 /// A key at the root.
 fn root(key: &str) -> Path {
@@ -482,12 +488,12 @@ fn root(key: &str) -> Path {
 }
 
 /// What is refused at a place, with a message of its own.
-fn refused(document: &Document, path: &Path, why: &impl std::fmt::Display) -> Error {
-    document.error(path, Problem::Refused { message: why.to_string() }).into()
+fn refused(document: &Document, path: &Path, why: &impl Fault) -> Error {
+    document.error(path, why.problem()).into()
 }
 
 /// What the motion refuses, at a place.
 fn placed(document: &Document, path: &Path, why: motion::Error) -> Error {
-    let at = document.error(path, Problem::Refused { message: why.to_string() });
+    let at = document.error(path, why.problem());
     Error::Placed { at: Box::new(at), why: Box::new(why.into()) }
 }

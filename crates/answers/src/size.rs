@@ -7,6 +7,7 @@ pub mod records;
 mod saved;
 
 use crate::analyze::warnings::tilting;
+use crate::fault::Named;
 use crate::gearbox::{Subject, alone};
 use crate::strength::Asked;
 use crate::strength::duty::{WorkedStep, steps};
@@ -196,7 +197,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
     if file.duty.is_empty() {
         let message =
             "`duty` is missing: sizes follow from a duty: gear, share, torque and speed of each step";
-        return Err(refused(subject.document, &Path::root(), &[], message));
+        return Err(refused(subject.document, &Path::root(), &[], &Named("missing-key", message)));
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;

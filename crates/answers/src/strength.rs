@@ -28,6 +28,7 @@ pub mod records;
 use crate::analyze::pins;
 use crate::analyze::warnings::tilting;
 use crate::analyze::{Input, OperatingPoint, Worked};
+use crate::fault::Named;
 #[cfg(doc)]
 use crate::gearbox::one;
 use crate::gearbox::{Subject, alone};
@@ -214,8 +215,9 @@ impl Asked {
     /// [`Error::Document`] for what is missing, and for required safeties that are none.
     pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
         let root = Path::root();
-        let missing =
-            |key: &str, why: &str| refused(document, &root, &[], &format!("`{key}` is missing: {why}"));
+        let missing = |key: &str, why: &str| {
+            refused(document, &root, &[], &Named("missing-key", format!("`{key}` is missing: {why}")))
+        };
         let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
         let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
         let required = Required::of(file.required.as_ref());

@@ -19,7 +19,7 @@ pub(crate) fn gears(
 ) -> Result<Option<PlanetSet>, crate::Error> {
     spec.toothed_set(&subject.rack)
         .transpose()
-        .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error.to_string()))
+        .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error))
 }
 
 /// A simple set of a file: where it stands, its entry, its short description.

@@ -32,6 +32,7 @@ pub mod train_records;
 pub mod wanted;
 
 use crate::analyze::{analysis, warnings};
+use crate::fault::Named;
 use crate::gearbox::{Subject, alone};
 use crate::tolerance::rounded;
 use crate::toothed::simple_sets;
@@ -301,7 +302,8 @@ impl Of<'_> {
                     "a tangential support is what holds the {name} in gears in which a brake or the housing holds it; no gear does: leave it \
                      out, or hold the {name}"
                 );
-                return Err(self.refused(&["vibration", name, "tangential_support"], &message));
+                let why = Named("support-unused", message);
+                return Err(self.refused(&["vibration", name, "tangential_support"], &why));
             }
         }
         Ok(())

@@ -6,14 +6,17 @@ mod several;
 use crate::failure::Failure;
 use crate::named::{self, Sizes};
 use crate::options::efficiency;
-use crate::output::OutputArgs;
+use crate::output::{Format, OutputArgs};
 use epicyclic_answers::Error;
 use epicyclic_answers::analyze::inputs::Given;
+use epicyclic_answers::analyze::inputs::map::{self, SpeedMap};
 use epicyclic_answers::analyze::{self as answers, Input, LoadQuantity};
+use epicyclic_answers::answer::write_json;
 use epicyclic_answers::gearbox::{self, Content, Subject};
 use epicyclic_answers::transmissions;
 use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
+use epicyclic_views::analyze::inputs::map_csv;
 use std::path::Path;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
@@ -234,14 +237,35 @@ fn inputs(call: &Call<'_>, args: &Args, subject: &Subject<'_>, gear: &str) -> Re
     match args.several.map()? {
         Some(ranges) => {
             let torques = args.several.torques();
-            let map = answers::inputs::map(subject, gear, &ranges, torques.as_deref()).map_err(refuse)?;
-            args.output.deliver(call, &map)
+            let map = map::map(subject, gear, ranges, torques.as_deref()).map_err(refuse)?;
+            deliver_map(call, args, &map)
         }
         None => {
             let answer = answers::inputs::answer(subject, gear, &args.several.wanted()).map_err(refuse)?;
             args.output.deliver(call, &answer)
         }
     }
+}
+
+/// A map as it is calculated; as a table, which is put together before it is shown, up to a size.
+fn deliver_map(call: &Call<'_>, args: &Args, map: &SpeedMap<'_>) -> Result<(), Failure> {
+    /// Lines of a table. Each takes about a kilobyte until all are written.
+    const MOST_LINES: usize = 50_000;
+    let (output, count) = (&args.output, map.count());
+    match output.format() {
+        Format::Table if count > MOST_LINES => {
+            let message = format!(
+                "{count} lines, one for each link at each place; a table has at most {MOST_LINES}: give fewer places, --format csv or \
+                 --format json"
+            );
+            return Err(Failure::Option { option: "--map", message });
+        }
+        Format::Table => return output.deliver(call, &map.answer().map_err(refuse)?),
+        Format::Json => output.stream(call, &[], &mut |out| write_json(&map.streamed(), out))?,
+        Format::Csv => output.stream(call, &[], &mut |out| map_csv(map, out))?,
+    }
+    output.tell_warnings(call, &map.streamed().warnings);
+    Ok(())
 }
 
 /// An option for one gearbox, of a file that holds several.

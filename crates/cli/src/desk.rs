@@ -9,6 +9,7 @@
 //! | [`captured`] | these, with the answer and the messages kept in memory |
 //! | [`memory`] | files, answer and messages kept in memory |
 
+pub(crate) mod apart;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod captured;
 #[cfg(not(target_arch = "wasm32"))]
@@ -16,6 +17,7 @@ pub mod disk;
 pub mod memory;
 
 use crate::failure::Failure;
+use apart::Files;
 use epicyclic_formats::visible;
 use std::ffi::OsString;
 use std::io;
@@ -149,12 +151,24 @@ pub(crate) struct Call<'d> {
     pub(crate) desk: &'d dyn Desk,
     /// Without the name of the program.
     pub(crate) words: Vec<OsString>,
+    files: Files,
     has_answered: AtomicBool,
 }
 
 impl<'d> Call<'d> {
-    pub(crate) fn new(desk: &'d dyn Desk, words: Vec<OsString>) -> Self {
-        Self { desk, words, has_answered: AtomicBool::new(false) }
+    pub(crate) fn new(desk: &'d dyn Desk, words: Vec<OsString>, files: Files) -> Self {
+        Self { desk, words, files, has_answered: AtomicBool::new(false) }
+    }
+
+    /// Refuses outputs that are one file with an input or with each other.
+    pub(crate) fn check_files(&self) -> Result<(), Failure> {
+        self.files.are_apart(self.desk)
+    }
+
+    /// Reads an input, or standard input without a name: from here on no output of this call replaces it.
+    pub(crate) fn read(&self, file: Option<&Path>, name: &str, most: u64) -> Result<Text, Failure> {
+        self.files.keep(self.desk, file)?;
+        self.desk.read(file, most).map_err(|source| Failure::Read { file: name.into(), source })
     }
 
     /// Whether anything was answered: then there is an answer, whatever fails later.
@@ -189,6 +203,10 @@ impl<'d> Call<'d> {
         files: &[Content],
         streamed: Option<(&Path, &mut Source)>,
     ) -> Result<(), Failure> {
+        let named = files.iter().map(|(file, _)| file.as_path());
+        for file in named.chain(streamed.as_ref().map(|(file, _)| *file)) {
+            self.files.may_write(self.desk, file)?;
+        }
         let written = self.desk.write(files, streamed);
         written.map_err(|NotWritten { file, why }| Failure::Write { file, source: why })
     }

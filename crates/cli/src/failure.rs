@@ -269,12 +269,15 @@ impl Failure {
             Self::Picture(E::Motor(error))
             | Self::Motor(error)
             | Self::Answer(epicyclic_answers::Error::Motor(error)) => motor::place(error),
+            Self::Answer(epicyclic_answers::Error::MotorKey { key, .. }) => {
+                key.split('.').fold(Path::root(), Path::key)
+            }
             Self::Picture(_)
             | Self::Answer(epicyclic_answers::Error::NotFinite { .. })
             | Self::View(epicyclic_views::Error::NotFinite { .. }) => base.clone(),
             _ => return self,
         };
-        document.error(&place, Problem::Refused { message: self.to_string() }).into()
+        document.error(&place, Problem::refused(self.name(), self.to_string())).into()
     }
 }
 

@@ -47,9 +47,8 @@ pub(crate) fn with_bytes(call: &Call<'_>, file: &Path) -> Result<(Document, Vec<
 fn named(call: &Call<'_>, file: &Path) -> Result<(String, Vec<u8>), Failure> {
     let file = (!is_standard_input(file)).then_some(file);
     let name = file.map_or_else(|| ITS_NAME.to_owned(), |file| file.display().to_string());
-    match call.desk.read(file, SIZE_LIMIT) {
-        Ok(Text::Whole(bytes)) => Ok((name, bytes)),
-        Ok(Text::TooLarge { size }) => Err(too_large(&name, size).into()),
-        Err(source) => Err(Failure::Read { file: name.into(), source }),
+    match call.read(file, &name, SIZE_LIMIT)? {
+        Text::Whole(bytes) => Ok((name, bytes)),
+        Text::TooLarge { size } => Err(too_large(&name, size).into()),
     }
 }

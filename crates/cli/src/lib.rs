@@ -52,16 +52,15 @@
 //! | `input` | files that are read |
 //! | `imprint` | what the options say of a page |
 //! | `output` | formats of an answer, and where it goes |
-//! | `apart` | that no output is the input or another output |
 //! | `ratios` | lists of ratios as people write them |
 //! | `progress` | how far a long search is, on a terminal |
 //! | [`desk`] | what a call needs of the world around it |
 //! | `failure` | what ends the program, and with which exit code |
+//! | `usage` | refusals of a command line as answers |
 //!
 //! Exit codes: see `failure`.
 
 mod analyze;
-mod apart;
 #[cfg(feature = "tables")]
 mod atlas;
 mod compare;
@@ -107,13 +106,12 @@ mod sizing;
 mod strength;
 mod synthesize;
 mod teeth;
+mod usage;
 mod vibrate;
 
-use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use desk::Call;
-use epicyclic_formats::quantity::find_unit;
-use epicyclic_formats::visible::one_line;
+use desk::apart;
 use std::ffi::OsString;
 
 pub use desk::Desk;
@@ -166,26 +164,34 @@ enum Command {
 /// # Errors
 /// None: what is refused is told over the desk, where JSON is asked for as an answer, too.
 pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &dyn Desk) -> u8 {
-    let call = Call::new(desk, words.into_iter().map(Into::into).collect());
-    let line = std::iter::once(OsString::from("epicyclic")).chain(call.words.iter().cloned());
+    let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
+    let line = std::iter::once(OsString::from("epicyclic")).chain(words.iter().cloned());
     let (cli, files, is_json) = match parsed(line) {
         Ok(parsed) => parsed,
-        // Help and version are answers, and may fail to be written like any.
-        Err(asked) if !asked.use_stderr() => {
-            return end(&call, desk.usage(&asked).map_err(failure::Failure::StandardOutput), false);
-        }
-        Err(wrong) => {
-            let unit = loose_unit(&wrong, &call.words);
-            let _ = desk.usage(&shown(wrong));
-            if let Some(unit) = unit {
-                call.complain(&format!(
-                    "\nA quantity is one word: put it in quotes, '2 {unit}', or leave out the blank, 2{unit}."
-                ));
-            }
-            return failure::WRONG;
-        }
+        Err(error) => return refused(&Call::new(desk, words, apart::Files::default()), error),
     };
-    end(&call, files.are_apart(&call).and_then(|()| run(&call, cli.command)), is_json)
+    let call = Call::new(desk, words, files);
+    end(&call, call.check_files().and_then(|()| run(&call, cli.command)), is_json)
+}
+
+/// The end of a call whose words are no command, or ask for help.
+fn refused(call: &Call<'_>, error: clap::Error) -> u8 {
+    // Help and version are answers, and may fail to be written like any.
+    if !error.use_stderr() {
+        return end(call, call.desk.usage(&error).map_err(failure::Failure::StandardOutput), false);
+    }
+    let unit = usage::loose_unit(&error, &call.words);
+    let error = usage::shown(error);
+    if output::asks_for_json(&call.words) {
+        output::in_place_of_an_answer(call, &usage::refused(&error));
+    }
+    let _ = call.desk.usage(&error);
+    if let Some(unit) = unit {
+        call.complain(&format!(
+            "\nA quantity is one word: put it in quotes, '2 {unit}', or leave out the blank, 2{unit}."
+        ));
+    }
+    failure::WRONG
 }
 
 /// The commands with their options and what the help says of them, for those who offer them in another form.
@@ -220,36 +226,6 @@ where
     let is_json = output::is_json_to_standard_output(&matches);
     let cli = Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))?;
     Ok((cli, files, is_json))
-}
-
-/// The same refusal with every character of what was typed shown.
-fn shown(mut error: clap::Error) -> clap::Error {
-    let context: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
-    for (kind, value) in context {
-        let value = match value {
-            ContextValue::String(text) => ContextValue::String(one_line(&text).into_owned()),
-            ContextValue::Strings(texts) => {
-                ContextValue::Strings(texts.iter().map(|text| one_line(text).into_owned()).collect())
-            }
-            other => other,
-        };
-        error.insert(kind, value);
-    }
-    error
-}
-
-/// A unit that stands by itself where an option, command or file is due: the shell parted it from its number.
-fn loose_unit(error: &clap::Error, words: &[OsString]) -> Option<String> {
-    let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
-    let refused = kinds.into_iter().filter_map(|kind| match error.get(kind) {
-        Some(ContextValue::String(word)) => Some(word.as_str()),
-        _ => None,
-    });
-    let behind_numbers = words.windows(2).filter_map(|pair| {
-        let [number, word] = [&pair[0], &pair[1]].map(|word| word.to_str());
-        number?.parse::<f64>().ok().and(word)
-    });
-    refused.chain(behind_numbers).find(|word| find_unit(word).is_some()).map(str::to_owned)
 }
 
 fn run(call: &Call<'_>, command: Command) -> Result<(), failure::Failure> {

@@ -259,7 +259,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     wanted.check(files)?;
     let Some(file) = &args.design.file else {
         let designed = design::read(&args.design)?;
-        return deliver(call, &args.design, &wanted, None, &designed);
+        return deliver(call, &args.design, &wanted, None, &designed, &design::refuse);
     };
     let document = input::document(call, file)?;
     let in_file = |failure: Failure| failure.in_file(&document, &Path::root());
@@ -267,7 +267,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if let Some(angle) = &args.design.angle {
         designed.angle = angle.0;
     }
-    deliver(call, &args.design, &wanted, title, &designed).map_err(in_file)
+    let refuse = |error| design::refuse_of_file(error, args.design.angle.is_some());
+    deliver(call, &args.design, &wanted, title, &designed, &refuse).map_err(in_file)
 }
 
 fn deliver(
@@ -276,14 +277,15 @@ fn deliver(
     wanted: &files::Wanted,
     title: Option<String>,
     designed: &Designed,
+    refuse: &dyn Fn(answers::Error) -> Failure,
 ) -> Result<(), Failure> {
-    let (files, output) = (files::content(files, wanted, designed)?, output.but_for_drawings());
+    let (files, output) = (files::content(files, wanted, designed, refuse)?, output.but_for_drawings());
     if output.is_page() {
-        let report = report::motor::answer(title, designed).map_err(design::refuse)?;
+        let report = report::motor::answer(title, designed).map_err(refuse)?;
         let sheet = page::motor::sheet(&report, designed, imprint::command(call));
         return output.deliver_page(call, files, &report.motor, sheet, &options.imprint());
     }
-    let answer = answers::motor::answer(designed).map_err(design::refuse)?;
+    let answer = answers::motor::answer(designed).map_err(refuse)?;
     output.deliver_with(call, files, &answer)
 }
 

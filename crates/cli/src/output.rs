@@ -7,12 +7,14 @@ use clap::ArgMatches;
 use epicyclic_answers::answer::write_json;
 use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::refused::Refused;
-use epicyclic_answers::{Answer, finite};
+use epicyclic_answers::{Answer, Warning, finite};
 use epicyclic_formats::visible;
 use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
+use std::ffi::OsString;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 /// The fewest columns of tables, below which most numbers have no room beside their names.
@@ -164,10 +166,18 @@ impl OutputArgs {
         if !call.desk.is_seen() {
             return call.answer(source);
         }
-        let mut text = vec![];
-        source(&mut text).map_err(Failure::StandardOutput)?;
-        // A terminal gets what it can show.
-        call.say(&visible::lines(&String::from_utf8_lossy(&text)))
+        call.answer(&mut |out| {
+            let mut shown = Shown { out, line: vec![] };
+            source(&mut shown)?;
+            shown.flush()
+        })
+    }
+
+    /// Warnings of an answer that was streamed: where it goes to a file, out of sight, and where CSV has no place for them.
+    pub(crate) fn tell_warnings(&self, call: &Call<'_>, warnings: &[Warning]) {
+        if self.is_file() || self.format() == Format::Csv {
+            warnings.iter().for_each(|warning| tell_warning(call, &warning.message));
+        }
     }
 
     /// Columns of the lines of tables: as many as whoever reads the answer has; 80 in a file.
@@ -210,8 +220,35 @@ impl OutputArgs {
 
 /// Tells what a report warns of.
 fn tell(call: &Call<'_>, report: &Report) {
-    for (_, warning) in report.warnings.iter().flatten() {
-        call.complain(&format!("warning: {}", visible::one_line(warning)));
+    report.warnings.iter().flatten().for_each(|(_, warning)| tell_warning(call, warning));
+}
+
+fn tell_warning(call: &Call<'_>, warning: &str) {
+    call.complain(&format!("warning: {}", visible::one_line(warning)));
+}
+
+/// A terminal, which gets line by line what it can show.
+struct Shown<'a> {
+    out: &'a mut dyn io::Write,
+    /// A line that has not ended.
+    line: Vec<u8>,
+}
+
+impl io::Write for Shown<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.line.extend_from_slice(bytes);
+        if let Some(end) = self.line.iter().rposition(|byte| *byte == b'\n') {
+            let rest = self.line.split_off(end + 1);
+            self.flush()?;
+            self.line = rest;
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.write_all(visible::lines(&String::from_utf8_lossy(&self.line)).as_bytes())?;
+        self.line.clear();
+        Ok(())
     }
 }
 
@@ -261,6 +298,20 @@ pub(crate) fn is_json_to_standard_output(matches: &ArgMatches) -> bool {
     }
     let given = |id: &str| level.try_get_raw(id).ok().flatten().and_then(|mut values| values.next());
     given("format").is_some_and(|format| format == "json") && given("output").is_none()
+}
+
+/// Whether words that are no command line ask for JSON on standard output.
+pub(crate) fn asks_for_json(words: &[OsString]) -> bool {
+    let words: Vec<_> =
+        words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--").collect();
+    let is_json = words.iter().any(|word| word == "--format=json")
+        || words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
+    let goes_to_a_file = |word: &str| {
+        word == "--output"
+            || word.starts_with("--output=")
+            || (word.starts_with("-o") && !word.starts_with("--"))
+    };
+    is_json && !words.iter().any(|word| goes_to_a_file(word))
 }
 
 /// Writes why there is no answer, in its place, unless something was written. What fails here has been told already.

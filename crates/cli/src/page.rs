@@ -101,7 +101,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         None => {
             let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
                            which has stator and rotor, and no scenario, which has scenario";
-            let problem = Problem::Refused { message: message.to_owned() };
+            let problem = Problem::refused("no-known-file", message);
             return Err(document.error(&Path::root(), problem).into());
         }
     };

@@ -232,7 +232,7 @@ impl Read {
         let near = |name: &str| path.parent().unwrap_or(Path::new("")).join(file_of(name));
         let refused = |place: &Place, failure: Failure| match failure {
             failure @ Failure::Read { .. } => {
-                Failure::from(document.error(place, Problem::Refused { message: failure.to_string() }))
+                Failure::from(document.error(place, Problem::refused(failure.name(), failure.to_string())))
             }
             failure => failure,
         };

@@ -241,8 +241,12 @@ pub struct Misfit {
 }
 
 impl Misfit {
-    fn new(path: &str, reason: impl std::fmt::Display) -> Self {
-        Self { path: place::path(path), problem: Problem::Refused { message: format!("{reason}") } }
+    fn new(path: &str, name: &'static str, reason: impl std::fmt::Display) -> Self {
+        Self { path: place::path(path), problem: Problem::refused(name, reason.to_string()) }
+    }
+
+    fn of_gear(path: &str, error: &epicyclic_gears::Error) -> Self {
+        Self::new(path, error.name(), error)
     }
 }
 

@@ -200,9 +200,11 @@ pub enum Problem {
         /// What is due.
         expected: String,
     },
-    /// A value its type refused: the message is the type's own.
+    /// A value that its type or a calculation refuses.
     #[error("{message}")]
     Refused {
+        /// The name of the fault, which does not change with the message: `cyclic-grounds`.
+        name: &'static str,
         /// Why.
         message: String,
     },
@@ -212,7 +214,13 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// The name of the variant, which does not change: `unknown-key`; for a quantity, that of its error.
+    /// A refusal by its name, and why.
+    #[must_use]
+    pub fn refused(name: &'static str, message: impl Into<String>) -> Self {
+        Self::Refused { name, message: message.into() }
+    }
+
+    /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of its error.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -238,7 +246,7 @@ impl Problem {
             Self::WrongType { .. } => "wrong-type",
             Self::OutOfRange { .. } => "out-of-range",
             Self::WrongLength { .. } => "wrong-length",
-            Self::Refused { .. } => "refused",
+            Self::Refused { name, .. } => name,
             Self::Quantity(error) => error.name(),
         }
     }

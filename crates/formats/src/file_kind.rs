@@ -72,7 +72,7 @@ impl Document {
             Some(other) if other != due => {
                 let (is, reads, due) = (other.name(), other.commands(), due.name());
                 let message = format!("this is {is}, which {reads} and `report` read; {due} is due");
-                Err(self.error(&Path::root(), Problem::Refused { message }))
+                Err(self.error(&Path::root(), Problem::refused("other-kind-of-file", message)))
             }
             _ => Ok(()),
         }

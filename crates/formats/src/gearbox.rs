@@ -48,18 +48,18 @@
 //! ```
 
 use crate::drive::Spacing;
-use crate::{Number, Quantity};
+use crate::{Number, Path, Quantity};
 use epicyclic_gears::involute::Profile;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
+mod checks;
 mod compound;
 mod data_sheet;
 mod drag;
@@ -73,12 +73,13 @@ mod tools;
 mod transmissions;
 mod vibration;
 mod written;
+use checks::{counts, unique};
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
-pub use place::{gear_place, located};
+pub use place::{gear_place, located, part_place};
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
@@ -203,6 +204,8 @@ pub enum DescriptionError {
     Set {
         /// The set.
         set: String,
+        /// The way to the value within the set; the root where the source tells the key.
+        at: Path,
         /// The reason.
         source: epicyclic_gears::Error,
     },
@@ -521,6 +524,11 @@ impl GearboxFile {
     /// [`epicyclic_train::Error::Unknown`], with the nearest name.
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
         self.check_counts()?;
+        let sets = self.sets.iter().map(|set| &set.id).chain(self.compound_sets.iter().map(|set| &set.id));
+        let brakes = self.brakes.iter().map(|brake| &brake.id);
+        unique(Named::Set, sets)?;
+        unique(Named::ShiftElement, brakes.chain(self.clutches.iter().map(|clutch| &clutch.id)))?;
+        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
         let short = self.sets.iter().flat_map(|set| [Some(&set.sun), Some(&set.ring), set.carrier.as_ref()]);
         let members = short.flatten().chain(self.compound_sets.iter().flat_map(CompoundEntry::members));
         let clutches =
@@ -532,7 +540,7 @@ impl GearboxFile {
         };
         let input = Some(&self.input).filter(is_named);
         let output = Some(&self.output).filter(is_named);
-        let mut seen = std::collections::BTreeSet::from([GROUND]);
+        let mut seen = BTreeSet::from([GROUND]);
         let named = input.into_iter().chain(members.clone()).chain(output).chain(&self.links);
         let links: Vec<&str> = named.map(String::as_str).filter(|link| seen.insert(link)).collect();
         let mut builder =
@@ -583,7 +591,6 @@ impl GearboxFile {
 impl SetEntry {
     fn spec(&self) -> Result<SetSpec, DescriptionError> {
         let set = || self.id.clone();
-        let gears = |source| DescriptionError::Set { set: set(), source };
         let kind = SetKind::from(self.kind);
         let carrier = match (&self.carrier, kind.is_pair()) {
             (None, true) => GROUND,
@@ -593,18 +600,20 @@ impl SetEntry {
         let members = [self.sun.as_str(), self.ring.as_str(), carrier];
         let mut spec = match (self.k, self.teeth) {
             (Some(k), None) => SetSpec::new(&self.id, kind, members, k.get()),
-            (None, Some([first, second])) => {
-                SetSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
+            (None, Some(teeth)) => {
+                counts(&self.id, "teeth", &teeth)?;
+                let refuse =
+                    |source| DescriptionError::Set { set: set(), at: Path::root().key("teeth"), source };
+                SetSpec::teeth(&self.id, kind, members, teeth[0], teeth[1]).map_err(refuse)?
             }
             _ => return Err(DescriptionError::RowKnownInOneWay { set: set() }),
         };
         spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
-        if let Some(counts) = &self.planet_teeth {
-            let teeth = counts.iter().map(|count| ToothCount::new(*count)).collect::<Result<Vec<_>, _>>();
-            spec = match teeth.map_err(gears)?[..] {
+        if let Some(teeth) = &self.planet_teeth {
+            spec = match counts(&self.id, "planet_teeth", teeth)?[..] {
                 [only] => spec.planet_teeth(only, None),
                 [first, second] => spec.planet_teeth(first, Some(second)),
-                _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: counts.len() }),
+                _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: teeth.len() }),
             };
         }
         if let Some(count) = self.planets {
@@ -635,7 +644,8 @@ impl SetEntry {
 
     fn with_helix_angle(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
         let Some(Quantity(helix_angle)) = self.helix_angle else { return Ok(spec) };
-        let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
+        let at = Path::root().key("helix_angle");
+        let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
         Profile { helix_angle, ..Profile::default() }.check().map_err(refuse)?;
         let spec = spec.helical(helix_angle);
         if spec.is_helical() && spec.toothed_set(&BasicRack::default()).is_none() {

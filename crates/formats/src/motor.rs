@@ -204,25 +204,37 @@ impl MotorFile {
 pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), Error> {
     document.must_be(FileKind::Motor)?;
     let file: MotorFile = document.read()?;
-    let refuse = |key: &str, message: &str| {
-        Err(document.error(&Path::root().key(key), Problem::Refused { message: message.to_owned() }))
+    let refuse = |name, key: &str, message: &str| {
+        Err(document.error(&Path::root().key(key), Problem::refused(name, message)))
     };
     if file.second_harmonic.is_some() && file.law != Some(Law::Cosine) {
-        return refuse("second_harmonic", "it is of a rotor by the cosine law: give law: cosine, too");
+        return refuse(
+            "second-harmonic",
+            "second_harmonic",
+            "it is of a rotor by the cosine law: give law: cosine, too",
+        );
     }
     let given = [file.l.is_some(), file.a.is_some(), file.part.is_some()];
     match file.place_key() {
         Some(key) if file.law == Some(Law::Cosine) => {
-            return refuse(key, "a cosine-law motor has no family: its numbers settle it; leave it out");
+            return refuse(
+                "cosine-family",
+                key,
+                "a cosine-law motor has no family: its numbers settle it; leave it out",
+            );
         }
         Some(key) if given.into_iter().filter(|given| *given).count() > 1 => {
-            return refuse(key, "one of l, a and part says which motor of the family is meant; give one");
+            return refuse(
+                "several-places",
+                key,
+                "one of l, a and part says which motor of the family is meant; give one",
+            );
         }
         _ => {}
     }
     let (motor, family) = file
         .motor()
-        .map_err(|error| document.error(&place(&error), Problem::Refused { message: error.to_string() }))?;
+        .map_err(|error| document.error(&place(&error), Problem::refused(error.name(), error.to_string())))?;
     Ok((file, motor, family))
 }
 
@@ -244,8 +256,12 @@ pub fn place(error: &MotorError) -> Path {
         | MotorError::NoFamily { .. }
         | MotorError::NoCosineRotor { .. }
         | MotorError::NoSecondHarmonicRotor { .. }
+        | MotorError::NoArcs { .. }
         | MotorError::RotorInStator { .. }
         | MotorError::NoChamber { .. } => "zs",
+        MotorError::TeethPerLobeDiffer { .. } => "z3",
+        MotorError::FilletTooLarge { .. } => "teeth.fillet",
+        MotorError::PointedTip { .. } | MotorError::NoTip { .. } | MotorError::NoFlank { .. } => "teeth",
         MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",

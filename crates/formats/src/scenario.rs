@@ -200,18 +200,27 @@ pub fn read(document: &Document) -> Result<ScenarioFile, Error> {
 /// As [`read`].
 pub fn read_changed(document: &Document, value: &crate::yaml::Value) -> Result<ScenarioFile, Error> {
     let file: ScenarioFile = document.read_value(value, &Path::root())?;
-    let refuse = |path: Path, message: &str| {
-        Err(document.error(&path, Problem::Refused { message: message.to_owned() }))
-    };
+    let refuse =
+        |name, path: Path, message: &str| Err(document.error(&path, Problem::refused(name, message)));
     match (&file.gearbox, &file.gearbox_file) {
         (Some(_), None) | (None, Some(_)) => {}
         (Some(_), Some(_)) => {
-            return refuse(Path::root().key("gearbox_file"), "give either gearbox or gearbox_file");
+            return refuse(
+                "two-gearboxes",
+                Path::root().key("gearbox_file"),
+                "give either gearbox or gearbox_file",
+            );
         }
-        (None, None) => return refuse(Path::root(), "a gearbox is due: gearbox or gearbox_file"),
+        (None, None) => {
+            return refuse("no-gearbox", Path::root(), "a gearbox is due: gearbox or gearbox_file");
+        }
     }
     if file.transmission.is_some() && file.gearbox_file.is_none() {
-        return refuse(Path::root().key("transmission"), "it chooses from the list in gearbox_file");
+        return refuse(
+            "transmission-without-file",
+            Path::root().key("transmission"),
+            "it chooses from the list in gearbox_file",
+        );
     }
     Ok(file)
 }

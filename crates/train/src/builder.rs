@@ -257,11 +257,11 @@ impl GearboxBuilder {
         gearbox.input = terminal(&gearbox, self.input.as_deref(), Terminal::Input)?;
         gearbox.output = terminal(&gearbox, self.output.as_deref(), Terminal::Output)?;
         let mut groups = Groups::new(gearbox.links.len());
-        for [first, second] in &self.permanent {
-            let place = || Place::Connection;
+        for (number, [first, second]) in self.permanent.iter().enumerate() {
+            let place = || Place::Connection(number);
             let pair = [link(&gearbox, first, place)?, link(&gearbox, second, place)?];
             if !groups.join(pair[0].0, pair[1].0) {
-                return Err(Error::CyclicGrounds { first: first.clone(), second: second.clone() });
+                return Err(Error::CyclicGrounds { number, first: first.clone(), second: second.clone() });
             }
             gearbox.permanent.push(pair);
         }

@@ -71,8 +71,8 @@ pub enum Place {
     Set(String),
     /// A shift element.
     ShiftElement(String),
-    /// A permanent connection.
-    Connection,
+    /// A permanent connection, by its number from 0 in the order of their description.
+    Connection(usize),
     /// A gear: the shift elements engaged in it.
     Gear(String),
     /// A gear without a name.
@@ -91,7 +91,7 @@ impl fmt::Display for Place {
             Self::Gearbox(name) => write!(f, "gearbox `{name}`"),
             Self::Set(id) => write!(f, "set `{id}`"),
             Self::ShiftElement(id) => write!(f, "shift element `{id}`"),
-            Self::Connection => f.write_str("a permanent connection"),
+            Self::Connection(_) => f.write_str("a permanent connection"),
             Self::Gear(name) => write!(f, "gear `{name}`"),
             Self::UnnamedGear => f.write_str("a gear"),
             Self::Terminal(terminal) => write!(f, "{terminal}"),
@@ -217,6 +217,8 @@ pub enum Error {
     /// Permanent connections that close a loop.
     #[error("`{first}` and `{second}` are already one piece through other permanent connections")]
     CyclicGrounds {
+        /// The number of the connection, from 0 in the order of their description.
+        number: usize,
         /// The link whose connection closes the loop.
         first: String,
         /// What it is connected to.

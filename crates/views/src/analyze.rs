@@ -3,7 +3,7 @@
 mod combinations;
 mod formulas;
 mod gear;
-mod inputs;
+pub mod inputs;
 pub(crate) mod overview;
 mod planet_bearings;
 pub(crate) mod sets;

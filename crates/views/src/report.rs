@@ -435,7 +435,7 @@ fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
 }
 
 /// Rows of a list as CSV, each when it comes.
-pub(crate) fn rows_as_csv<'a>(
+fn rows_as_csv<'a>(
     columns: &[Column],
     rows: impl Iterator<Item = Cow<'a, Vec<Figure>>>,
     out: impl io::Write,
@@ -445,6 +445,29 @@ pub(crate) fn rows_as_csv<'a>(
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let rows = rows.map(|row| places.iter().map(|&place| row[place].csv().0).collect());
     text::csv(&header, rows, out)
+}
+
+/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `list` is the key of the list.
+pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    list: &'static str,
+    columns: &[Column],
+    rows: impl Iterator<Item = Result<Vec<Figure>, E>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let mut fault = None;
+    let checked = |row: Result<Vec<Figure>, E>| {
+        let row = row.map_err(io::Error::other)?;
+        match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
+            None => Ok(row),
+            Some((column, _)) => {
+                let figure = format!("{list}.{} of {}", column.name, row[0].csv().0);
+                Err(io::Error::other(Error::NotFinite { figure }))
+            }
+        }
+    };
+    let rows = rows.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
+    let written = rows_as_csv(columns, rows.map(Cow::Owned), out);
+    fault.map_or(written, Err)
 }
 
 /// Sentences in lines of at most so many columns, after a list mark or none.

@@ -1,13 +1,16 @@
-//! Gears with several inputs: speeds and torques of several links, at one point or over a map of two speeds.
+//! Gears with several inputs: speeds and torques of several links, at one point or over a [`map`] of two speeds.
+
+pub mod map;
 
 use super::records::{ShiftElementKind, links_of, member_name, meshes, planet_name};
 use super::{analysis, engaged, warnings};
+use crate::fault::Fault as _;
 use crate::gearbox::Subject;
 pub use crate::refusal::Given;
 use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::gear_place;
-use epicyclic_formats::{Physical, Problem, Quantity};
+use epicyclic_formats::{Physical, Quantity};
 use epicyclic_train::inputs::{MultiLoad, MultiState, Terminal as End};
 use epicyclic_train::{self as train, Gear, Gearbox, InputsFault, LinkId};
 use schemars::JsonSchema;
@@ -22,37 +25,6 @@ pub struct Wanted {
     pub speeds: Option<Vec<(String, AngularVelocity)>>,
     /// Torques by link; without any, and without speeds, those that the file states of the gear.
     pub torques: Option<Vec<(String, Torque)>>,
-}
-
-/// A range of speeds of a link, with a number of places.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Steps {
-    link: String,
-    from: AngularVelocity,
-    to: AngularVelocity,
-    places: u32,
-}
-
-impl Steps {
-    /// More places in a direction than anyone reads.
-    pub const MOST_PLACES: u32 = 1000;
-
-    /// Both ends are places.
-    ///
-    /// # Errors
-    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST_PLACES`].
-    pub fn new(link: String, from: AngularVelocity, to: AngularVelocity, places: u32) -> Result<Self, Error> {
-        if (2..=Self::MOST_PLACES).contains(&places) {
-            Ok(Self { link, from, to, places })
-        } else {
-            Err(Error::Places { places, most: Self::MOST_PLACES })
-        }
-    }
-
-    fn speeds(&self) -> impl Iterator<Item = AngularVelocity> {
-        let (from, to, steps) = (self.from, self.to, self.places - 1);
-        (0..=steps).map(move |step| from + (to - from) * (f64::from(step) / f64::from(steps)))
-    }
 }
 
 /// A gear with several inputs at given speeds, and at torques where they are given.
@@ -207,62 +179,8 @@ pub struct Powers {
     pub efficiency: Option<f64>,
 }
 
-/// A gear with two inputs over a map of their speeds.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Map {
-    /// Name of the gearbox.
-    pub gearbox: String,
-    /// The gear.
-    pub gear: String,
-    /// The link whose speed changes from one row of the map to the next.
-    pub first_link: String,
-    /// The link whose speed changes within a row.
-    pub second_link: String,
-    /// Torques that are given.
-    pub torques: Vec<GivenTorque>,
-    /// Every link at every place of the map, row by row.
-    pub map: Vec<MapEntry>,
-    /// What the reader should know.
-    pub warnings: Vec<Warning>,
-}
-
-/// A torque that is given.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GivenTorque {
-    /// The link.
-    pub link: String,
-    /// The torque on it from outside.
-    pub torque_n_m: f64,
-}
-
-/// A link at a place of a map.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct MapEntry {
-    /// Speed of the first link of the map.
-    pub first_speed_rad_s: f64,
-    /// Speed of the second link of the map.
-    pub second_speed_rad_s: f64,
-    /// The link that this entry is of.
-    pub link: String,
-    /// Its speed.
-    pub speed_rad_s: Option<f64>,
-    /// Torque on it from outside, where power enters or leaves there; none where the losses hold the gear.
-    pub torque_n_m: Option<f64>,
-    /// Power through it; none where the losses hold the gear.
-    pub power_w: Option<f64>,
-    /// Efficiency of the whole at this place; none where the losses hold the gear.
-    pub efficiency: Option<f64>,
-}
-
 impl Answer for Inputs {
     const NAME: &'static str = "analyze-inputs";
-}
-
-impl Answer for Map {
-    const NAME: &'static str = "analyze-map";
 }
 
 /// A gear with several inputs at one point.
@@ -282,54 +200,6 @@ pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inpu
         if wanted.speeds.is_some() { Origin::Question(Given::Speeds) } else { Origin::File(Given::Speeds) };
     let state = task.state(&speeds, &torques, at, wanted.torques.is_some())?;
     Ok(task.inputs(&speeds, &state))
-}
-
-/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file states.
-///
-/// # Errors
-/// As of [`answer`].
-pub fn map(
-    subject: &Subject<'_>,
-    gear: &str,
-    ranges: &[Steps; 2],
-    torques: Option<&[(String, Torque)]>,
-) -> Result<Map, Error> {
-    let task = Task::new(subject, gear)?;
-    let is_given = torques.is_some();
-    let torques = task.torques(torques, true)?;
-    let at = Origin::Question(Given::Map);
-    let [first, second] = ranges;
-    let ends = [task.link(&first.link, at)?, task.link(&second.link, at)?];
-    let mut map = vec![];
-    for one in first.speeds() {
-        for other in second.speeds() {
-            let speeds = [(ends[0], one), (ends[1], other)];
-            let state = match task.state(&speeds, &torques, at, is_given) {
-                Ok(state) => state,
-                // At a place where the losses hold the gear there are speeds alone.
-                Err(error) if torques.is_empty() => return Err(error),
-                Err(error) => {
-                    let alone = task.gearbox.with_inputs(&task.gear, &speeds, &[]);
-                    alone.map_err(|_| error)?
-                }
-            };
-            let of_link = |link| task.map_entry([one, other], link, &state);
-            map.extend((1..task.gearbox.links().len()).map(of_link));
-        }
-    }
-    let given = |(link, torque): &(LinkId, Torque)| GivenTorque {
-        link: task.gearbox.link_name(*link).to_owned(),
-        torque_n_m: torque.si(),
-    };
-    Ok(Map {
-        gearbox: task.gearbox.name().to_owned(),
-        gear: task.gear.name().to_owned(),
-        first_link: first.link.clone(),
-        second_link: second.link.clone(),
-        torques: torques.iter().map(given).collect(),
-        map,
-        warnings: warnings::of_gearbox(subject),
-    })
 }
 
 /// Where values come from.
@@ -364,7 +234,7 @@ impl<'a> Task<'a> {
                 let key = if given == Given::Torques { "torques" } else { "speeds" };
                 let Subject { document, base, .. } = self.subject;
                 let place = gear_place(document, base, self.gear.name(), key);
-                document.error(&place, Problem::Refused { message: fault(given).to_string() }).into()
+                document.error(&place, fault(given).problem()).into()
             }
         }
     }
@@ -526,20 +396,6 @@ impl<'a> Task<'a> {
             leaves_w: mesh.leaves,
         };
         all.map(one).collect()
-    }
-
-    fn map_entry(&self, speeds: [AngularVelocity; 2], link: usize, state: &MultiState) -> MapEntry {
-        let load = state.load.as_ref();
-        let end = load.and_then(|load| load.terminals.iter().find(|end| end.link.index() == link));
-        MapEntry {
-            first_speed_rad_s: speeds[0].si(),
-            second_speed_rad_s: speeds[1].si(),
-            link: self.gearbox.links()[link].clone(),
-            speed_rad_s: state.speeds[link].map(Physical::si),
-            torque_n_m: end.map(|end| end.torque.si()),
-            power_w: load.and_then(|load| load.power.links[link]),
-            efficiency: load.and_then(|load| load.efficiency),
-        }
     }
 
     /// One-way clutches that would not let these speeds or torques be.

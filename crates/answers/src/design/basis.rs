@@ -2,6 +2,7 @@
 
 use super::records::BasisKey;
 use crate::Error;
+use crate::fault::Named;
 use crate::strength::factors;
 use crate::strength::place::refused;
 use epicyclic_formats::yaml::Value;
@@ -48,7 +49,7 @@ impl Basis {
         let path = places.find(|path| document.value_at(path).is_some()).unwrap_or_else(Path::root);
         let strength = document.value_at(&path).filter(|_| path != Path::root()).ok_or_else(|| {
             let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
-            refused(document, &Path::root(), &[], message)
+            refused(document, &Path::root(), &[], &Named("missing-key", message))
         })?;
         factors::check(document, &path)?;
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));

@@ -2,7 +2,8 @@
 
 use super::made::{Groups, Made, Point};
 use crate::Error;
-use epicyclic_formats::{Document, Path, Problem, motor as file};
+use crate::fault::Fault as _;
+use epicyclic_formats::{Document, Path, motor as file};
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
@@ -176,6 +177,6 @@ pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error>
 }
 
 fn placed(document: &Document, path: &Path, why: Error) -> Error {
-    let at = document.error(path, Problem::Refused { message: why.to_string() });
+    let at = document.error(path, why.problem());
     Error::Placed { at: Box::new(at), why: Box::new(why) }
 }

@@ -2,8 +2,9 @@
 
 use super::parts::{Built, Element, ElementKind, Output, Scenario};
 use super::program::Program;
-use super::{INSTANTS, MOST_SAMPLES, placed, refused, root};
+use super::{ABOVE_0, AT_LEAST_0, INSTANTS, MOST_SAMPLES, placed, refused, root};
 use crate::Error;
+use crate::fault::Named;
 use crate::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
 use epicyclic_formats::scenario::{
@@ -56,7 +57,11 @@ impl Scenario<'_> {
         let mut masses = Masses::default();
         for (link, inertia) in &self.file.inertias {
             if link == GROUND {
-                return Err(refused(document, &root("inertias").key(link), &"the housing does not move"));
+                return Err(refused(
+                    document,
+                    &root("inertias").key(link),
+                    &Named("housing", "the housing does not move"),
+                ));
             }
             masses.links.push((link.clone(), inertia.0));
         }
@@ -80,10 +85,13 @@ impl Scenario<'_> {
                 motion::Error::Unknown { name, .. } | motion::Error::PlanetSpeed { set: name, .. } => {
                     of_planets(name)
                 }
-                motion::Error::NoInertia { .. } | motion::Error::Value { .. } => Some(root("inertias")),
+                motion::Error::Value { .. } => self.no_mass(),
                 _ => None,
             };
-            placed(document, &path.unwrap_or_default(), why)
+            match path {
+                Some(path) => placed(document, &path, why),
+                None => self.of_run(why),
+            }
         })?;
         for (body, inertia) in &self.file.bodies {
             let with = found.with_body(body, inertia.0);
@@ -99,7 +107,11 @@ impl Scenario<'_> {
         });
         let known: Vec<_> = known.collect();
         let lacks = |what: &str, path: &Path| {
-            refused(self.document, path, &format!("the gearbox does not say {what}: write it here"))
+            refused(
+                self.document,
+                path,
+                &Named("planets-unknown", format!("the gearbox does not say {what}: write it here")),
+            )
         };
         let count = entry.count.or(known.iter().find_map(|bearing| bearing.planets));
         let count = count.ok_or_else(|| lacks("how many planets there are, count", path))?;
@@ -148,7 +160,7 @@ impl Scenario<'_> {
                 [] => format!("a law is due, one of {all}"),
                 _ => format!("one law is due: give one of {}", given.join(", ")),
             };
-            return Err(refused(self.document, &path, &message));
+            return Err(refused(self.document, &path, &Named("one-law", message)));
         };
         let at_law = path.clone().key(law);
         if let Some(torque) = entry.resistance {
@@ -191,9 +203,9 @@ impl Scenario<'_> {
         } else if let Some(law) = &entry.throttle {
             return self.throttle(law, path);
         } else {
-            return Err(refused(self.document, path, &"a law is due"));
+            return Err(refused(self.document, path, &Named("one-law", "a law is due")));
         };
-        law.map_err(|why| placed(self.document, path, why))
+        law.map_err(|why| placed(self.document, &self.of_points(path, &why), why))
     }
 
     fn throttle(&self, law: &ThrottleEntry, path: &Path) -> Result<TorqueLaw, Error> {
@@ -202,7 +214,7 @@ impl Scenario<'_> {
         };
         let (closed, full) = (curve("closed", &law.closed)?, curve("full", &law.full)?);
         let openings = pairs(("times", &law.times), ("openings", &law.openings))
-            .map_err(|message| refused(self.document, path, &message))?;
+            .map_err(|message| refused(self.document, path, &Named("table", message)))?;
         let openings: Vec<(Time, f64)> =
             openings.into_iter().map(|(time, opening)| (time.0, opening.get())).collect();
         TorqueLaw::map(&closed, &full, &openings).map_err(|why| placed(self.document, path, why))
@@ -210,7 +222,7 @@ impl Scenario<'_> {
 
     fn of_table(&self, path: &Path, fault: TableFault) -> Error {
         match fault {
-            TableFault::Entry(message) => refused(self.document, path, &message),
+            TableFault::Entry(message) => refused(self.document, path, &Named("table", message)),
             TableFault::Csv(error) => error.into(),
         }
     }
@@ -230,27 +242,27 @@ impl Scenario<'_> {
             let names: Vec<&str> = names.map(ShiftElement::id).collect();
             let message =
                 format!("no brake or clutch is called {}: there are {}", entry.id, names.join(", "));
-            return Err(refused(document, &path.key("id"), &message));
+            return Err(refused(document, &path.key("id"), &Named("no-shift-element", message)));
         };
         if self.file.engaged.contains(&entry.id) {
             let message = format!("{} is in `engaged`, where it never slips", entry.id);
-            return Err(refused(document, &path.key("id"), &message));
+            return Err(refused(document, &path.key("id"), &Named("engaged-twice", message)));
         }
         if entry.conductance.is_some() && entry.heat_capacity.is_none() {
-            let message = "it is with a heat_capacity";
-            return Err(refused(document, &path.key("conductance"), &message));
+            let why = Named("no-heat-capacity", "it is with a heat_capacity");
+            return Err(refused(document, &path.key("conductance"), &why));
         }
         for (key, value) in [
             ("friction_area", entry.friction_area.map(|one| one.0.si())),
             ("heat_capacity", entry.heat_capacity.map(|one| one.0.si())),
         ] {
             if value.is_some_and(|value| value <= 0.0) {
-                return Err(refused(document, &path.key(key), &"it must be above 0"));
+                return Err(refused(document, &path.key(key), &ABOVE_0));
             }
         }
         let conductance = entry.conductance.map_or(0.0, |one| one.0.si());
         if conductance < 0.0 {
-            return Err(refused(document, &path.key("conductance"), &"it must be at least 0"));
+            return Err(refused(document, &path.key("conductance"), &AT_LEAST_0));
         }
         let links = found.links().map(|link| gearbox.link_name(link).to_owned());
         let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure, &entry.dog) {
@@ -259,20 +271,23 @@ impl Scenario<'_> {
                 return Ok(Element::new(&entry.id, ElementKind::DogClutch, links, None));
             }
             (Some(_), None, None, None) => {
-                ("holding", program.course(entry).map_err(|why| (root("shifts"), why)))
+                let place = root("shifts");
+                let place = if self.has(&place) { place } else { path.clone().key("holding") };
+                ("holding", program.course(entry).map_err(|why| (place, why)))
             }
             (None, Some(table), None, None) => {
                 let path = path.clone().key("capacity");
                 let points = table.points(self.texts).map_err(|fault| self.of_table(&path, fault))?;
-                ("capacity", Course::table(&points).map_err(|why| (path, why)))
+                ("capacity", Course::table(&points).map_err(|why| (self.of_points(&path, &why), why)))
             }
             (None, None, Some(pressure), None) => {
                 let path = path.clone().key("pressure");
-                ("pressure", self.by_pressure(&path, pressure)?.map_err(|why| (path, why)))
+                let course = self.by_pressure(&path, pressure)?;
+                ("pressure", course.map_err(|why| (self.of_points(&path, &why), why)))
             }
             _ => {
-                let message = "give one of holding, capacity, pressure and dog";
-                return Err(refused(document, &path, &message));
+                let why = Named("one-capacity", "give one of holding, capacity, pressure and dog");
+                return Err(refused(document, &path, &why));
             }
         };
         let course = course.map_err(|(path, why)| placed(document, &path, why))?;
@@ -288,9 +303,11 @@ impl Scenario<'_> {
         if let Some(curve) = &entry.friction_over_slip {
             let path = path.key("friction_over_slip");
             let points = pairs(("speeds", &curve.speeds), ("factors", &curve.factors))
-                .map_err(|message| refused(document, &path, &message))?;
+                .map_err(|message| refused(document, &path, &Named("table", message)))?;
             let points: Vec<_> = points.into_iter().map(|(speed, factor)| (speed.0, factor.get())).collect();
-            model.friction_over_slip(&entry.id, &points).map_err(|why| placed(document, &path, why))?;
+            model
+                .friction_over_slip(&entry.id, &points)
+                .map_err(|why| placed(document, &self.of_points(&path, &why), why))?;
         }
         let kind = if found.is_brake() { ElementKind::Brake } else { ElementKind::Clutch };
         Ok(Element {
@@ -320,7 +337,7 @@ impl Scenario<'_> {
                 return Err(refused(
                     document,
                     &path.clone().key(key),
-                    &"a dog clutch has no friction: leave it out",
+                    &Named("dog-clutch", "a dog clutch has no friction: leave it out"),
                 ));
             }
         }
@@ -346,11 +363,11 @@ impl Scenario<'_> {
     ) -> Result<Result<Course, motion::Error>, Error> {
         let points = entry.points(self.texts).map_err(|fault| self.of_table(path, fault))?;
         let positive = |key: &str, value: f64| {
-            let refuse = || refused(self.document, &path.clone().key(key), &"it must be above 0");
+            let refuse = || refused(self.document, &path.clone().key(key), &ABOVE_0);
             if value > 0.0 { Ok(value) } else { Err(refuse()) }
         };
         let not_negative = |key: &str, value: f64| {
-            let refuse = || refused(self.document, &path.clone().key(key), &"it must be at least 0");
+            let refuse = || refused(self.document, &path.clone().key(key), &AT_LEAST_0);
             if value >= 0.0 { Ok(value) } else { Err(refuse()) }
         };
         let factor = positive("coefficient", entry.coefficient.get())?
@@ -359,9 +376,10 @@ impl Scenario<'_> {
             * positive("piston_area", entry.piston_area.0.si())?;
         let kiss = not_negative("kiss_point", entry.kiss_point.map_or(0.0, |one| one.0.si()))?;
         let fill = not_negative("fill_time", entry.fill_time.map_or(0.0, |one| one.0.si()))?;
-        if let Some((_, pressure)) = points.iter().find(|(_, pressure)| pressure.si() < 0.0) {
-            let message = format!("a pressure of {} Pa: it must be at least 0", pressure.si());
-            return Err(refused(self.document, path, &message));
+        if let Some(place) = points.iter().position(|(_, pressure)| pressure.si() < 0.0) {
+            let message = format!("a pressure of {} Pa: it must be at least 0", points[place].1.si());
+            let path = self.point(path, "pressures", place);
+            return Err(refused(self.document, &path, &Named("negative", message)));
         }
         Ok(capacity(&points, fill, kiss, factor))
     }
@@ -378,8 +396,8 @@ impl Scenario<'_> {
         if let Some(input) = start.input_speed {
             let path = root("start").key("input_speed");
             let Some(gear) = &self.file.gear else {
-                let message = "it is the speed in a gear: give the key gear, too";
-                return Err(refused(self.document, &path, &message));
+                let why = Named("no-gear", "it is the speed in a gear: give the key gear, too");
+                return Err(refused(self.document, &path, &why));
             };
             let analysis =
                 gearbox.analyze(gear).map_err(|why| refused(self.document, &root("gear"), &why))?;
@@ -393,7 +411,7 @@ impl Scenario<'_> {
         }
         if speeds.is_empty() {
             let message = "give input_speed or speeds, or leave start out: then everything is at rest";
-            return Err(refused(self.document, &root("start"), &message));
+            return Err(refused(self.document, &root("start"), &Named("no-speeds", message)));
         }
         Ok(Start::speeds(&speeds).together(&self.on_shafts(start)).twisted(&twists))
     }
@@ -420,61 +438,21 @@ impl Scenario<'_> {
     pub(super) fn sampling(&self) -> Result<Sampling, Error> {
         let duration = self.file.duration.0.si();
         if duration <= 0.0 {
-            return Err(refused(self.document, &root("duration"), &"it must be above 0"));
+            return Err(refused(self.document, &root("duration"), &ABOVE_0));
         }
         let path = root("sample_every");
         let every = self.file.sample_every.map_or(duration / 200.0, |every| every.0.si());
         if every <= 0.0 {
-            return Err(refused(self.document, &path, &"it must be above 0"));
+            return Err(refused(self.document, &path, &ABOVE_0));
         }
         let samples = duration / every;
         if samples > MOST_SAMPLES {
             let message = format!("{samples:.0} samples: at most {MOST_SAMPLES} are told");
-            return Err(refused(self.document, &path, &message));
+            return Err(refused(self.document, &path, &Named("too-many-samples", message)));
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 2000")]
         let kept = (INSTANTS / samples).ceil().max(1.0) as usize;
         Ok(Sampling { inner: Time::from_si(every / kept as f64), kept })
-    }
-
-    /// A refusal of the run, at the key that would change it: the entry of the first part that it names.
-    pub(super) fn of_run(&self, why: motion::Error) -> Error {
-        use motion::Error as E;
-        let path = match &why {
-            E::InitialSpeeds { .. } | E::InitialOpen { .. } | E::InitialSlip { .. } | E::Unknown { .. } => {
-                root("start")
-            }
-            E::NoInertia { .. } => root("inertias"),
-            _ => {
-                why.parts().into_iter().find_map(|part| self.entry(part)).unwrap_or_else(|| root("duration"))
-            }
-        };
-        placed(self.document, &path, why)
-    }
-
-    /// The entry of an element, torque, shaft or converter in the scenario; else where the gearbox states it.
-    fn entry(&self, name: &str) -> Option<Path> {
-        let file = self.file;
-        fn place<'a>(mut ids: impl Iterator<Item = &'a String>, name: &str) -> Option<usize> {
-            ids.position(|id| id == name)
-        }
-        let of_scenario = [
-            ("elements", place(file.elements.iter().map(|one| &one.id), name)),
-            ("torques", place(file.torques.iter().map(|one| &one.id), name)),
-            ("shafts", place(file.shafts.iter().map(|one| &one.id), name)),
-            ("converters", place(file.converters.iter().map(|one| &one.id), name)),
-        ];
-        let found = of_scenario.into_iter().find_map(|(key, place)| Some(root(key).index(place?)));
-        found.or_else(|| {
-            let Some(gearbox) = &file.gearbox else { return Some(root("gearbox_file")) };
-            let of_gearbox = [
-                ("clutches", place(gearbox.clutches.iter().map(|one| &one.id), name)),
-                ("sets", place(gearbox.sets.iter().map(|one| &one.id), name)),
-                ("compound_sets", place(gearbox.compound_sets.iter().map(|one| &one.id), name)),
-            ];
-            let inside = of_gearbox.into_iter().find_map(|(key, place)| Some((key, place?)));
-            Some(inside.map_or(root("gearbox"), |(key, place)| root("gearbox").key(key).index(place)))
-        })
     }
 }
 

@@ -5,7 +5,6 @@ mod tests;
 
 pub use super::parts::DragKind;
 use super::parts::{Drag, Scenario};
-use super::{placed, root};
 use crate::Error;
 use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_formats::{Physical, Problem, Quantity};
@@ -66,7 +65,7 @@ impl Scenario<'_> {
                 continue;
             }
             let added = model.drag(&one.name, [first, second], &one.curve);
-            added.map_err(|why| placed(self.document, &root("gearbox"), why))?;
+            added.map_err(|why| self.of_run(why))?;
             let kind = if one.shift_element.is_some() { DragKind::OpenElement } else { DragKind::Drag };
             all.push(Drag { id: one.name.clone(), kind, links, place });
         }
@@ -88,7 +87,7 @@ impl Scenario<'_> {
         let told = DescriptionError::Gearbox(of_gearbox);
         let path = located(document, &self.subject.base, &told).at().path.clone();
         let message = format!("at {}: {told}", Quantity(Time::from_si(time_s)));
-        let at = document.error(&path, Problem::Refused { message });
+        let at = document.error(&path, Problem::refused(why.name(), message));
         Error::Placed { at: Box::new(at), why: Box::new(why.into()) }
     }
 }

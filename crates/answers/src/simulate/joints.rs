@@ -1,8 +1,9 @@
 //! Shafts and converters: into the model, and what they carried.
 
 use super::parts::Scenario;
-use super::{placed, refused, root};
+use super::{ABOVE_0, placed, refused, root};
 use crate::Error;
+use crate::fault::Named;
 use epicyclic_formats::scenario::{ConverterEntry, ShaftEntry};
 use epicyclic_formats::{Number, Path, Physical};
 use epicyclic_motion::{self as motion, Converter, Model, Run, Sample, Shaft};
@@ -103,12 +104,12 @@ impl Scenario<'_> {
         {
             if found != points {
                 let message = format!("{found} values at {points} speed_ratios: each has one");
-                return Err(refused(self.document, &path.key(key), &message));
+                return Err(refused(self.document, &path.key(key), &Named("table", message)));
             }
         }
         let speed = entry.impeller_speed.0.si();
         if speed <= 0.0 {
-            return Err(refused(self.document, &path.key("impeller_speed"), &"it must be above 0"));
+            return Err(refused(self.document, &path.key("impeller_speed"), &ABOVE_0));
         }
         let torques = entry.torque_ratios.iter().map(|ratio| Number::get(*ratio));
         let capacities = entry.impeller_torques.iter().map(|torque| torque.0.si() / (speed * speed));

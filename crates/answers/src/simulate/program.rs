@@ -8,8 +8,9 @@
 //! ```
 
 use super::parts::{Ramps, Scenario};
-use super::{refused, root};
+use super::{ABOVE_0, AT_LEAST_0, refused, root};
 use crate::Error;
+use crate::fault::Named;
 use epicyclic_formats::scenario::{ElementEntry, ShiftEntry};
 use epicyclic_formats::{Physical, Quantity};
 use epicyclic_motion::{self as motion, Course};
@@ -26,12 +27,10 @@ impl Program {
         let (document, file) = (scenario.document, scenario.file);
         let has_holding = file.elements.iter().position(|one| one.holding.is_some());
         let Some(gear) = &file.gear else {
-            let message = "it needs the gear at the start: give the key gear, too";
+            let why = Named("no-gear", "it needs the gear at the start: give the key gear, too");
             return match has_holding {
-                _ if !file.shifts.is_empty() => Err(refused(document, &root("shifts"), &message)),
-                Some(place) => {
-                    Err(refused(document, &root("elements").index(place).key("holding"), &message))
-                }
+                _ if !file.shifts.is_empty() => Err(refused(document, &root("shifts"), &why)),
+                Some(place) => Err(refused(document, &root("elements").index(place).key("holding"), &why)),
                 None => Ok(Self { engaged: vec![], shifts: vec![] }),
             };
         };
@@ -54,12 +53,12 @@ impl Program {
                     Quantity(Time::from_si(at)),
                     Quantity(Time::from_si(before.end()))
                 );
-                return Err(refused(document, &path.key("at"), &message));
+                return Err(refused(document, &path.key("at"), &Named("overlap", message)));
             }
             if next == engaged {
                 let message =
                     format!("gear {} engages what gear {from} engages: nothing is shifted", entry.to);
-                return Err(refused(document, &path.key("to"), &message));
+                return Err(refused(document, &path.key("to"), &Named("no-shift", message)));
             }
             shifts.push(Ramps {
                 at,
@@ -97,7 +96,7 @@ impl Program {
                     let message = format!(
                         "gear {gear} engages {id}: give it an entry in elements, or name it in engaged"
                     );
-                    return Err(refused(document, path, &message));
+                    return Err(refused(document, path, &Named("no-element", message)));
                 }
             }
         }
@@ -134,12 +133,12 @@ impl Program {
 fn times(scenario: &Scenario<'_>, place: usize, entry: &ShiftEntry) -> Result<[[f64; 2]; 2], Error> {
     let path = root("shifts").index(place);
     let positive = |key: &str, time: f64| {
-        let refuse = || refused(scenario.document, &path.clone().key(key), &"it must be above 0");
+        let refuse = || refused(scenario.document, &path.clone().key(key), &ABOVE_0);
         if time > 0.0 { Ok(time) } else { Err(refuse()) }
     };
     let (at, overlap) = (entry.at.0.si(), entry.overlap.map_or(0.0, |time| time.0.si()));
     if at < 0.0 {
-        return Err(refused(scenario.document, &path.clone().key("at"), &"it must be at least 0"));
+        return Err(refused(scenario.document, &path.clone().key("at"), &AT_LEAST_0));
     }
     let release = positive("release", entry.release.0.si())?;
     let apply = positive("apply", entry.apply.0.si())?;

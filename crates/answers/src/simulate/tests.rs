@@ -407,3 +407,101 @@ fn friction_over_slip_is_what_a_brake_carries() {
     let message = refused_as(&text.replace("factors: [1, 0.5]", "factors: [1]"));
     assert!(message.contains("elements[0].friction_over_slip: 2 speeds and 1 factors"), "{message}");
 }
+
+/// Names stand elsewhere, too, and every entry has a line of its own.
+const PLACES: &str = "\
+scenario: B
+gearbox:
+  gearbox: engine
+  input: s
+  output: c
+  sets:
+    - { id: P, sun: s, ring: r, carrier: c, k: 3 }
+  brakes:
+    - { id: B, link: r }
+  gears:
+    - { name: one, engaged: [B] }
+inertias:
+  s: 0.1 kg·m²
+  r: 0.2 kg·m²
+  c: 0.3 kg·m²
+gear: one
+duration: 0.1 s
+start: { speeds: { s: 40 rad/s, c: 10 rad/s } }
+torques:
+  - { id: motor, link: s, constant: 10 N·m }
+  - id: engine
+    link: c
+    over_speed:
+      speeds:
+        - 0 rpm
+        - 10 rpm
+      torques: [1 N·m, 2 N·m]
+elements:
+  - { id: B, holding: 100 N·m }
+";
+
+#[test]
+fn a_fault_of_a_scenario_is_at_its_value_and_has_a_name() {
+    simulated(PLACES);
+    for (from, to, place, name) in [
+        ("s: 0.1 kg·m²", "s: -0.1 kg·m²", "13:6: inertias.s", "value"),
+        ("  c: 0.3 kg·m²", "  zz: 0.3 kg·m²", "15:7: inertias.zz", "unknown"),
+        ("  s: 0.1 kg·m²\n  r: 0.2 kg·m²\n  c: 0.3 kg·m²\n", "  s: 0 kg·m²\n", "13:", "no-inertia"),
+        ("gear: one", "gear: zz", "16:7: gear", "unknown"),
+        ("duration: 0.1 s", "duration: 0 s", "17:11: duration", "not-positive"),
+        ("s: 40 rad/s, c: 10 rad/s", "c: 10 rad/s, s: 40 rad/s, r: 7 rad/s", "18:", "initial-speeds"),
+        ("s: 40 rad/s, c: 10 rad/s", "c: 10 rad/s", "18:", "initial-open"),
+        ("id: engine\n", "id: motor\n", "21:9: torques[1].id", "duplicate"),
+        ("    link: c", "    link: zz", "22:11: torques[1].link", "unknown"),
+        ("        - 10 rpm", "        - 0 rpm", "26:11: torques[1].over_speed.speeds[1]", "order"),
+        ("[1 N·m, 2 N·m]", "[1 N·m]", "24:7: torques[1].over_speed", "table"),
+        ("{ id: B, holding", "{ id: zz, holding", "29:11: elements[0].id", "no-shift-element"),
+        ("holding: 100 N·m", "holding: -100 N·m", "29:", "value"),
+        (
+            "holding: 100 N·m",
+            "holding: 100 N·m, capacity: { times: [0 s], torques: [1 N·m] }",
+            "29:5: elements[0]",
+            "one-capacity",
+        ),
+        ("elements:\n  - { id: B, holding: 100 N·m }", "engaged: [B, zz]", "28:14: engaged[1]", "unknown"),
+        ("k: 3", "k: 0.3", "7:48: gearbox.sets[0].k", "ring-to-sun-ratio"),
+    ] {
+        assert_eq!(PLACES.matches(from).count(), 1, "{from}");
+        let text = PLACES.replace(from, to);
+        let document = document(&text);
+        let file = scenario::read(&document).unwrap();
+        let error = answer(&document, &file, &Beside::default()).unwrap_err();
+        assert!(error.to_string().starts_with(&format!("scenario.yaml:{place}")), "{to}: {error}");
+        assert_eq!(error.name(), name, "{error}");
+    }
+}
+
+/// No line has such a fault alone: it is at a part that it names, in the scenario or in the gearbox, and never at the first line.
+#[test]
+fn a_motion_that_cannot_go_on_is_at_a_part_of_it() {
+    let document = document(PLACES);
+    let file = scenario::read(&document).unwrap();
+    let subject = crate::gearbox::gearbox(&document, Path::root().key("gearbox"), None).unwrap();
+    let texts = scenario::Texts::default();
+    let scenario = Scenario { document: &document, file: &file, subject: &subject, texts: &texts };
+    let (time_s, names) = (0.0, |all: &[&str]| all.iter().map(|one| (*one).to_owned()).collect::<Vec<_>>());
+    for (why, place) in [
+        (motion::Error::NoMotion { time_s, parts: names(&["P", "B"]), violation: 1.0 }, "29:5: elements[0]"),
+        (motion::Error::NoMotion { time_s, parts: names(&["P"]), violation: 1.0 }, "7:7: gearbox.sets[0]"),
+        (
+            motion::Error::Accumulating { time_s, events: 9, within_s: 1e-9, parts: names(&["motor"]) },
+            "20:5: torques[0]",
+        ),
+        (
+            motion::Error::NotUnique { sets: names(&["P"]), least: -1.0, greatest: 1.0 },
+            "7:7: gearbox.sets[0]",
+        ),
+        (motion::Error::StepTooShort { time_s, step_s: 1e-20 }, "17:11: duration"),
+        (motion::Error::NoFreedom, "3:3: gearbox"),
+        (motion::Error::TooManyMeshes { given: 99, most: 9 }, "3:3: gearbox"),
+    ] {
+        let told = scenario.of_run(why).to_string();
+        assert!(told.starts_with(&format!("scenario.yaml:{place}: ")), "{told}");
+    }
+}

@@ -15,6 +15,7 @@ use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 use crate::Error;
 use crate::analyze::Worked;
 use crate::analyze::records::planet_name;
+use crate::fault::Named;
 use crate::gearbox::Subject;
 use crate::tolerance::{ROUNDED, rounded};
 use crate::toothed::lacking;
@@ -79,8 +80,8 @@ fn reliability(subject: &Subject<'_>, file: &GearboxFile) -> Result<Reliability,
     let Some(asked) = file.bearing_reliability else { return Ok(Reliability::default()) };
     let is_asked = |one: &Reliability| (one.part() - asked.0.si()).abs() < ROUNDED;
     Reliability::ALL.into_iter().find(is_asked).ok_or_else(|| {
-        let message = "the reliability of bearings is 90, 95, 96, 97, 98 or 99 %";
-        refused(subject.document, &Path::root(), &["bearing_reliability"], message)
+        let why = Named("bearing-reliability", "the reliability of bearings is 90, 95, 96, 97, 98 or 99 %");
+        refused(subject.document, &Path::root(), &["bearing_reliability"], &why)
     })
 }
 
@@ -202,8 +203,8 @@ impl File<'_> {
         let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_formats::Number::get);
         viscosity.map_or(Ok(()), |viscosity| self.above_0(viscosity, &of_oil, "working_viscosity"))?;
         if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
-            let message = "a contamination factor is from 0 to 1";
-            return Err(refused(self.subject.document, &of_oil, &["contamination"], message));
+            let why = Named("out-of-range", "a contamination factor is from 0 to 1");
+            return Err(refused(self.subject.document, &of_oil, &["contamination"], &why));
         }
         let fatigue_limit = self.of(given, "fatigue_limit", given.fatigue_limit)?;
         let diameter = self.of(given, "bearing_diameter", given.bearing_diameter)?;
@@ -242,7 +243,8 @@ impl File<'_> {
         if value.si() > 0.0 {
             return Ok(());
         }
-        Err(refused(self.subject.document, path, &[key], &format!("{key} must be above 0")))
+        let why = Named("not-positive", format!("{key} must be above 0"));
+        Err(refused(self.subject.document, path, &[key], &why))
     }
 
     /// The force on a bearing and its speed, in a step of the duty; `None` where no force follows.

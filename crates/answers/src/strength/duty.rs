@@ -6,6 +6,7 @@ use super::prepared::RatedSet;
 use super::records::{NotRated, OverDuty, Reason};
 use crate::Error;
 use crate::analyze::{Input, Worked};
+use crate::fault::Named;
 use crate::gearbox::Subject;
 use epicyclic_formats::gearbox::DutyEntry;
 use epicyclic_formats::{Path, Physical};
@@ -28,7 +29,7 @@ pub(crate) fn steps<'g>(
 ) -> Result<Vec<WorkedStep<'g>>, Error> {
     let root = Path::root();
     check_shares(duty.iter().map(|step| step.share.0.si()))
-        .map_err(|error| refused(subject.document, &root, &["duty"], &error.to_string()))?;
+        .map_err(|error| refused(subject.document, &root, &["duty"], &error))?;
     let step = |(place, step): (usize, &'g DutyEntry)| {
         Ok(WorkedStep(step, worked(subject, step, &root.clone().key("duty").index(place))?))
     };
@@ -42,14 +43,14 @@ fn worked<'g>(subject: &'g Subject<'_>, step: &DutyEntry, path: &Path) -> Result
     let input = if idle { Input::default() } else { input };
     let worked = Worked::new(&subject.gearbox, &step.gear, input).map_err(|error| {
         let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
-        refused(subject.document, path, &[key], &error.to_string())
+        refused(subject.document, path, &[key], &error)
     })?;
     if idle {
         return Ok(None);
     }
     if worked.operation.is_none() {
         let message = format!("gear `{}` carries no such load from its input to its output", step.gear);
-        return Err(refused(subject.document, path, &["gear"], &message));
+        return Err(refused(subject.document, path, &["gear"], &Named("carries-no-load", message)));
     }
     Ok(Some(worked))
 }

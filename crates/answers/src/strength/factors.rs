@@ -2,6 +2,7 @@
 
 use super::place::refused;
 use crate::Error;
+use crate::fault::Named;
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Symbol;
@@ -19,7 +20,12 @@ pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
         for name in names.filter_map(|(name, _)| name.as_str()) {
             let of = symbol(document, &path, name)?;
             if let Some((_, other)) = before.iter().find(|(other, _)| *other == of) {
-                return Err(refused(document, &path, &[name], &twice(of, [other, name])));
+                return Err(refused(
+                    document,
+                    &path,
+                    &[name],
+                    &Named("factor-twice", twice(of, [other, name])),
+                ));
             }
             before.push((of, name));
         }
@@ -32,7 +38,7 @@ pub(crate) fn symbol(document: &Document, key: &Path, name: &str) -> Result<Symb
     Symbol::named(name).ok_or_else(|| {
         let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
         let message = format!("no factor is called `{name}`; there are {}", all.join(", "));
-        refused(document, key, &[name], &message)
+        refused(document, key, &[name], &Named("no-factor", message))
     })
 }
 

@@ -6,6 +6,7 @@ use super::prepared::RatedSet;
 use super::records::{NotRated, Overloaded, Required};
 use crate::Error;
 use crate::analyze::{Input, Worked};
+use crate::fault::{Fault as Refusal, Named};
 use crate::gearbox::Subject;
 use epicyclic_formats::gearbox::OverloadEntry;
 use epicyclic_formats::{Path, Physical};
@@ -47,20 +48,20 @@ pub(crate) fn peaks<'g>(
 ) -> Result<Vec<Peak<'g>>, Error> {
     let peak = |(place, entry): (usize, &'g OverloadEntry)| {
         let path = Path::root().key("overload").index(place);
-        let no = |key: &str, message: &str| refused(subject.document, &path, &[key], message);
+        let no = |key: &str, why: &dyn Refusal| refused(subject.document, &path, &[key], why);
         let required = Required::of(entry.required.as_ref());
-        required.check().map_err(|error| no("required", &error.to_string()))?;
+        required.check().map_err(|error| no("required", &error))?;
         if entry.torque.0.si() == 0.0 {
-            return Err(no("torque", "an overload needs a torque other than 0"));
+            return Err(no("torque", &Named("no-torque", "an overload needs a torque other than 0")));
         }
         let input = Input { speed: None, load: Some(InputLoad::Torque(entry.torque.0)) };
         let worked = Worked::new(&subject.gearbox, &entry.gear, input).map_err(|error| {
             let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
-            no(key, &error.to_string())
+            no(key, &error)
         })?;
         if worked.operation.is_none() {
             let message = format!("gear `{}` carries no such load from its input to its output", entry.gear);
-            return Err(no("gear", &message));
+            return Err(no("gear", &Named("carries-no-load", message)));
         }
         Ok(Peak { entry, required, worked })
     };

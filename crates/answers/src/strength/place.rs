@@ -2,7 +2,8 @@
 
 use super::records::{MeshName, NotRated, Reason};
 use crate::Error;
-use epicyclic_formats::{Document, Path, Problem};
+use crate::fault::Fault as Refusal;
+use epicyclic_formats::{Document, Path};
 use epicyclic_strength::{self as strength, Quantity};
 
 /// What keeps a set from being rated.
@@ -62,13 +63,13 @@ impl<T> Partly<T> {
 }
 
 /// A refusal at the longest part of a path that the file has.
-pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], message: &str) -> Error {
+pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn Refusal) -> Error {
     let deeper = |path: Path, key: &&str| {
         let inner = path.clone().key(*key);
         if document.value_at(&inner).is_some() { inner } else { path }
     };
     let place = keys.iter().fold(path.clone(), deeper);
-    document.error(&place, Problem::Refused { message: message.to_owned() }).into()
+    document.error(&place, why.problem()).into()
 }
 
 /// What the strength of a set refuses, at the key that it is about.
@@ -104,5 +105,5 @@ pub(crate) fn located(document: &Document, set: &Path, error: &strength::Error) 
         E::NoRootSection { .. } => (set, &["strength", "shaper"]),
         _ => (set, &["strength"]),
     };
-    refused(document, path, keys, &error.to_string())
+    refused(document, path, keys, error)
 }

@@ -4,6 +4,7 @@ use super::factors;
 use super::place::refused;
 use super::records::{NotRated, Reason};
 use crate::Error;
+use crate::fault::{Fault as Refusal, Named};
 use crate::gearbox::Subject;
 use crate::toothed;
 use epicyclic_formats::gearbox::{
@@ -354,7 +355,7 @@ impl<'a> Of<'a> {
                     let message = format!(
                         "{symbol} is of a mesh: it stands in `factors`, `sun_mesh_factors` or `ring_mesh_factors`"
                     );
-                    return Err(self.refused(&["strength", key, name], &message));
+                    return Err(self.refused(&["strength", key, name], &Named("factor-of-a-mesh", message)));
                 }
                 given = given.with_of(side, symbol, value.get());
             }
@@ -378,12 +379,12 @@ impl<'a> Of<'a> {
                 all.join(", ")
             );
             let place = self.path.clone().key("strength").key("materials").index(of);
-            refused(self.subject.document, &place, &[], &message)
+            refused(self.subject.document, &place, &[], &Named("no-material", message))
         })
     }
 
-    fn refused(&self, keys: &[&str], message: &str) -> Error {
-        refused(self.subject.document, &self.path, keys, message)
+    fn refused(&self, keys: &[&str], why: &dyn Refusal) -> Error {
+        refused(self.subject.document, &self.path, keys, why)
     }
 }
 
@@ -420,13 +421,13 @@ fn check_materials(document: &Document, file: &GearboxFile) -> Result<(), Error>
         let is_known = material::listed(&own.name).is_some();
         if is_known || file.materials[..place].iter().any(|other| other.name == own.name) {
             let message = format!("there is a material `{}`; this one needs another name", own.name);
-            return Err(refused(document, &path, &["name"], &message));
+            return Err(refused(document, &path, &["name"], &Named("duplicate", message)));
         }
         if is_iron && own.youngs_modulus.is_none() {
             let message = format!("material `{}`: cast iron needs its `youngs_modulus`", own.name);
-            return Err(refused(document, &path, &["class"], &message));
+            return Err(refused(document, &path, &["class"], &Named("no-youngs-modulus", message)));
         }
-        of_entry(own).check().map_err(|error| refused(document, &path, &[], &error.to_string()))?;
+        of_entry(own).check().map_err(|error| refused(document, &path, &[], &error))?;
     }
     Ok(())
 }

@@ -6,6 +6,7 @@
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
 use crate::Error;
+use crate::fault::Named;
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
@@ -34,15 +35,20 @@ impl<'a> Train<'a> {
     /// Checks shafts and inertias of links.
     pub(super) fn new(subject: &'a Subject<'a>, file: &'a GearboxFile) -> Result<Self, Error> {
         let gearbox = &subject.gearbox;
-        let at = |keys: &[&str], index: Option<usize>, message: String| {
+        let at = |name, keys: &[&str], index: Option<usize>, message: String| {
             let path = keys.iter().fold(Path::root().key("vibration"), |path, key| path.key(*key));
             let path = index.map_or(path.clone(), |index| path.index(index));
-            refused(subject.document, &path, &[], &message)
+            refused(subject.document, &path, &[], &Named(name, message))
         };
         let link = |name: &str, index: Option<usize>, keys: &[&str]| {
             gearbox.link(name).filter(|link| *link != LinkId::GROUND).ok_or_else(|| {
                 let all: Vec<&str> = gearbox.link_ids().skip(1).map(|link| gearbox.link_name(link)).collect();
-                at(keys, index, format!("no link is called `{name}`: there are {}", all.join(", ")))
+                at(
+                    "no-link",
+                    keys,
+                    index,
+                    format!("no link is called `{name}`: there are {}", all.join(", ")),
+                )
             })
         };
         let entry = file.vibration.as_ref();
@@ -56,15 +62,15 @@ impl<'a> Train<'a> {
             if !is_tied {
                 let [first, second] = &shaft.between;
                 let message = format!("shaft `{}`: `ties` do not join `{first}` and `{second}`", shaft.id);
-                return Err(at(&["shafts"], Some(index), message));
+                return Err(at("no-tie", &["shafts"], Some(index), message));
             }
             if shaft.stiffness.0.si() <= 0.0 {
                 let message = format!("shaft `{}`: its stiffness must be above 0", shaft.id);
-                return Err(at(&["shafts"], Some(index), message));
+                return Err(at("not-positive", &["shafts"], Some(index), message));
             }
             if shaft.lateral_stiffness.is_some_and(|stiffness| stiffness.0.si() < 0.0) {
                 let message = format!("shaft `{}`: its lateral stiffness must not be below 0", shaft.id);
-                return Err(at(&["shafts"], Some(index), message));
+                return Err(at("negative", &["shafts"], Some(index), message));
             }
             shafts.push((shaft, ends));
         }
@@ -72,7 +78,7 @@ impl<'a> Train<'a> {
             link(name, None, &["link_inertias"])?;
             if inertia.0.si() < 0.0 {
                 let message = format!("the inertia of `{name}` must not be below 0");
-                return Err(at(&["link_inertias", name], None, message));
+                return Err(at("negative", &["link_inertias", name], None, message));
             }
         }
         Ok(Self { subject, file: entry, shafts })
@@ -144,7 +150,7 @@ impl<'a> Train<'a> {
     /// A refusal of the model in a gear.
     pub(super) fn refused(&self, gear: &Gear, error: &epicyclic_vibration::Error) -> Error {
         let message = format!("gear {}: {error}", gear.name());
-        refused(self.subject.document, &Path::root(), &["vibration"], &message)
+        refused(self.subject.document, &Path::root(), &["vibration"], &Named(error.name(), message))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
 use super::spacing::Spacing;
 use crate::Error;
+use crate::fault::{Fault, Named};
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
 use crate::toothed::{self, missing_teeth};
@@ -69,9 +70,10 @@ impl Of<'_> {
         };
         let toothed = toothed::gears(self.subject, &self.path, self.spec)?;
         if let Some(module) = entry.module.filter(|module| module.0.si() <= 0.0) {
-            return Err(
-                self.refused(&["module"], &format!("module is {} m; it must be above 0", module.0.si()))
-            );
+            return Err(self.refused(
+                &["module"],
+                &Named("not-positive", format!("module is {} m; it must be above 0", module.0.si())),
+            ));
         }
         let sized = toothed.as_ref().zip(entry.module.map(|module| module.0));
         let radii = match vibration.base_radii {
@@ -99,9 +101,10 @@ impl Of<'_> {
             _ => (None, StiffnessOrigin::Iso6336),
         };
         let planet = self.planet(vibration, by_teeth, radii)?;
-        let spacing = Spacing::of(self.set)
-            .transpose()
-            .map_err(|message| self.refused(&["planet_angles", "vibration", "planet_angles"], &message))?;
+        let spacing = Spacing::of(self.set).transpose().map_err(|message| {
+            let why = Named("planet-angles", message);
+            self.refused(&["planet_angles", "vibration", "planet_angles"], &why)
+        })?;
         if let (
             Some((planets, spacing)),
             Some(radii),
@@ -236,7 +239,9 @@ impl Of<'_> {
         radius: Option<Length>,
     ) -> Result<Option<MomentOfInertia>, Error> {
         match (inertia, rotary, radius) {
-            (Some(_), Some(_), _) => Err(self.refused(keys, &"give one of `inertia` and `rotary_mass`")),
+            (Some(_), Some(_), _) => {
+                Err(self.refused(keys, &Named("inertia-twice", "give one of `inertia` and `rotary_mass`")))
+            }
             (Some(inertia), ..) => Ok(Some(inertia.0)),
             (None, Some(rotary), Some(radius)) => {
                 Ok(Some(Body::with_rotary_mass(Mass::default(), rotary.0, radius).inertia))
@@ -269,7 +274,7 @@ impl Of<'_> {
         if outside <= root {
             let [outside, root] = [outside, root].map(millimetres);
             let message = format!("{outside} mm is not above the root circle of the ring, {root} mm");
-            return Err(self.refused(keys, &message));
+            return Err(self.refused(keys, &Named("no-rim", message)));
         }
         let refuse = |error| self.refused(keys, &error);
         let teeth = ring(root, tip, width, self.density()).map_err(refuse)? * TOOTH_FILL;
@@ -280,8 +285,8 @@ impl Of<'_> {
         self.file.gear_density()
     }
 
-    pub(super) fn refused(&self, keys: &[&str], error: &dyn std::fmt::Display) -> Error {
-        refused(self.subject.document, &self.path, keys, &error.to_string())
+    pub(super) fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
+        refused(self.subject.document, &self.path, keys, why)
     }
 }
 

@@ -71,7 +71,7 @@ impl Settled {
         let keys = file.vibration.as_ref().unwrap_or(&none);
         let at = |key: &str, error: &Error| {
             let path = Path::root().key("vibration");
-            refused(subject.document, &path, &[key], &error.to_string())
+            refused(subject.document, &path, &[key], error)
         };
         let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, Wanted::PLACES)).transpose()?;
         let speeds = wanted.speeds.as_ref().or(of_file.as_ref());

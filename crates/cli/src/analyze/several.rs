@@ -1,7 +1,8 @@
 //! The options of gears with several inputs: speeds and torques of links, ranges of speeds.
 
 use crate::failure::Failure;
-use epicyclic_answers::analyze::inputs::{Steps, Wanted};
+use epicyclic_answers::analyze::inputs::Wanted;
+use epicyclic_answers::analyze::inputs::map::Steps;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Physical, Quantity};
 use std::str::FromStr;

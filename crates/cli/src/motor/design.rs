@@ -81,6 +81,17 @@ pub(super) fn refuse(error: answers::Error) -> Failure {
     }
 }
 
+/// A refusal of a motor from a file: an option where it is about one, else for its place in the file.
+pub(super) fn refuse_of_file(error: answers::Error, has_angle: bool) -> Failure {
+    match &error {
+        answers::Error::CentrodePoints { .. } => refuse(error),
+        answers::Error::Motor(Error::NotFinite { quantity: Quantity::Rotation, .. }) if has_angle => {
+            refuse(error)
+        }
+        _ => error.into(),
+    }
+}
+
 /// The option of a group of keys, and the rest of the key.
 fn of_group(key: &str) -> Option<(&'static str, &str)> {
     let (group, rest) = key.split_once('.').unwrap_or((key, ""));

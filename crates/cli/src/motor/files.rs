@@ -1,11 +1,11 @@
 //! What goes into the files: drawings as SVG, DXF, PDF and PNG, centrodes as points.
 
-use super::design::refuse;
 use super::{Files, View};
 use crate::desk::Content;
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
+use epicyclic_answers::Error;
 use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::motor::{Designed, centrodes};
 use epicyclic_drawing::Scene;
@@ -48,7 +48,12 @@ impl Wanted {
 }
 
 /// Every file that is asked for, before any is written.
-pub(super) fn content(files: &Files, wanted: &Wanted, designed: &Designed) -> Result<Vec<Content>, Failure> {
+pub(super) fn content(
+    files: &Files,
+    wanted: &Wanted,
+    designed: &Designed,
+    refuse: &dyn Fn(Error) -> Failure,
+) -> Result<Vec<Content>, Failure> {
     let mut written = vec![];
     if !wanted.is_empty() {
         let view = files.view.unwrap_or(View::Motor);

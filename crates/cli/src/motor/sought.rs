@@ -261,7 +261,7 @@ impl Outlet<'_> {
         let angle = self.shown.angle.map_or_else(Angle::default, |angle| angle.0);
         let design = self.shown.design.unwrap_or(1);
         let designed = motor(design, angle).map_err(refuse)?;
-        let mut written = files::content(&self.shown.files, &self.drawings, &designed)?;
+        let mut written = files::content(&self.shown.files, &self.drawings, &designed, &refuse)?;
         if let Some(file) = &self.shown.save {
             written.push((file.clone(), saved(design).map_err(refuse)?.into_bytes()));
         }

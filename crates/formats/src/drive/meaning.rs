@@ -41,7 +41,7 @@ impl DriveFile {
         if let Some(mesh) = &self.mesh_efficiency {
             let eta = |given: Option<Quantity<Ratio>>, usual, path| {
                 given.map_or(Ok(usual), |given| {
-                    MeshEfficiency::new(given.0.si()).map_err(|error| Misfit::new(path, error))
+                    MeshEfficiency::new(given.0.si()).map_err(|error| Misfit::of_gear(path, &error))
                 })
             };
             spec.sun_planet_efficiency =
@@ -83,7 +83,7 @@ fn or<T>(given: Option<Quantity<T>>, usual: T) -> T {
 /// The teeth, and the ratio of a set given in full.
 fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), Misfit> {
     let single = |span: Option<Span<u32>>| span.and_then(|span| span.single());
-    let count = |value, path| ToothCount::new(value).map_err(|error| Misfit::new(path, error));
+    let count = |value, path| ToothCount::new(value).map_err(|error| Misfit::of_gear(path, &error));
     let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));
     let tip_gap = file.tip_gap.map_or(0.0, Number::get);
     let placement = file.spacing.map_or(Placement::Equal, Placement::from);
@@ -102,6 +102,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
                 let odd = || {
                     Misfit::new(
                         "teeth.ring",
+                        "no-planet-teeth",
                         format!(
                             "a ring of {ring} and a sun of {sun} teeth leave no whole number of teeth to the \
                              planet; their difference must be even and above 0"
@@ -119,15 +120,15 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
     let mut bounds = default_bounds(rack);
     let range = |span: Option<Span<u32>>, usual: &RangeInclusive<u32>, path| {
         let range = span.map_or(Ok(usual.clone()), |span| span.within(usual.clone()));
-        let range = range.map_err(|error| Misfit::new(path, error))?;
-        if *range.start() == 0 { Err(Misfit::new(path, GearError::NoTeeth)) } else { Ok(range) }
+        let range = range.map_err(|error| Misfit::new(path, "range", error))?;
+        if *range.start() == 0 { Err(Misfit::of_gear(path, &GearError::NoTeeth)) } else { Ok(range) }
     };
     bounds.sun = range(file.sun, &bounds.sun, "teeth.sun")?;
     bounds.planet = range(file.planet, &bounds.planet, "teeth.planet")?;
     bounds.ring = range(file.ring, &bounds.ring, "teeth.ring")?;
     if let Some(planets) = file.planets {
         let range = planets.within(bounds.planets.clone());
-        bounds.planets = range.map_err(|error| Misfit::new("teeth.planets", error))?;
+        bounds.planets = range.map_err(|error| Misfit::new("teeth.planets", "range", error))?;
     }
     (bounds.tip_gap, bounds.placement) = (tip_gap, placement);
     Ok((TeethSpec::Within(bounds), None))
@@ -136,7 +137,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
 fn bore(given: Option<BoreText>, usual: Bore, path: &str) -> Result<Bore, Misfit> {
     match given.map(|given| given.0) {
         Some(Bore::Given(diameter)) if diameter.si() < 0.0 => {
-            Err(Misfit::new(path, "a bore below 0; write 0 mm for a solid gear"))
+            Err(Misfit::new(path, "negative", "a bore below 0; write 0 mm for a solid gear"))
         }
         given => Ok(given.unwrap_or(usual)),
     }
@@ -145,11 +146,15 @@ fn bore(given: Option<BoreText>, usual: Bore, path: &str) -> Result<Bore, Misfit
 fn shaft(given: Option<&ShaftFile>, path: &str) -> Result<ShaftSpec, Misfit> {
     let Some(given) = given else { return Ok(ShaftSpec::default()) };
     if given.diameter.is_some_and(|diameter| diameter.0.si() <= 0.0) {
-        return Err(Misfit::new(&format!("{path}.diameter"), "a shaft's diameter must be above 0"));
+        return Err(Misfit::new(
+            &format!("{path}.diameter"),
+            "not-positive",
+            "a shaft's diameter must be above 0",
+        ));
     }
     let bearing = given.bearing.as_ref().map(|designation| {
         bearing::by_designation(&designation.0)
-            .map_err(|error| Misfit::new(&format!("{path}.bearing"), error))
+            .map_err(|error| Misfit::of_gear(&format!("{path}.bearing"), &error))
     });
     Ok(ShaftSpec { diameter: given.diameter.map(|given| given.0), bearing: bearing.transpose()? })
 }
@@ -173,9 +178,15 @@ fn carrier(given: &CarrierFile) -> Result<CarrierSpec, Misfit> {
                 width: hub.width.0,
             },
         }),
-        (Some(_), _, _) => {
-            Err(Misfit::new("carrier.inertia", "a carrier has its inertia given, or arms and hub, not both"))
-        }
-        (None, _, _) => Err(Misfit::new("carrier", "give the carrier both arms and hub, or its inertia")),
+        (Some(_), _, _) => Err(Misfit::new(
+            "carrier.inertia",
+            "carrier-twice",
+            "a carrier has its inertia given, or arms and hub, not both",
+        )),
+        (None, _, _) => Err(Misfit::new(
+            "carrier",
+            "half-a-carrier",
+            "give the carrier both arms and hub, or its inertia",
+        )),
     }
 }

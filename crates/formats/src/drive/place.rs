@@ -30,6 +30,9 @@ pub fn place(error: &Error) -> Path {
             _ => "",
         },
         Error::LoadNotFinite { .. } => "start.load",
+        Error::DoesNotStart { .. } => "start.driving_torque",
+        Error::SelfLocking => "mesh_efficiency",
+        Error::NoInertia | Error::Overflow { .. } => "gear_set",
         _ => "",
     })
 }

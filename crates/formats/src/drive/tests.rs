@@ -18,7 +18,7 @@ fn refusal(text: &str) -> String {
         Err(error) => error.to_string(),
         Ok((_, spec)) => {
             let error = design(&spec).unwrap_err();
-            document.error(&place(&error), Problem::Refused { message: error.to_string() }).to_string()
+            document.error(&place(&error), Problem::refused(error.name(), error.to_string())).to_string()
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{DescriptionError, RollingEntry, spaced};
 use crate::drive::Spacing;
-use crate::{Number, Quantity};
+use crate::{Number, Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
@@ -231,10 +231,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
             });
         }
         let mut meshes = vec![];
-        for mesh in &self.meshes {
+        for (place, mesh) in self.meshes.iter().enumerate() {
             let eta =
                 mesh.efficiency.map_or(Ok(MeshEfficiency::IDEAL), |eta| MeshEfficiency::new(eta.0.value));
-            let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
+            let at = Path::root().key("meshes").index(place).key("efficiency");
+            let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
             meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
         }
         if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {

@@ -1,5 +1,6 @@
 //! What a gearbox file says of losses that do not depend on the load: curves of drag torques.
 
+use super::checks::unique;
 use super::{DescriptionError, GearboxFile};
 use crate::Quantity;
 use epicyclic_train::drag::{Beyond, Drag, DragCurve};
@@ -73,15 +74,17 @@ impl GearboxFile {
             let (what, count, limit) = (Named::Drag, self.drags.len(), MOST_DRAGS);
             return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
         }
+        // Of the open shift elements, too: a drag has no other name than theirs.
+        let of_elements = self.brakes.iter().filter(|brake| brake.drag.is_some()).map(|brake| &brake.id);
+        let of_clutches =
+            self.clutches.iter().filter(|clutch| clutch.drag.is_some()).map(|clutch| &clutch.id);
+        unique(Named::Drag, of_elements.chain(of_clutches).chain(self.drags.iter().map(|drag| &drag.id)))?;
         let mut all: Vec<Drag> = vec![];
         let fault = |name: &str| {
             let drag = name.to_owned();
             move |fault| epicyclic_train::Error::Drag { drag, fault }
         };
         for DragEntry { id, between: [first, second], curve } in &self.drags {
-            if all.iter().any(|other| other.name == *id) {
-                return Err(epicyclic_train::Error::Duplicate { what: Named::Drag, name: id.clone() }.into());
-            }
             all.push(gearbox.drag(id, [first, second], curve.curve().map_err(fault(id))?)?);
         }
         let brakes = self.brakes.iter().map(|brake| (&brake.id, &brake.drag));

@@ -1,7 +1,7 @@
 //! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
 
 use super::{DescriptionError, GearboxFile, SetEntry, numbers};
-use crate::Quantity;
+use crate::{Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use uom::si::f64::Ratio;
@@ -27,7 +27,8 @@ impl GearboxFile {
         let rack = self.rack().map_err(DescriptionError::Rack)?;
         match spec.friction_losses(&rack, friction) {
             Some(losses) => {
-                let losses = losses.map_err(|source| DescriptionError::Set { set: set(), source })?;
+                let at = Path::root().key("friction");
+                let losses = losses.map_err(|source| DescriptionError::Set { set: set(), at, source })?;
                 Ok(spec.with_loss(losses))
             }
             None => Ok(spec),
@@ -42,10 +43,14 @@ pub(super) fn losses(
     efficiency: Option<Quantity<Ratio>>,
     meshes: Option<&[Quantity<Ratio>]>,
 ) -> Result<MeshLoss, DescriptionError> {
-    let eta = |eta: Quantity<Ratio>| {
-        MeshEfficiency::new(eta.0.value)
-            .map_err(|source| DescriptionError::Set { set: set.to_owned(), source })
+    let eta = |eta: Quantity<Ratio>, at: Path| {
+        MeshEfficiency::new(eta.0.value).map_err(|source| DescriptionError::Set {
+            set: set.to_owned(),
+            at,
+            source,
+        })
     };
+    let mesh = |place| Path::root().key("meshes").index(place);
     let expected = match kind {
         SetKind::ExternalPair | SetKind::InternalPair => 1,
         SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
@@ -53,13 +58,14 @@ pub(super) fn losses(
     };
     match (efficiency, meshes) {
         (None, None) => Ok(MeshLoss::IDEAL),
-        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole)?)),
-        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only)?)),
+        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole, Path::root().key("efficiency"))?)),
+        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only, mesh(0))?)),
         (None, Some([first, second])) if expected == 2 => {
-            Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
+            Ok(MeshLoss::sun_and_ring(eta(*first, mesh(0))?, eta(*second, mesh(1))?))
         }
         (None, Some([first, between, second])) if expected == 3 => {
-            Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
+            let (first, between) = (eta(*first, mesh(0))?, eta(*between, mesh(1))?);
+            Ok(MeshLoss::Meshes { first, between, second: eta(*second, mesh(2))? })
         }
         _ => Err(DescriptionError::Losses { set: set.to_owned(), expected }),
     }

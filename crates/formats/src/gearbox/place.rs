@@ -6,12 +6,16 @@ use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
 use epicyclic_gears::Quantity;
 use epicyclic_train::{CompoundFault, DragFault, Error as SolverError, Named, Place, Terminal};
+use std::vec::IntoIter;
 
 /// The lists whose entries may bear the name of a shift element.
 const SHIFT_ELEMENTS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
 
 /// The lists whose entries may bear the name of a set.
 const SETS: [&str; 2] = ["sets", "compound_sets"];
+
+/// The keys of a set that name its members.
+const MEMBERS: [&str; 5] = ["sun", "gear_a", "ring", "gear_b", "carrier"];
 
 /// The error at its place in the document; `base` is the gearbox's own path, the root of a file with one.
 ///
@@ -31,7 +35,7 @@ const SETS: [&str; 2] = ["sets", "compound_sets"];
 #[must_use]
 pub fn located(document: &Document, base: &Path, error: &DescriptionError) -> Error {
     let file = File { document, base };
-    document.error(&file.place(error), Problem::Refused { message: error.to_string() })
+    document.error(&file.place(error), Problem::refused(error.name(), error.to_string()))
 }
 
 /// The place of a key of a gear, of a gear that has it; else the gear's.
@@ -39,6 +43,13 @@ pub fn located(document: &Document, base: &Path, error: &DescriptionError) -> Er
 pub fn gear_place(document: &Document, base: &Path, gear: &str, key: &str) -> Path {
     let file = File { document, base };
     file.key(file.entry(&["gears"], gear), key)
+}
+
+/// The place of a set or shift element by its name, where the gearbox has one.
+#[must_use]
+pub fn part_place(document: &Document, base: &Path, name: &str) -> Option<Path> {
+    let file = File { document, base };
+    file.entries(&SETS, name).chain(file.entries(&SHIFT_ELEMENTS, name)).next()
 }
 
 struct File<'a> {
@@ -50,10 +61,11 @@ impl File<'_> {
     fn place(&self, error: &DescriptionError) -> Path {
         use DescriptionError as E;
         match error {
-            E::RowKnownInOneWay { set } | E::Losses { set, .. } | E::Missing { set, .. } => self.set(set),
-            E::Set { set, source } => {
-                keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
-            }
+            E::RowKnownInOneWay { set } => self.key(self.set(set), "teeth"),
+            E::Losses { set, .. } => self.key(self.set(set), "meshes"),
+            E::Missing { set, .. } => self.set(set),
+            E::Set { set, at, source } if at.is_root() => self.first_key(self.set(set), keys_of(source)),
+            E::Set { set, at, .. } => self.within(self.set(set), at.segments()),
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
             E::LossesTwice { set } | E::Friction { set } => self.key(self.set(set), "friction"),
             E::Rack(error) => self.key(
@@ -75,18 +87,21 @@ impl File<'_> {
                 keys.iter().fold(path, |path, key| self.key(path, key))
             }
             E::HelixAngle { set } => self.key(self.set(set), "helix_angle"),
-            E::Shifts { set } => {
-                let keys = ["tip_alterations", "profile_shifts"];
-                keys.iter().fold(self.set(set), |path, key| self.key(path, key))
-            }
+            E::Shifts { set } => self.first_key(self.set(set), &["profile_shifts", "tip_alterations"]),
             E::Values { set, key, .. } => self.key(self.set(set), key),
             E::SpacingTwice { set } => self.spacing(set),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
-            E::MemberInNoLink { set, member } => self.text(self.set(set), member),
+            E::MemberInNoLink { set, member } => {
+                let named = self.reference(self.set(set), &MEMBERS, member);
+                named.unwrap_or_else(|| self.part_of_set(self.set(set), member))
+            }
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
             E::Clutch { clutch } => self.entry(&SHIFT_ELEMENTS, clutch),
-            E::MemberInTwoLinks { member, second, .. } => {
-                self.text(self.base.clone().key("links").key(second.as_str()), member)
+            E::MemberInTwoLinks { member, first, second } => {
+                let path = self.base.clone().key("links").key(second.as_str());
+                // In one link twice it is the second that is too many.
+                let nth = usize::from(first == second);
+                self.listed(&path, member).nth(nth).unwrap_or(path)
             }
             E::Gearbox(error) => self.of_engine(error),
         }
@@ -94,34 +109,29 @@ impl File<'_> {
 
     fn of_engine(&self, error: &SolverError) -> Path {
         match error {
-            SolverError::Unknown { name, place, .. } => self.text(self.named(place), name),
-            SolverError::GroundedTerminal { place } => self.text(self.named(place), epicyclic_train::GROUND),
-            SolverError::Duplicate { what, name } => match what {
-                Named::Set => self.set(name),
-                Named::ShiftElement => self.entry(&SHIFT_ELEMENTS, name),
-                Named::Gear => self.entry(&["gears"], name),
-                Named::Drag => self.entry(&["drags"], name),
-                _ => self.text(self.base.clone().key("links"), name),
-            },
+            SolverError::Unknown { name, place, .. } => {
+                let path = self.named(place);
+                self.reference(path.clone(), &["link", "links", "one_way", "engaged", "between"], name)
+                    .unwrap_or(path)
+            }
+            SolverError::GroundedTerminal { place } => self.named(place),
+            SolverError::Duplicate { what, name } => self.second(*what, name),
             SolverError::CoincidentMembers { set, .. }
             | SolverError::StepsMissing { set, .. }
             | SolverError::BasicRatio { set, .. } => self.set(set),
+            SolverError::PlanetCount { set, .. } => self.first_key(self.set(set), &["planets", "n_p"]),
             SolverError::RingToSunRatio { set, .. } => {
-                ["k", "teeth", "z_r"].iter().fold(self.set(set), |path, key| self.key(path, key))
+                self.first_key(self.set(set), &["k", "teeth", "z_r", "z_b"])
             }
-            SolverError::PlanetCount { set, .. } => self.key(self.set(set), "planets"),
             SolverError::Spacing { set, .. } => self.spacing(set),
             SolverError::Compound { set, fault } => self.of_compound(set, fault),
             SolverError::TooMany { what, limit, .. } => self.beyond(*what, *limit),
             SolverError::Drag { drag, fault } => self.of_drag(drag, fault),
-            SolverError::NoSets => self.key(self.base.clone(), "sets"),
+            SolverError::NoSets | SolverError::Spread { .. } => self.first_key(self.base.clone(), &SETS),
             SolverError::ShiftElementJoinsItself { shift_element, .. } => {
                 self.entry(&SHIFT_ELEMENTS, shift_element)
             }
-            SolverError::CyclicGrounds { first, .. } => {
-                let places = ["ties", "grounds"].map(|key| self.text(self.base.clone().key(key), first));
-                self.first_that_exists(places)
-            }
+            SolverError::CyclicGrounds { number, .. } => self.connection(*number),
             _ => self.base.clone(),
         }
     }
@@ -139,6 +149,7 @@ impl File<'_> {
             Place::TerminalOf(which, gear) => self.key(self.entry(&["gears"], gear), terminal(*which)),
             Place::Drag(name) => self.entry(&["drags"], name),
             Place::Terminal(which) => self.key(self.base.clone(), terminal(*which)),
+            Place::Connection(number) => self.connection(*number),
             _ => self.base.clone(),
         }
     }
@@ -178,8 +189,12 @@ impl File<'_> {
         match fault {
             CompoundFault::NoTeeth { gear }
             | CompoundFault::NotWhole { gear, .. }
-            | CompoundFault::Proportion { gear, .. }
-            | CompoundFault::NameTwice { name: gear } => self.part_of_set(path, &gear.of),
+            | CompoundFault::Proportion { gear, .. } => self.part_of_set(path, &gear.of),
+            CompoundFault::NameTwice { name } => {
+                let mut parts = self.parts_of_set(&path, &name.of);
+                let first = parts.next();
+                parts.next().or(first).unwrap_or(path)
+            }
             CompoundFault::PlanetGears { planet: name, .. }
             | CompoundFault::PlanetTeeth { planet: name }
             | CompoundFault::TwoShafts { name, .. }
@@ -187,9 +202,14 @@ impl File<'_> {
             CompoundFault::UnknownGear { name, .. } => {
                 let meshes = path.clone().key("meshes");
                 let shafts = path.clone().key("planet_shafts");
-                let is_shaft =
-                    self.document.value_at(&shafts).is_some_and(|value| find(value, name).is_some());
-                self.text(if is_shaft { shafts } else { meshes }, name)
+                self.listed(&shafts, name)
+                    .next()
+                    .or_else(|| {
+                        let gears =
+                            (0..self.length(&meshes)).map(|mesh| meshes.clone().index(mesh).key("gears"));
+                        gears.flat_map(|gears| self.listed(&gears, name)).next()
+                    })
+                    .unwrap_or(path)
             }
             CompoundFault::Mesh { first, second, .. } | CompoundFault::Loop { first, second } => {
                 let meshes = path.clone().key("meshes");
@@ -214,14 +234,22 @@ impl File<'_> {
 
     /// A central gear or planet of a compound set.
     fn part_of_set(&self, set: Path, name: &str) -> Path {
+        self.parts_of_set(&set, name).next().unwrap_or(set)
+    }
+
+    /// All central gears and planets of a name.
+    fn parts_of_set(&self, set: &Path, name: &str) -> IntoIter<Path> {
         let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
-        let exists = |map: &&&str| {
-            let map = self.document.value_at(&set.clone().key(**map));
-            map.is_some_and(|map| map.get(name).is_some())
-        };
-        match maps.iter().find(exists) {
-            Some(map) => set.key(*map).key(name),
-            None => set,
+        let paths = maps.into_iter().map(|map| set.clone().key(map).key(name));
+        paths.filter(|path| self.document.value_at(path).is_some()).collect::<Vec<_>>().into_iter()
+    }
+
+    /// A permanent connection: `grounds` come first, then `ties`.
+    fn connection(&self, number: usize) -> Path {
+        let grounds = self.base.clone().key("grounds");
+        match number.checked_sub(self.length(&grounds)) {
+            None => grounds.index(number),
+            Some(tie) => self.base.clone().key("ties").index(tie),
         }
     }
 
@@ -249,22 +277,41 @@ impl File<'_> {
         self.base.clone()
     }
 
-    /// The last entry of these lists that bears a name: of two with one name, the one too many.
+    /// The entry of these lists that bears a name, which only one does.
     fn entry(&self, lists: &[&str], name: &str) -> Path {
+        self.entries(lists, name).next().unwrap_or_else(|| self.base.clone())
+    }
+
+    /// All entries of these lists that bear a name, in the order of the lists.
+    fn entries(&self, lists: &[&str], name: &str) -> IntoIter<Path> {
         let bears = |entry: &Value| ["id", "name"].iter().any(|key| text_of(entry.get(key)) == Some(name));
-        for list in lists.iter().rev() {
+        let mut found = vec![];
+        for list in lists {
             let path = self.base.clone().key(*list);
             match self.document.value_at(&path) {
                 Some(Value::Sequence(entries)) => {
-                    if let Some(index) = entries.iter().rposition(bears) {
-                        return path.index(index);
-                    }
+                    let named = entries.iter().enumerate().filter(|(_, entry)| bears(entry));
+                    found.extend(named.map(|(index, _)| path.clone().index(index)));
                 }
-                Some(Value::Mapping(entries)) if entries.contains_key(name) => return path.key(name),
+                Some(Value::Mapping(entries)) if entries.contains_key(name) => found.push(path.key(name)),
                 _ => {}
             }
         }
-        self.base.clone()
+        found.into_iter()
+    }
+
+    /// Of two things with one name the one too many.
+    fn second(&self, what: Named, name: &str) -> Path {
+        let mut found = match what {
+            Named::Set => self.entries(&SETS, name),
+            Named::ShiftElement => self.entries(&SHIFT_ELEMENTS, name),
+            Named::Gear => self.entries(&["gears"], name),
+            // A drag may have the name of a shift element and not of another drag.
+            Named::Drag => self.entries(&["drags"], name),
+            _ => self.entries(&["links"], name),
+        };
+        let first = found.next();
+        found.next().or(first).unwrap_or_else(|| self.base.clone())
     }
 
     /// The value of a key, where there is one.
@@ -273,19 +320,49 @@ impl File<'_> {
         if self.document.value_at(&inner).is_some() { inner } else { path }
     }
 
-    /// Where a text stands within an entry.
-    fn text(&self, path: Path, text: &str) -> Path {
-        let found = self.document.value_at(&path).and_then(|value| find(value, text));
-        let extend = |path: Path, segment: Segment| match segment {
-            Segment::Key(key) => path.key(key),
-            Segment::Index(index) => path.index(index),
-        };
-        found.unwrap_or_default().into_iter().rev().fold(path, extend)
+    /// The value of the first of these keys that there is.
+    fn first_key(&self, path: Path, keys: &[&str]) -> Path {
+        let inner = keys.iter().map(|key| path.clone().key(*key));
+        inner.into_iter().find(|inner| self.document.value_at(inner).is_some()).unwrap_or(path)
     }
 
-    fn first_that_exists(&self, paths: [Path; 2]) -> Path {
-        let exists = |path: &Path| self.document.value_at(path).is_some_and(|value| value.as_str().is_some());
-        paths.into_iter().find(exists).unwrap_or_else(|| self.base.clone())
+    /// The longest part of a way that there is.
+    fn within(&self, path: Path, way: &[Segment]) -> Path {
+        let Some((step, rest)) = way.split_first() else { return path };
+        let inner = match step {
+            Segment::Key(key) => path.clone().key(key),
+            Segment::Index(index) => path.clone().index(*index),
+        };
+        if self.document.value_at(&inner).is_some() { self.within(inner, rest) } else { path }
+    }
+
+    /// A name under one of the keys of an entry whose values are names; of an entry without keys, itself a list of names.
+    fn reference(&self, entry: Path, keys: &[&str], name: &str) -> Option<Path> {
+        let lists = keys.iter().map(|key| entry.clone().key(*key)).chain([entry.clone()]);
+        lists.flat_map(|list| self.listed(&list, name)).next()
+    }
+
+    /// A text itself, or the entries of a list or map that are this text.
+    fn listed(&self, path: &Path, text: &str) -> IntoIter<Path> {
+        let is_it = |value: &Value| value.as_str() == Some(text);
+        let found: Vec<Path> = match self.document.value_at(path) {
+            Some(Value::Sequence(entries)) => {
+                let found = entries.iter().enumerate().filter(|(_, entry)| is_it(entry));
+                found.map(|(index, _)| path.clone().index(index)).collect()
+            }
+            Some(Value::Mapping(entries)) => {
+                let found = entries.iter().filter(|(_, entry)| is_it(entry));
+                found.filter_map(|(key, _)| Some(path.clone().key(key.as_str()?))).collect()
+            }
+            Some(value) if is_it(value) => vec![path.clone()],
+            _ => vec![],
+        };
+        found.into_iter()
+    }
+
+    /// How many entries a list has.
+    fn length(&self, path: &Path) -> usize {
+        self.document.value_at(path).and_then(Value::as_sequence).map_or(0, Vec::len)
     }
 }
 
@@ -313,23 +390,4 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
 
 fn text_of(value: Option<&Value>) -> Option<&str> {
     value.and_then(Value::as_str)
-}
-
-/// The way to a text within a value, last step first.
-fn find(value: &Value, text: &str) -> Option<Vec<Segment>> {
-    let step = |inner: &Value, segment: Segment| {
-        let mut way = find(inner, text)?;
-        way.push(segment);
-        Some(way)
-    };
-    match value {
-        Value::String(found) => (found == text).then(Vec::new),
-        Value::Sequence(entries) => {
-            entries.iter().enumerate().find_map(|(index, entry)| step(entry, Segment::Index(index)))
-        }
-        Value::Mapping(entries) => {
-            entries.iter().find_map(|(key, entry)| step(entry, Segment::Key(key.as_str()?.to_owned())))
-        }
-        _ => None,
-    }
 }

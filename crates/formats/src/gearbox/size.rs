@@ -1,7 +1,7 @@
 //! What a gearbox file says of the size of its sets: planets and their bearings, the basic rack, the density.
 
 use super::{DescriptionError, GearboxFile};
-use crate::{Number, Physical};
+use crate::{Number, Path, Physical};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{Mesh, MeshKind};
@@ -101,7 +101,8 @@ pub(super) fn planet_bearings(
     let mut all = vec![];
     for (place, set) in gearbox.sets().iter().enumerate() {
         if let Some(bearings) = gearbox.planet_bearings(place, &size(set)) {
-            let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
+            let refuse =
+                |source| DescriptionError::Set { set: set.id().to_owned(), at: Path::root(), source };
             all.extend(bearings.map_err(refuse)?);
         }
     }

@@ -1,9 +1,10 @@
 //! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
+use super::checks::unique;
 use super::compound::{CompoundEntry, ListedPlanetEntry, Note};
 use super::{DescriptionError, losses, spaced};
 use crate::drive::Spacing;
-use crate::{Number, Quantity};
+use crate::{Number, Path, Quantity};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{SetKind, SetSpec};
@@ -249,6 +250,10 @@ impl Transmission {
         if let Some((what, count, limit)) = counts.into_iter().find(|(_, count, limit)| count > limit) {
             return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
         }
+        let sets = self.sets.iter().map(|set| &set.id).chain(self.compound_sets.iter().map(|set| &set.id));
+        unique(Named::Set, sets)?;
+        unique(Named::ShiftElement, self.shift_elements.keys().chain(self.one_way.keys()))?;
+        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
         let mut link_of: BTreeMap<&str, &str> = BTreeMap::new();
         for (link, members) in &self.links {
             for member in members {
@@ -309,7 +314,10 @@ fn link_of_member<'n>(
 impl TransmissionSet {
     fn spec(&self, link_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
         let missing = |missing| DescriptionError::Missing { set: self.id.clone(), missing };
-        let gears = |source| DescriptionError::Set { set: self.id.clone(), source };
+        let gears = |key: &str| {
+            let (set, at) = (self.id.clone(), Path::root().key(key));
+            move |source| DescriptionError::Set { set, at, source }
+        };
         let node = |member: Option<&String>, what| {
             link_of_member(link_of, &self.id, member.ok_or_else(|| missing(what))?)
         };
@@ -330,16 +338,25 @@ impl TransmissionSet {
         let other = node(self.ring.as_ref().or(self.gear_b.as_ref()), second)?;
         let carrier = if kind.is_pair() { GROUND } else { node(self.carrier.as_ref(), "`carrier`")? };
         let (first, second) = if kind.is_pair() { ("`z_a`", "`z_b`") } else { ("`z_s`", "`z_r`") };
+        let either = |one: (Option<u32>, &'static str), other: (Option<u32>, &'static str)| {
+            one.0.map(|teeth| (teeth, one.1)).or(other.0.map(|teeth| (teeth, other.1)))
+        };
         let teeth = [
-            self.z_s.or(self.z_a).ok_or_else(|| missing(first))?,
-            self.z_r.or(self.z_b).ok_or_else(|| missing(second))?,
+            either((self.z_s, "z_s"), (self.z_a, "z_a")).ok_or_else(|| missing(first))?,
+            either((self.z_r, "z_r"), (self.z_b, "z_b")).ok_or_else(|| missing(second))?,
         ];
         let members = [one, other, carrier];
-        let mut spec = SetSpec::teeth(&self.id, kind, members, teeth[0], teeth[1]).map_err(gears)?;
+        for (count, key) in teeth {
+            ToothCount::new(count).map_err(gears(key))?;
+        }
+        let mut spec =
+            SetSpec::teeth(&self.id, kind, members, teeth[0].0, teeth[1].0).map_err(gears(teeth[1].1))?;
         spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
-        let count = |teeth: Option<u32>| teeth.map(ToothCount::new).transpose().map_err(gears);
-        spec.planet = count(self.z_p.or(self.z_pa))?;
-        spec.second_planet = count(self.z_pb)?;
+        let count = |given: Option<(u32, &str)>| {
+            given.map(|(teeth, key)| ToothCount::new(teeth).map_err(gears(key))).transpose()
+        };
+        spec.planet = count(either((self.z_p, "z_p"), (self.z_pa, "z_pa")))?;
+        spec.second_planet = count(self.z_pb.map(|teeth| (teeth, "z_pb")))?;
         if let Some(count) = self.n_p {
             spec = spec.planet_count(count);
         }

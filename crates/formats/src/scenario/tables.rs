@@ -111,8 +111,8 @@ pub fn read_csv<X: Physical, Y: Physical>(file: &str, text: &str) -> Result<Poin
         points.push((x.0, y.0));
     }
     if points.is_empty() {
-        let message = "a table is due: the units of its columns, then lines of numbers".to_owned();
-        return Err(at(first, 1, Problem::Refused { message }));
+        let message = "a table is due: the units of its columns, then lines of numbers";
+        return Err(at(first, 1, Problem::refused("empty-table", message)));
     }
     Ok(points)
 }

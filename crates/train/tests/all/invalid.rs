@@ -133,7 +133,7 @@ fn a_shift_element_joins_two_links() {
 #[test]
 fn permanent_connections_close_no_loop() {
     let loops = sound().links(["x", "y"]).ground("x").tie("x", "y").ground("y");
-    assert_eq!(fault(loops), Error::CyclicGrounds { first: "y".into(), second: "ground".into() });
+    assert_eq!(fault(loops), Error::CyclicGrounds { number: 2, first: "y".into(), second: "ground".into() });
     assert!(matches!(fault(sound().ground("ground")), Error::CyclicGrounds { .. }));
 }
 

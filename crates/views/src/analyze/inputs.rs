@@ -3,11 +3,13 @@
 use super::shared::{column, count, engaged, joins, kind, quantity};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, warned};
+use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, checked_rows_as_csv, warned};
+use epicyclic_answers::analyze::inputs::map::{Map, MapEntry, SpeedMap};
 use epicyclic_answers::analyze::inputs::{
-    Inputs, Link, Map, MapEntry, Member, Mesh, Planet, Powers, ShiftElement, Terminal,
+    Inputs, Link, Member, Mesh, Planet, Powers, ShiftElement, Terminal,
 };
 use epicyclic_formats::Dimension;
+use std::io;
 
 impl AsReport for Inputs {
     fn report(&self) -> Report {
@@ -236,17 +238,6 @@ fn powers(powers: &Powers) -> Section {
 
 impl AsReport for Map {
     fn report(&self) -> Report {
-        let row = |entry: &MapEntry| {
-            vec![
-                column(Some(entry.first_speed_rad_s), Dimension::AngularSpeed),
-                column(Some(entry.second_speed_rad_s), Dimension::AngularSpeed),
-                text(&entry.link),
-                column(entry.speed_rad_s, Dimension::AngularSpeed),
-                column(entry.torque_n_m, Dimension::Torque),
-                column(entry.power_w, Dimension::Power),
-                multiple(entry.efficiency),
-            ]
-        };
         let mut shown = vec!["first_speed", "second_speed", "link", "speed"];
         let mut note = "";
         if !self.torques.is_empty() {
@@ -255,16 +246,8 @@ impl AsReport for Map {
         }
         let records = Records {
             name: "map",
-            columns: vec![
-                Column::headed("first_speed", format!("{}, rpm", self.first_link), Dimension::AngularSpeed),
-                Column::headed("second_speed", format!("{}, rpm", self.second_link), Dimension::AngularSpeed),
-                Column::words("link", "link"),
-                Column::quantity("speed", Dimension::AngularSpeed),
-                Column::quantity("torque", Dimension::Torque),
-                Column::quantity("power", Dimension::Power),
-                Column::number("efficiency", "η"),
-            ],
-            rows: self.map.iter().map(row).collect(),
+            columns: map_columns(&self.first_link, &self.second_link),
+            rows: self.map.iter().map(map_row).collect(),
             views: vec![View { note: note.to_owned(), ..View::new("Map over two speeds", &shown) }],
             is_answer: true,
         };
@@ -274,4 +257,38 @@ impl AsReport for Map {
             warnings: warned(&self.warnings),
         }
     }
+}
+
+fn map_columns(first: &str, second: &str) -> Vec<Column> {
+    vec![
+        Column::headed("first_speed", format!("{first}, rpm"), Dimension::AngularSpeed),
+        Column::headed("second_speed", format!("{second}, rpm"), Dimension::AngularSpeed),
+        Column::words("link", "link"),
+        Column::quantity("speed", Dimension::AngularSpeed),
+        Column::quantity("torque", Dimension::Torque),
+        Column::quantity("power", Dimension::Power),
+        Column::number("efficiency", "η"),
+    ]
+}
+
+fn map_row(entry: &MapEntry) -> Vec<Figure> {
+    vec![
+        column(Some(entry.first_speed_rad_s), Dimension::AngularSpeed),
+        column(Some(entry.second_speed_rad_s), Dimension::AngularSpeed),
+        text(&entry.link),
+        column(entry.speed_rad_s, Dimension::AngularSpeed),
+        column(entry.torque_n_m, Dimension::Torque),
+        column(entry.power_w, Dimension::Power),
+        multiple(entry.efficiency),
+    ]
+}
+
+/// A map as CSV, each line when it is calculated.
+///
+/// # Errors
+/// Those of the writer and of the places; a number too large for its unit.
+pub fn map_csv(map: &SpeedMap<'_>, out: impl io::Write) -> io::Result<()> {
+    // Headings are of tables alone.
+    let rows = map.entries().map(|entry| entry.map(|entry| map_row(&entry)));
+    checked_rows_as_csv("map", &map_columns("", ""), rows, out)
 }

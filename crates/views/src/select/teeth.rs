@@ -3,16 +3,15 @@
 use super::{
     best, common_columns, common_figures, length, size_column, size_note, speeds_reached, title, with_speeds,
 };
+use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
+use crate::report::{Column, Part, Records, Report, Text, View, checked_rows_as_csv};
 use crate::teeth::shifted::aim;
-use crate::{AsReport, Error};
 use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
 use epicyclic_answers::teeth::shifted::{RequiredShifts, SetShifts};
 use epicyclic_formats::Dimension;
-use std::borrow::Cow;
 use std::io;
 
 impl AsReport for SelectTeeth {
@@ -282,21 +281,8 @@ pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     shifted: bool,
     out: impl io::Write,
 ) -> io::Result<()> {
-    let columns = columns(shifted);
-    let mut fault = None;
-    let checked = |design: Result<Design, E>| {
-        let row = row(&design.map_err(io::Error::other)?, shifted);
-        match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
-            None => Ok(row),
-            Some((column, _)) => {
-                let figure = format!("designs.{} of {}", column.name, row[0].csv().0);
-                Err(io::Error::other(Error::NotFinite { figure }))
-            }
-        }
-    };
-    let rows = designs.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
-    let written = rows_as_csv(&columns, rows.map(Cow::Owned), out);
-    fault.map_or(written, Err)
+    let rows = designs.map(|design| design.map(|design| row(&design, shifted)));
+    checked_rows_as_csv("designs", &columns(shifted), rows, out)
 }
 
 fn row(design: &Design, shifted: bool) -> Vec<Figure> {

@@ -4,8 +4,10 @@
 //! |---|---|
 //! | [`terminal`] | a terminal and the disk |
 //! | [`interrupt`] | Ctrl-C |
+//! | [`standard_output`] | whether standard output takes an answer |
 
 mod interrupt;
+mod standard_output;
 mod terminal;
 
 use std::process::ExitCode;

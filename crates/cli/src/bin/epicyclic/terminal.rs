@@ -1,6 +1,7 @@
 //! A terminal and the disk, or what a shell puts in a terminal's place.
 
 use crate::interrupt::{WIDTH, hear, is_asked, line_stands, search_hears};
+use crate::standard_output;
 use epicyclic::desk::{Content, Desk, NotWritten, Source, Text, disk};
 use std::io::{self, BufWriter, IsTerminal as _, Write as _, stderr};
 use std::path::Path;
@@ -36,6 +37,12 @@ impl Desk for Terminal {
 
     fn write(&self, files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten> {
         hear();
+        let named = files.iter().map(|(file, _)| file.as_path());
+        for file in named.chain(streamed.as_ref().map(|(file, _)| *file)) {
+            if standard_output::is_name(file) {
+                standard_output::check().map_err(|why| NotWritten { file: file.to_owned(), why })?;
+            }
+        }
         disk::write(files, streamed)
     }
 
@@ -48,6 +55,7 @@ impl Desk for Terminal {
     }
 
     fn answer(&self, source: &mut Source) -> io::Result<()> {
+        standard_output::check()?;
         let mut out = BufWriter::new(io::stdout().lock());
         source(&mut out)?;
         out.flush()
@@ -59,6 +67,9 @@ impl Desk for Terminal {
     }
 
     fn usage(&self, usage: &clap::Error) -> io::Result<()> {
+        if !usage.use_stderr() {
+            standard_output::check()?;
+        }
         usage.print()
     }
 

@@ -1,0 +1,79 @@
+//! Refusals of a command line: as an answer for programs, and shown to people.
+
+use crate::failure::WRONG;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use epicyclic_answers::refused::Refused;
+use epicyclic_formats::quantity::find_unit;
+use epicyclic_formats::visible::one_line;
+use std::ffi::OsString;
+
+/// A refusal of a command line as an answer.
+pub(crate) fn refused(error: &clap::Error) -> Refused {
+    let text = error.render().to_string();
+    // What follows the first paragraph is advice for people at a terminal: usage, and where help is.
+    let message = text.split("\n\n").next().unwrap_or_default();
+    let message = message.strip_prefix("error: ").unwrap_or(message);
+    Refused {
+        name: name(error.kind()),
+        message: message.lines().map(str::trim).collect::<Vec<_>>().join(" "),
+        exit_code: WRONG,
+        option: option(error),
+        place: None,
+    }
+}
+
+/// The option at fault, without the name of its value.
+fn option(error: &clap::Error) -> Option<String> {
+    let argument = match error.get(ContextKind::InvalidArg)? {
+        ContextValue::String(argument) => argument,
+        ContextValue::Strings(arguments) => arguments.first()?,
+        _ => return None,
+    };
+    let option = argument.split([' ', '=']).next()?;
+    option.starts_with('-').then(|| option.to_owned())
+}
+
+/// The name of a kind of refusal, which does not change.
+fn name(kind: ErrorKind) -> &'static str {
+    match kind {
+        ErrorKind::UnknownArgument => "unknown-argument",
+        ErrorKind::InvalidSubcommand => "unknown-command",
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => "option",
+        ErrorKind::ArgumentConflict => "argument-conflict",
+        ErrorKind::MissingRequiredArgument => "missing-argument",
+        ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            "missing-command"
+        }
+        _ => "usage",
+    }
+}
+
+/// A refusal with every character of what was typed shown.
+pub(crate) fn shown(mut error: clap::Error) -> clap::Error {
+    let context: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
+    for (kind, value) in context {
+        let value = match value {
+            ContextValue::String(text) => ContextValue::String(one_line(&text).into_owned()),
+            ContextValue::Strings(texts) => {
+                ContextValue::Strings(texts.iter().map(|text| one_line(text).into_owned()).collect())
+            }
+            other => other,
+        };
+        error.insert(kind, value);
+    }
+    error
+}
+
+/// A unit that stands by itself where an option, command or file is due: the shell parted it from its number.
+pub(crate) fn loose_unit(error: &clap::Error, words: &[OsString]) -> Option<String> {
+    let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
+    let refused = kinds.into_iter().filter_map(|kind| match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(word.as_str()),
+        _ => None,
+    });
+    let behind_numbers = words.windows(2).filter_map(|pair| {
+        let [number, word] = [&pair[0], &pair[1]].map(|word| word.to_str());
+        number?.parse::<f64>().ok().and(word)
+    });
+    refused.chain(behind_numbers).find(|word| find_unit(word).is_some()).map(str::to_owned)
+}

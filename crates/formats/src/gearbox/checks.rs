@@ -1,0 +1,30 @@
+//! Checks of names and tooth counts before a gearbox is built of them.
+
+use super::DescriptionError;
+use crate::Path;
+use epicyclic_gears::teeth::ToothCount;
+use epicyclic_train::Named;
+use std::collections::BTreeSet;
+
+/// Refuses a name that stands twice, before any fault is placed by its name.
+pub(super) fn unique<'n>(
+    what: Named,
+    mut names: impl Iterator<Item = &'n String>,
+) -> Result<(), DescriptionError> {
+    let mut seen = BTreeSet::new();
+    match names.find(|name| !seen.insert(name.as_str())) {
+        Some(name) => Err(epicyclic_train::Error::Duplicate { what, name: name.clone() }.into()),
+        None => Ok(()),
+    }
+}
+
+/// Tooth counts with the way to each.
+pub(super) fn counts(set: &str, key: &str, teeth: &[u32]) -> Result<Vec<ToothCount>, DescriptionError> {
+    let count = |(place, count): (usize, &u32)| {
+        ToothCount::new(*count).map_err(|source| {
+            let at = Path::root().key(key).index(place);
+            DescriptionError::Set { set: set.to_owned(), at, source }
+        })
+    };
+    teeth.iter().enumerate().map(count).collect()
+}
