@@ -9,6 +9,8 @@ import type { GearboxState } from './state.js';
 
 const SCHEMES = ['I', 'II', 'III', 'I-1', 'I-2', 'I-3', 'I-4', 'II-1', 'II-2', 'II-3', 'II-4', 'III-1', 'III-2', 'III-3'];
 const KINDS: Record<AdjustableNumber['of'], string> = { k: 'k', sun_teeth: 'teeth of the sun', ring_teeth: 'teeth of the ring' };
+/** What was chosen of another file, by the names of the refusals of a file that has no such. */
+const CHOSEN: Record<string, 'gear' | 'transmission'> = { 'no-gear': 'gear', 'no-transmission': 'transmission', 'one-gearbox': 'transmission' };
 
 interface View {
   name: PictureName;
@@ -269,10 +271,10 @@ export class GearboxPage {
       }, 1000);
     } catch (error) {
       if (opened !== this.opened) return;
-      const { gear } = this.state;
-      if (isAnother && gear !== null && error instanceof Failure && error.refused.name === 'no-gear') {
-        this.state.gear = null;
-        tell(`There is no gear ${gear} in this gearbox.`);
+      const chosen = error instanceof Failure ? CHOSEN[error.refused.name] : undefined;
+      if (isAnother && chosen && this.state[chosen] !== null) {
+        tell(`There is no ${chosen} ${this.state[chosen]} in this file.`);
+        this.state[chosen] = null;
         return this.update(true);
       }
       this.refuse(error);
