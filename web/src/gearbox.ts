@@ -224,6 +224,11 @@ export class GearboxPage {
     return this.views.filter(({ name }) => name !== 'speeds' || this.state.gear !== null);
   }
 
+  /** All that pictures and tables are of. */
+  private shows(): string {
+    return JSON.stringify([this.state.file, this.question(), this.state.power]);
+  }
+
   private named(view: View): PictureName {
     return view.name === 'scheme' && this.state.power && this.state.gear !== null ? 'power' : view.name;
   }
@@ -231,7 +236,7 @@ export class GearboxPage {
   /** Calculates and draws anew what is seen; with `isAnother` the gearbox itself has changed. */
   async update(isAnother = false): Promise<void> {
     const began = performance.now();
-    const [opened, asked] = [this.opened, ++this.asked];
+    const [opened, asked, { file }] = [this.opened, ++this.asked, this.state];
     const wanted = this.drawable().filter(({ isSeen }) => isSeen);
     const question = this.question();
     try {
@@ -245,13 +250,13 @@ export class GearboxPage {
       this.look = look;
       at('refused').textContent = '';
       this.facts(look, isAnother);
-      const of = JSON.stringify([this.state.file, question, this.state.power]);
+      const of = this.shows();
       if (of !== this.drawnOf) this.markOld();
       this.drawnOf = of;
       for (const view of wanted) drawn(view.picture, look.pictures?.[this.named(view)]);
       this.lastChange = performance.now() - began;
       if (asked === this.asked) document.body.dataset['change'] = this.lastChange.toFixed(2);
-      this.host.changed();
+      this.host.changed(this.state.file !== file);
       if (isAnother && this.state.gear === null) {
         const first = look.analyze?.gears.find((gear) => gear.state === 'driven');
         if (first) return this.gear(first.gear);
@@ -277,6 +282,7 @@ export class GearboxPage {
         this.state[chosen] = null;
         return this.update(true);
       }
+      this.host.changed(this.state.file !== file);
       this.refuse(error);
     }
   }
@@ -294,7 +300,6 @@ export class GearboxPage {
       const adjusted = await core.adjusted(this.answered.file, question, changes.map(([place, to]) => ({ number: numbers[place]!, to })));
       if (opened !== this.opened) throw new Overtaken();
       this.state.file = file = adjusted.file;
-      this.host.changed(true);
       look = taken(adjusted.look);
     }
     if (opened === this.opened) {
@@ -319,12 +324,13 @@ export class GearboxPage {
 
   /** Tables, and pictures that nobody sees yet. */
   private async tabulate({ all, gear }: { all: boolean; gear: boolean }, unseen: View[]): Promise<void> {
-    const [opened, asked] = [this.opened, this.asked];
+    const [opened, of] = [this.opened, this.shows()];
     const views = unseen.map((view) => ({ view, name: this.named(view) }));
     try {
       const look = await core.tables(this.state.file, { ...this.question(), pictures: views.map(({ name }) => name), tables: all, gear_tables: gear });
-      if (opened !== this.opened) return;
-      if (asked === this.asked) for (const { view, name } of views) drawn(view.picture, look.pictures?.[name]);
+      // What comes late of other numbers is followed by what is asked of these.
+      if (opened !== this.opened || of !== this.shows()) return;
+      for (const { view, name } of views) drawn(view.picture, look.pictures?.[name]);
       if (look.tables !== undefined) tabled(this.tables, look.tables);
       if (gear) tabled(this.gearTables, look.gear_tables ?? '<p class="note">Choose a gear.</p>');
       document.body.dataset['tables'] = String(Date.now());

@@ -83,7 +83,7 @@ function known<T extends object>(value: Parts, kinds: Record<keyof T, (value: un
   const found: Parts = {};
   for (const [key, is] of Object.entries<(value: unknown) => boolean>(kinds)) {
     if (!(key in value)) continue;
-    if (!is(value[key])) throw new Damaged(`its part ${at}${key} cannot be ${JSON.stringify(value[key])}`);
+    if (!is(value[key])) throw new Damaged(`the value of ${at}${key} cannot be ${JSON.stringify(value[key])}`);
     found[key] = value[key];
   }
   return found as Partial<T>;

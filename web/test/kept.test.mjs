@@ -217,7 +217,7 @@ on('a decimal comma is refused with the number as it is written, and no field le
   await k.pressSequentially('2,154');
   assert.equal(await k.inputValue(), '2,154');
   await isRefused(page, 'refused', '2,154: decimal comma; write 2.154, or 2154 if the comma parts thousands');
-  assert.match(await page.textContent('#refused'), new RegExp(`^${name.replace(':', ',')}: `));
+  assert.match(await page.textContent('#refused'), new RegExp(`^set ${name.replace(':', ',')}: `));
   assert.equal(await value(page, 'text'), text.replace('k: 2.5', 'k: 2'), 'as far as it was a number');
   await change(page, () => k.fill('2.154'));
   assert.equal(await page.textContent('#refused'), '');
