@@ -289,7 +289,8 @@ def teeth(
         With ``save``: the set with this number in place of the most exact
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -344,7 +345,8 @@ def drive(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -444,7 +446,8 @@ def analyze(
         Speed of the input: 1475 rpm
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -499,7 +502,8 @@ def strength(
         Speed of the input: 1475 rpm
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -540,7 +544,8 @@ def sheet(
         One set; all without
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -629,7 +634,8 @@ def size(
         Write the file with the best design of each set, which strength, analyze, draw and report read
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -832,7 +838,8 @@ def design(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -923,7 +930,8 @@ def losses(
         Torques on the input of the map: 10N·m..100N·m/10
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -977,7 +985,8 @@ def simulate(
         Pixels to an inch of a PNG image, 20 to 2400. Default: 300
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1057,7 +1066,8 @@ def vibrate(
         File for pictures of all modes of one set, seen along its axis, as for ``campbell``
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1142,7 +1152,8 @@ def compare(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1312,7 +1323,8 @@ def select(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1516,7 +1528,8 @@ def synthesize(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1610,7 +1623,8 @@ def schemes(
         Ring-to-sun ratios over which ranges of ratios are taken
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1645,7 +1659,8 @@ def machine_list(
         One machine
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1683,7 +1698,8 @@ def machine_speeds(
         The speeds, the slowest first: '0.76 m/s, 1.33 m/s, 1.95 m/s'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1730,7 +1746,8 @@ def machine_chain_cutter(
         Mean cutting forces in other rock, for the speeds needed there: '5 kN, 6.5 kN'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1780,7 +1797,8 @@ def machine_drum(
         Mean cutting forces in other rock, for the speeds needed there: '5 kN, 6.5 kN'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1845,7 +1863,8 @@ def machine_rotor(
         Radius of the chute's edge over that of the wheel
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2003,7 +2022,8 @@ def motor(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2163,7 +2183,8 @@ def motor_search(
         Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2350,7 +2371,8 @@ def motor_forms(
         Points of each half-lobe in that file
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 

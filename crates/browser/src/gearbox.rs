@@ -240,7 +240,7 @@ pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<Stri
     for Change { number: AdjustableNumber { set, of, .. }, to } in &mut changes {
         // What is no number would change how the file reads: `k: 2,94` is two entries.
         let read: Result<Number, _> = to.parse();
-        read.map_err(|error| refuse(error.name(), format!("{set}, {}: {error}", of.name())))?;
+        read.map_err(|error| refuse(error.name(), format!("set {set}, {}: {error}", of.name())))?;
         *to = to.trim().to_owned();
     }
     // From the end of the file: those before keep their places.
