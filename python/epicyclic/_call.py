@@ -86,20 +86,23 @@ def line(
 
 def run(
     words: Sequence[str], files: Mapping[str, bytes], progress: Progress | None, kept: Sequence[str] = ()
-) -> tuple[bytes, str, dict[str, bytes]]:
-    """What the command line answers, says beside it, and writes under the names in ``kept``.
+) -> tuple[bytes, bytes, dict[str, bytes]]:
+    """The answer of the command line, its record as JSON, and the files it writes under the names in ``kept``.
+
+    With ``--format=json`` the answer itself is the record, unless it goes to a file.
 
     Raises
     ------
     Error
         Of the kind that the exit code says.
     """
-    code, answer, messages, written = _core.call([*words], dict(files), [*kept], progress)
+    code, answer, record, messages, written = _core.call([*words], dict(files), [*kept], progress)
+    record = answer if record is None else record
     if code == 0:
-        return answer, messages, written
+        return answer, record, written
     if code == NO_ANSWER:
         raise KeyboardInterrupt
-    raise _error(code, answer, messages)
+    raise _error(code, record, messages)
 
 
 def _error(code: int, answer: bytes, messages: str) -> Error:
@@ -123,16 +126,14 @@ def answer(
 ) -> Answer:
     """The answer of a command as an object; written to a file, too, where one is named."""
     said, files = line(command, words, options, many)
-    if output is not None:
-        at = len(command)
-        run([*said[:at], f"--output={fspath(output)}", *said[at:]], files, progress)
 
     def again() -> str:
         return run(said, files, None)[0].decode()
 
     at = len(command)
-    found, _, _ = run([*said[:at], "--format=json", *said[at:]], files, progress)
-    return Answer(parsed(found), again)
+    how = "--format=json" if output is None else f"--output={fspath(output)}"
+    _, record, _ = run([*said[:at], how, *said[at:]], files, progress)
+    return Answer(parsed(record), again)
 
 
 def text(
@@ -160,7 +161,7 @@ def drawing(
     def drawn(name: str) -> tuple[bytes, bytes]:
         at = len(command)
         out = ["--format=json", f"--output={name}"]
-        record, _, written = run([*said[:at], *out, *said[at:]], files, progress, [name])
+        _, record, written = run([*said[:at], *out, *said[at:]], files, progress, [name])
         return record, written[name]
 
     record, svg = drawn("drawing.svg")
@@ -177,6 +178,5 @@ def page(
     """A page of a command."""
     said, files = line(command, words, options, many)
     at, name = len(command), "page.html"
-    record, _, _ = run([*said[:at], "--format=json", *said[at:]], files, progress)
-    _, _, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
+    _, record, written = run([*said[:at], f"--output={name}", *said[at:]], files, progress, [name])
     return Page(written[name].decode(), Answer(parsed(record)))

@@ -289,7 +289,8 @@ def teeth(
         With ``save``: the set with this number in place of the most exact
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -344,7 +345,8 @@ def drive(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -444,7 +446,8 @@ def analyze(
         Speed of the input: 1475 rpm
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -499,7 +502,8 @@ def strength(
         Speed of the input: 1475 rpm
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -540,7 +544,8 @@ def sheet(
         One set; all without
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -629,7 +634,8 @@ def size(
         Write the file with the best design of each set, which strength, analyze, draw and report read
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -837,7 +843,8 @@ def design(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -928,7 +935,8 @@ def losses(
         Torques on the input of the map: 10N·m..100N·m/10
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -982,7 +990,8 @@ def simulate(
         Pixels to an inch of a PNG image, 20 to 2400. Default: 300
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1062,7 +1071,8 @@ def vibrate(
         File for pictures of all modes of one set, seen along its axis, as for ``campbell``
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1147,7 +1157,8 @@ def compare(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1318,7 +1329,8 @@ def select(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1540,7 +1552,8 @@ def synthesize(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1634,7 +1647,8 @@ def schemes(
         Ring-to-sun ratios over which ranges of ratios are taken
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1669,7 +1683,8 @@ def machine_list(
         One machine
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1707,7 +1722,8 @@ def machine_speeds(
         The speeds, the slowest first: '0.76 m/s, 1.33 m/s, 1.95 m/s'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1754,7 +1770,8 @@ def machine_chain_cutter(
         Mean cutting forces in other rock, for the speeds needed there: '5 kN, 6.5 kN'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1804,7 +1821,8 @@ def machine_drum(
         Mean cutting forces in other rock, for the speeds needed there: '5 kN, 6.5 kN'
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -1869,7 +1887,8 @@ def machine_rotor(
         Radius of the chute's edge over that of the wheel
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2029,7 +2048,8 @@ def motor(
         Paper to print it on. Default: the printer's
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2191,7 +2211,8 @@ def motor_search(
         Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 
@@ -2378,7 +2399,8 @@ def motor_forms(
         Points of each half-lobe in that file
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
-        line writes them a page in .html or a drawing; what is asked is then answered twice
+        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
+        show as many rows as on the command line
     progress
         Called with a line of text now and then while long work runs.
 

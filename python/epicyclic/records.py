@@ -78,7 +78,11 @@ class Record(Mapping[str, Any]):
 
 
 class Records(Sequence[Any]):
-    """A list of records; a record that has a name is also found by it: ``answer.gears["2"]``."""
+    """A list of records, found by their places and, where they have one, by their names: ``answer.gears["2"]``.
+
+    The name of a record is its first key, where that is a text in every record of the list: of ``gears`` the ``gear``, of
+    ``shift_elements`` the ``shift_element``. A name that several records have is refused; their places tell them apart.
+    """
 
     __slots__ = ("_rows",)
 
@@ -94,16 +98,21 @@ class Records(Sequence[Any]):
             return Records(self._rows[key])
         if not isinstance(key, str):
             return self._rows[key]
-        names = [_name_of(row) for row in self._rows]
-        if key not in names:
-            raise KeyError(f"{key!r}: there are {', '.join(str(name) for name in names)}")
-        return self._rows[names.index(key)]
+        names = _names_of(self._rows)
+        if names is None:
+            raise KeyError(f"{key!r}: these records have no names, only places from 0 to {len(self._rows) - 1}")
+        places = [place for place, name in enumerate(names) if name == key]
+        if not places:
+            raise KeyError(f"{key!r}: there are {', '.join(dict.fromkeys(names))}")
+        if len(places) > 1:
+            raise KeyError(f"{key!r} is the name of several records: take one by its place, {_listed(places)}")
+        return self._rows[places[0]]
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        names = [repr(found) for row in self._rows if (found := _name_of(row)) is not None]
-        records = f"[0] or [{names[0]}]" if names else "[0]"
+        names = _names_of(self._rows)
+        records = f"[0] or [{names[0]!r}]" if names else "[0]"
         raise AttributeError(f"this is a list, without a key {name!r}: its records are {records} and so on")
 
     def __len__(self) -> int:
@@ -199,8 +208,20 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _name_of(row: Any) -> Any:
-    return next((value for value in row.values() if isinstance(value, str)), None) if isinstance(row, Mapping) else None
+def _name_of(row: Any) -> str | None:
+    """The first key of a record, where it is a text."""
+    first = next(iter(row.values()), None) if isinstance(row, Mapping) else None
+    return first if isinstance(first, str) else None
+
+
+def _names_of(rows: Sequence[Any]) -> list[str] | None:
+    """The names of the records of a list, where each has one."""
+    names = [name for row in rows if (name := _name_of(row)) is not None]
+    return names if len(names) == len(rows) else None
+
+
+def _listed(places: Sequence[int]) -> str:
+    return f"{', '.join(f'[{place}]' for place in places[:-1])} or [{places[-1]}]"
 
 
 def _identity(record: Mapping[str, Any], outer: Mapping[str, Any]) -> dict[str, Any]:

@@ -31,7 +31,8 @@ class Drawing:
     def save(self, file: str | PathLike[str]) -> None:
         """Writes it as SVG, DXF, PDF or PNG, by the end of the name."""
         path = Path(file)
-        path.write_bytes(self._redraw(path.name))
+        is_this = path.suffix.lower() == ".svg"
+        path.write_bytes(self.svg.encode() if is_this else self._redraw(path.name))
 
 
 class Page:

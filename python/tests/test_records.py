@@ -111,3 +111,29 @@ def test_a_name_as_the_attribute_of_a_list_tells_how_to_take_it() -> None:
     gears = epicyclic.analyze("II-3", k1=2.15, k2=2.354).gears
     with pytest.raises(AttributeError, match=r"'slow': its records are \[0\] or \['1'\] and so on"):
         _ = gears.slow
+
+
+def test_a_name_that_several_records_have_is_refused_with_their_places(answer: Answer) -> None:
+    rows = Records([{"gear": "1", "set": "a"}, {"gear": "2", "set": "a"}, {"gear": "1", "set": "b"}])
+    assert rows["2"] == rows[1]
+    with pytest.raises(KeyError, match=r"'1' is the name of several records: take one by its place, \[0\] or \[2\]"):
+        rows["1"]
+    shifts = answer.shifts
+    twice = [one["from"] for one in shifts if [other["from"] for other in shifts].count(one["from"]) > 1]
+    assert twice
+    with pytest.raises(KeyError, match="several records"):
+        shifts[twice[0]]
+
+
+def test_the_name_is_the_first_key_and_no_other() -> None:
+    # The first text of a record may be anything: here a note of one record that reads like the number of another.
+    rows = Records([{"mode": 2, "note": "1"}, {"mode": 1, "note": None}])
+    for key in ("1", "2"):
+        with pytest.raises(KeyError, match="no names, only places from 0 to 1"):
+            rows[key]
+    with pytest.raises(AttributeError, match=r"its records are \[0\] and so on"):
+        rows.note
+    half = Records([{"gear": "1"}, {"gear": None}])
+    with pytest.raises(KeyError, match="no names"):
+        half["1"]
+    assert rows[-1].mode == 1 and [row.mode for row in rows[:1]] == [2]

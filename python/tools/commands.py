@@ -102,7 +102,8 @@ def function(command: dict[str, Any]) -> str:
     if kind == "answer":
         described.append(
             "    output\n        File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command\n"
-            "        line writes them a page in .html or a drawing; what is asked is then answered twice"
+            "        line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages\n"
+            "        show as many rows as on the command line"
         )
     described.append("    progress\n        Called with a line of text now and then while long work runs.")
     words = ", ".join(f"{'*' if argument['is_many'] else ''}{name_of(argument['id'])}" for argument in positional)

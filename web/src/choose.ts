@@ -23,13 +23,13 @@ export class ChoosePage {
   private go: HTMLButtonElement;
 
   constructor(
-    public values: Record<string, string>,
-    private changed: () => void,
+    private values: Record<string, string>,
+    private changed: (values: Record<string, string>) => void,
     private open: (file: string, name: string) => void,
   ) {
-    const field = (name: string, label: string, hint: string) => h('label', { class: 'field' }, h('span', {}, label), h('input', { name, placeholder: hint, autocomplete: 'off', value: values[name] ?? '' }));
+    const field = (name: string, label: string, hint: string) => h('label', { class: 'field' }, h('span', {}, label), h('input', { name, placeholder: hint, autocomplete: 'off' }));
     const choice = (name: string, label: string, options: [string, string][]) =>
-      h('label', { class: 'field' }, h('span', {}, label), h('select', { name }, ...options.map(([value, text]) => h('option', { value, selected: values[name] === value }, text))));
+      h('label', { class: 'field' }, h('span', {}, label), h('select', { name }, ...options.map(([value, text]) => h('option', { value }, text))));
     this.go = h('button', { type: 'submit', class: 'main' }, 'Find gearboxes');
     this.cancel = h('button', { type: 'button', disabled: true, onclick: () => core.cancel() }, 'Cancel');
     this.form = h(
@@ -37,6 +37,7 @@ export class ChoosePage {
       {
         class: 'card',
         'aria-label': 'Speeds wanted',
+        oninput: () => this.read(),
         onsubmit: (event) => {
           event.preventDefault();
           void this.search();
@@ -58,6 +59,17 @@ export class ChoosePage {
     this.words.textContent = 'Give speeds or ratios; every scheme is calculated and judged by each criterion.';
   }
 
+  private read(): void {
+    this.values = Object.fromEntries([...new FormData(this.form)].map(([name, value]) => [name, String(value).trim()]));
+    this.changed(this.values);
+  }
+
+  /** The fields with these values. */
+  fill(values: Record<string, string>): void {
+    this.values = values;
+    for (const field of this.form.querySelectorAll<HTMLInputElement | HTMLSelectElement>('[name]')) field.value = values[field.name] ?? '';
+  }
+
   private line(): string[] {
     const value = (name: string) => this.values[name] ?? '';
     const line = ['select'];
@@ -75,8 +87,7 @@ export class ChoosePage {
 
   /** Searches, and shows what is found. */
   async search(): Promise<void> {
-    this.values = Object.fromEntries([...new FormData(this.form)].map(([name, value]) => [name, String(value).trim()]));
-    this.changed();
+    this.read();
     this.refused.textContent = '';
     this.go.disabled = true;
     this.cancel.disabled = false;

@@ -96,7 +96,13 @@ class Worked {
       if (data.error !== undefined) waiting.reject(new Error(data.error));
       else waiting.resolve(data.reply);
     };
+    worker.onerror = () => this.fail(new Error('The calculation cannot be loaded. Load the page again.'));
     return worker;
+  }
+
+  private fail(error: Error): void {
+    for (const { reject } of this.waiting.values()) reject(error);
+    this.waiting.clear();
   }
 
   ask<T>(method: string, args: unknown[], progress?: Waiting['progress']): Promise<T> {
@@ -110,8 +116,7 @@ class Worked {
   /** Ends what runs, whatever it is. */
   cancel(): void {
     this.worker.terminate();
-    for (const { reject } of this.waiting.values()) reject(new Overtaken());
-    this.waiting.clear();
+    this.fail(new Overtaken());
     this.worker = this.start();
   }
 }

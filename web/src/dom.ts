@@ -41,6 +41,16 @@ export function shown(value: number | null | undefined, digits?: number): string
   return text.replace('-', '−').replace(/^−0$/, '0');
 }
 
+/** What a page of the app tells of itself. */
+export interface Host {
+  /** Something else is shown; with `isEdit` the text is another one. */
+  changed: (isEdit?: boolean) => void;
+  /** Whether the text may be replaced: where it was changed and not saved, the person is asked. */
+  leave: () => boolean;
+  /** The text is saved as a file. */
+  saved: () => void;
+}
+
 /** Gives a file to the reader. */
 export function save(name: string, content: BlobPart, type: string): void {
   const link = h('a', { href: URL.createObjectURL(new Blob([content], { type })), download: name });

@@ -1,6 +1,6 @@
 // The page of a gearbox: pick or edit one, and see all of it change at once.
 import { core, taken, Failure, Overtaken, type Look, type Picture, type PictureName, type Question } from './core.js';
-import { at, h, save, shown, tell } from './dom.js';
+import { at, h, save, shown, tell, type Host } from './dom.js';
 import { examples } from './generated/examples.js';
 import type { AdjustableNumber } from './generated/adjust.js';
 import { download } from './download.js';
@@ -9,6 +9,8 @@ import type { GearboxState } from './state.js';
 
 const SCHEMES = ['I', 'II', 'III', 'I-1', 'I-2', 'I-3', 'I-4', 'II-1', 'II-2', 'II-3', 'II-4', 'III-1', 'III-2', 'III-3'];
 const KINDS: Record<AdjustableNumber['of'], string> = { k: 'k', sun_teeth: 'teeth of the sun', ring_teeth: 'teeth of the ring' };
+/** What was chosen of another file, by the names of the refusals of a file that has no such. */
+const CHOSEN: Record<string, 'gear' | 'transmission'> = { 'no-gear': 'gear', 'no-transmission': 'transmission', 'one-gearbox': 'transmission' };
 
 interface View {
   name: PictureName;
@@ -28,6 +30,9 @@ export class GearboxPage {
   private look: Look | null = null;
   private tablesSeen = { all: false, gear: false };
   private tableTimer: ReturnType<typeof setTimeout> | undefined;
+  private restTimer: ReturnType<typeof setTimeout> | undefined;
+  /** What pictures and tables were asked of last. */
+  private drawnOf = '';
   /** Milliseconds from the last change to the pictures on the page. */
   lastChange = 0;
   /** How many gearboxes were opened, and how many changes asked for: what comes late of another gearbox is dropped. */
@@ -39,7 +44,7 @@ export class GearboxPage {
 
   constructor(
     public state: GearboxState,
-    private changed: () => void,
+    private host: Host,
   ) {
     this.turning = new Turning();
     this.element = h('div', { class: 'page', id: 'gearbox' }, this.side(), this.results());
@@ -50,9 +55,15 @@ export class GearboxPage {
 
   /** Another gearbox, as its file. */
   async open(file: string, name: string): Promise<void> {
-    Object.assign(this.state, { file, name, transmission: null, gear: null });
+    await this.restore(Object.assign(this.state, { file, name, transmission: null, gear: null }));
+  }
+
+  /** All that the page shows, as it was. */
+  async restore(state: GearboxState): Promise<void> {
+    this.state = state;
     this.another();
     this.fill();
+    this.host.changed();
     await this.update(true);
   }
 
@@ -76,6 +87,7 @@ export class GearboxPage {
     );
     const set = (key: 'speed' | 'torque' | 'efficiency') => (event: Event) => {
       this.state[key] = (event.target as HTMLInputElement).value.trim();
+      this.host.changed();
       void this.update();
     };
     const field = (key: 'speed' | 'torque' | 'efficiency', label: string, hint: string) =>
@@ -88,6 +100,7 @@ export class GearboxPage {
       onfocus: () => this.write(),
       oninput: () => {
         Object.assign(this.state, { file: file.value, name: '' });
+        this.host.changed(true);
         this.another();
         at<HTMLSelectElement>('pick').value = '';
         void this.update(true);
@@ -117,7 +130,7 @@ export class GearboxPage {
   }
 
   private async pick(value: string): Promise<void> {
-    if (!value) return;
+    if (!value || !this.host.leave()) return this.fill();
     if (value.startsWith('scheme ')) {
       const name = value.slice(7);
       await this.open((await core.scheme(name, 2.5, 2.5)).file, value);
@@ -129,6 +142,7 @@ export class GearboxPage {
 
   private choose(transmission: string): void {
     Object.assign(this.state, { transmission: transmission || null, gear: null });
+    this.host.changed();
     this.another();
     void this.update(true);
   }
@@ -196,12 +210,23 @@ export class GearboxPage {
 
   private show(power: boolean): void {
     this.state.power = power;
+    this.host.changed();
     void this.update();
   }
 
   private question(): Question {
     const { transmission, gear, speed, torque, efficiency } = this.state;
     return { transmission, gear, speed: speed || null, torque: torque || null, efficiency: efficiency || null };
+  }
+
+  /** Views that the gear has a picture for. */
+  private drawable(): View[] {
+    return this.views.filter(({ name }) => name !== 'speeds' || this.state.gear !== null);
+  }
+
+  /** All that pictures and tables are of. */
+  private shows(): string {
+    return JSON.stringify([this.state.file, this.question(), this.state.power]);
   }
 
   private named(view: View): PictureName {
@@ -211,8 +236,8 @@ export class GearboxPage {
   /** Calculates and draws anew what is seen; with `isAnother` the gearbox itself has changed. */
   async update(isAnother = false): Promise<void> {
     const began = performance.now();
-    const [opened, asked] = [this.opened, ++this.asked];
-    const wanted = this.views.filter((view) => view.isSeen && !(view.name === 'speeds' && this.state.gear === null));
+    const [opened, asked, { file }] = [this.opened, ++this.asked, this.state];
+    const wanted = this.drawable().filter(({ isSeen }) => isSeen);
     const question = this.question();
     try {
       const look = await this.looked({ ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
@@ -225,10 +250,13 @@ export class GearboxPage {
       this.look = look;
       at('refused').textContent = '';
       this.facts(look, isAnother);
+      const of = this.shows();
+      if (of !== this.drawnOf) this.markOld();
+      this.drawnOf = of;
       for (const view of wanted) drawn(view.picture, look.pictures?.[this.named(view)]);
       this.lastChange = performance.now() - began;
       if (asked === this.asked) document.body.dataset['change'] = this.lastChange.toFixed(2);
-      this.changed();
+      this.host.changed(this.state.file !== file);
       if (isAnother && this.state.gear === null) {
         const first = look.analyze?.gears.find((gear) => gear.state === 'driven');
         if (first) return this.gear(first.gear);
@@ -238,10 +266,24 @@ export class GearboxPage {
       this.tableTimer = setTimeout(() => {
         this.write();
         void this.turning.show(this.state.file, question);
-        if (this.tablesSeen.all || this.tablesSeen.gear) void this.tabulate();
+        if (this.tablesSeen.all || this.tablesSeen.gear) void this.tabulate(this.tablesSeen, []);
       }, 80);
+      // What is out of sight may be printed.
+      clearTimeout(this.restTimer);
+      this.restTimer = setTimeout(() => {
+        void this.turning.show(this.state.file, question, true);
+        void this.tabulate({ all: true, gear: true }, this.drawable().filter(({ picture }) => picture.classList.contains('waiting')));
+      }, 1000);
     } catch (error) {
-      if (opened === this.opened) this.refuse(error);
+      if (opened !== this.opened) return;
+      const chosen = error instanceof Failure ? CHOSEN[error.refused.name] : undefined;
+      if (isAnother && chosen && this.state[chosen] !== null) {
+        tell(`There is no ${chosen} ${this.state[chosen]} in this file.`);
+        this.state[chosen] = null;
+        return this.update(true);
+      }
+      this.host.changed(this.state.file !== file);
+      this.refuse(error);
     }
   }
 
@@ -261,6 +303,7 @@ export class GearboxPage {
       look = taken(adjusted.look);
     }
     if (opened === this.opened) {
+      this.state.file = file;
       this.answered = { file, numbers: look.adjust?.numbers ?? [] };
       for (const [place, to] of changes) if (this.changes.get(place) === to) this.changes.delete(place);
     }
@@ -273,12 +316,21 @@ export class GearboxPage {
     if (text.value !== this.state.file) text.value = this.state.file;
   }
 
-  private async tabulate(): Promise<void> {
-    const opened = this.opened;
+  /** Marks all pictures and tables: they are not as the numbers are now. */
+  private markOld(): void {
+    this.drawnOf = '';
+    for (const place of [...this.drawable().map(({ picture }) => picture), this.tables, this.gearTables, this.turning.element]) place.classList.add('waiting');
+  }
+
+  /** Tables, and pictures that nobody sees yet. */
+  private async tabulate({ all, gear }: { all: boolean; gear: boolean }, unseen: View[]): Promise<void> {
+    const [opened, of] = [this.opened, this.shows()];
+    const views = unseen.map((view) => ({ view, name: this.named(view) }));
     try {
-      const { all, gear } = this.tablesSeen;
-      const look = await core.tables(this.state.file, { ...this.question(), tables: all, gear_tables: gear });
-      if (opened !== this.opened) return;
+      const look = await core.tables(this.state.file, { ...this.question(), pictures: views.map(({ name }) => name), tables: all, gear_tables: gear });
+      // What comes late of other numbers is followed by what is asked of these.
+      if (opened !== this.opened || of !== this.shows()) return;
+      for (const { view, name } of views) drawn(view.picture, look.pictures?.[name]);
       if (look.tables !== undefined) tabled(this.tables, look.tables);
       if (gear) tabled(this.gearTables, look.gear_tables ?? '<p class="note">Choose a gear.</p>');
       document.body.dataset['tables'] = String(Date.now());
@@ -292,7 +344,7 @@ export class GearboxPage {
     this.write();
     const place = error instanceof Failure ? error.refused.place : null;
     at('refused').textContent = (place ? `Line ${place.line}, column ${place.column}${place.path ? `, ${place.path}` : ''}: ` : '') + (error instanceof Error ? error.message : String(error));
-    for (const view of this.views) view.picture.classList.add('waiting');
+    this.markOld();
   }
 
   private transmissions(names: string[]): void {
@@ -334,7 +386,8 @@ export class GearboxPage {
         const name = `${number.set}: ${KINDS[number.of]}`;
         const change = (value: string) => this.adjust(place, value);
         const slider = h('input', { type: 'range', ...ends, value: number.value, 'aria-label': `${name}, slider`, oninput: () => change(slider.value) });
-        const field = h('input', { type: 'number', step: isK ? 'any' : '1', value: number.value, 'aria-label': name, oninput: () => field.value && change(field.value) });
+        // A field for numbers would leave a comma out, and with it make 2.154 of 2,154 a thousand times as much.
+        const field = h('input', { type: 'text', inputmode: isK ? 'decimal' : 'numeric', autocomplete: 'off', value: number.value, 'aria-label': name, oninput: () => change(field.value), onchange: () => this.leftEmpty(field, place) });
         return h('div', { class: 'number', 'data-place': place }, h('span', { class: 'name' }, name), slider, field);
       };
       const none = h('p', { class: 'note' }, 'Its sets have no k or teeth of their own in the file; edit the file.');
@@ -348,14 +401,26 @@ export class GearboxPage {
     });
   }
 
+  /** A field that is left without a number shows that of the file again. */
+  private leftEmpty(field: HTMLInputElement, place: number): void {
+    const number = this.answered.numbers[place];
+    if (!field.value.trim() && number) field.value = String(number.value);
+  }
+
   private adjust(place: number, to: string): void {
     // Of a text that is no gearbox no number has a known place.
-    if (this.answered.numbers[place]) this.changes.set(place, to);
+    if (this.answered.numbers[place]) {
+      if (to.trim()) this.changes.set(place, to);
+      else this.changes.delete(place);
+      // A field that is empty for now changes nothing.
+      if (!this.changes.size) this.state.file = this.answered.file;
+    }
     void this.update();
   }
 
   private async gear(name: string | null): Promise<void> {
     this.state.gear = name;
+    this.host.changed();
     const speeds = this.views.find((view) => view.name === 'speeds')!;
     if (name === null) drawn(speeds.picture, { message: 'A speed diagram shows one gear: choose one.' });
     await this.update();
@@ -404,6 +469,7 @@ export class GearboxPage {
   /** Saves the file. */
   save(): void {
     save(`${this.stem()}.yaml`, this.state.file, 'application/yaml');
+    this.host.saved();
     tell('The gearbox is saved as a file.');
   }
 }
@@ -421,6 +487,7 @@ export function drawn(place: HTMLElement, picture: Picture | undefined): void {
 
 /** Tables in their place; those that can be scrolled can be reached by the keyboard. */
 export function tabled(place: HTMLElement, html: string): void {
+  place.classList.remove('waiting');
   place.innerHTML = html;
   for (const table of place.querySelectorAll('.table')) {
     // A column whose cells say by themselves what they are has no heading.

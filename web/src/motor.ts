@@ -1,6 +1,6 @@
 // The page of a hydromotor: its numbers, its figures, its chambers as they fill.
 import { core, Failure, Overtaken } from './core.js';
-import { at, h, s, save, tell } from './dom.js';
+import { at, h, s, save, tell, type Host } from './dom.js';
 import { download } from './download.js';
 import { tabled } from './gearbox.js';
 import { examples } from './generated/examples.js';
@@ -39,7 +39,7 @@ export class MotorPage {
 
   constructor(
     public file: string,
-    private changed: () => void,
+    private host: Host,
   ) {
     this.play = h('button', { type: 'button', onclick: () => this.toggle() }, this.isPlaying ? 'Pause' : 'Play');
     this.speed = h('input', { type: 'range', min: '1', max: '60', step: '1', value: '8', 'aria-label': 'Degrees of the rotor in a second' });
@@ -66,15 +66,17 @@ export class MotorPage {
   /** Another motor, as its file. */
   load(file: string): void {
     this.file = file;
+    this.host.changed();
     this.fill();
-    void this.update();
+    this.moving = null;
+    if (this.isOpen) void this.update();
   }
 
   private side(): HTMLElement {
     const motors = examples.filter(({ kind }) => kind === 'motor');
     const pick = h(
       'select',
-      { id: 'motor-pick', onchange: () => motors.find(({ file }) => file === pick.value) && this.load(motors.find(({ file }) => file === pick.value)!.text) },
+      { id: 'motor-pick', onchange: () => this.pick(pick.value) },
       h('option', { value: '' }, '– own numbers –'),
       ...motors.map(({ file, text }) => h('option', { value: file }, /^title: *(.+)$/m.exec(text)?.[1] ?? file)),
     );
@@ -83,9 +85,9 @@ export class MotorPage {
         'label',
         { class: 'field' },
         h('span', {}, label),
-        h('input', { id: `motor-${key}`, type: kind === 'count' ? 'number' : 'text', min: kind === 'count' ? '1' : null, placeholder: hint, autocomplete: 'off', oninput: (event) => this.set(key, (event.target as HTMLInputElement).value.trim()) }),
+        h('input', { id: `motor-${key}`, type: 'text', inputmode: kind === 'count' ? 'numeric' : null, placeholder: hint, autocomplete: 'off', oninput: (event) => this.set(key, (event.target as HTMLInputElement).value.trim()) }),
       );
-    const text = h('textarea', { id: 'motor-text', spellcheck: 'false', oninput: () => ((this.file = text.value), this.fields(), void this.update()) });
+    const text = h('textarea', { id: 'motor-text', spellcheck: 'false', oninput: () => this.write(text.value) });
     return h(
       'div',
       { class: 'side' },
@@ -122,10 +124,27 @@ export class MotorPage {
     // The three ways to choose one motor of a family exclude each other.
     if (key === 'part') file = file.replace(/^(l|a):.*\n?/gm, '');
     if (value) file = `${file.replace(/\n*$/, '\n')}${key}: ${value}\n`;
-    this.file = file;
     at<HTMLTextAreaElement>('motor-text').value = file;
+    this.edit(file);
+  }
+
+  /** The text as it was written. */
+  private write(file: string): void {
+    this.edit(file);
+    this.fields();
+  }
+
+  private edit(file: string): void {
+    this.file = file;
+    this.host.changed(true);
     at<HTMLSelectElement>('motor-pick').value = '';
     void this.update();
+  }
+
+  private pick(value: string): void {
+    const example = examples.find(({ file }) => file === value);
+    if (example && this.host.leave()) this.load(example.text);
+    else this.fill();
   }
 
   private fill(): void {
@@ -148,7 +167,6 @@ export class MotorPage {
       at('motor-refused').textContent = '';
       tabled(this.tables, tables);
       this.figures(motor, key);
-      this.changed();
       this.moving = await core.moving(this.file, FRAMES);
       this.draw(this.moving);
     } catch (error) {
@@ -233,6 +251,8 @@ export class MotorPage {
   /** Saves the file. */
   save(): void {
     save('motor.yaml', this.file, 'application/yaml');
+    this.host.saved();
+    tell('The hydromotor is saved as a file.');
   }
 }
 

@@ -1,4 +1,4 @@
-// What the page shows, kept in the address, so that a link shows it to others.
+// What the page shows: as a link shows it to others, and as each entry of the tab's history keeps it.
 
 export interface GearboxState {
   /** The text of the file. */
@@ -13,12 +13,26 @@ export interface GearboxState {
   power: boolean;
 }
 
+export const PAGES = ['gearbox', 'choose', 'motor'] as const;
+
 export interface State {
-  page: 'gearbox' | 'choose' | 'motor';
+  page: (typeof PAGES)[number];
   gearbox: GearboxState;
   choose: Record<string, string>;
   motor: string;
 }
+
+/** What an entry of the history keeps beside its address. */
+export interface Entry {
+  state: State;
+  /** Texts that were changed and not saved since. */
+  edited: { gearbox: boolean; motor: boolean };
+  /** The text that `epicyclic serve` gave, where the page began with it. */
+  served: string | null;
+}
+
+/** A link that cannot be read, with the reason. */
+export class Damaged extends Error {}
 
 async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
   const blob = new Blob([bytes as BlobPart]);
@@ -33,13 +47,118 @@ export async function packed(state: State): Promise<string> {
   return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
-/** The state of an address; nothing where it has none that can be read. */
-export async function unpacked(text: string): Promise<Partial<State> | null> {
+/** The state of an address; what it does not say is as in `first`. */
+export async function unpacked(text: string, first: State): Promise<State> {
+  let state: unknown;
   try {
     const bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
-    const state: unknown = JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'))));
-    return typeof state === 'object' && state !== null ? (state as Partial<State>) : null;
+    state = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(await through(bytes, new DecompressionStream('deflate-raw'))));
   } catch {
-    return null;
+    throw new Damaged('it is cut off or changed');
+  }
+  return checked(state, first);
+}
+
+type Parts = Record<string, unknown>;
+const isParts = (value: unknown): value is Parts => typeof value === 'object' && value !== null && !Array.isArray(value);
+const isText = (value: unknown) => typeof value === 'string';
+const isTextOrNone = (value: unknown) => value === null || typeof value === 'string';
+const isPage = (value: unknown) => PAGES.some((page) => page === value);
+const areTexts = (value: unknown) => isParts(value) && Object.values(value).every(isText);
+
+const GEARBOX: Record<keyof GearboxState, (value: unknown) => boolean> = {
+  file: isText,
+  name: isText,
+  transmission: isTextOrNone,
+  gear: isTextOrNone,
+  speed: isText,
+  torque: isText,
+  efficiency: isText,
+  power: (value) => typeof value === 'boolean',
+};
+const STATE: Record<keyof State, (value: unknown) => boolean> = { page: isPage, gearbox: isParts, choose: areTexts, motor: isText };
+
+/** The known parts of a value, each of its kind; parts of other versions of the app are left out. */
+function known<T extends object>(value: Parts, kinds: Record<keyof T, (value: unknown) => boolean>, at: string): Partial<T> {
+  const found: Parts = {};
+  for (const [key, is] of Object.entries<(value: unknown) => boolean>(kinds)) {
+    if (!(key in value)) continue;
+    if (!is(value[key])) throw new Damaged(`the value of ${at}${key} cannot be ${JSON.stringify(value[key])}`);
+    found[key] = value[key];
+  }
+  return found as Partial<T>;
+}
+
+function checked(value: unknown, first: State): State {
+  if (!isParts(value)) throw new Damaged('it holds no state of the app');
+  const state = known<State>(value, STATE, '');
+  const gearbox = known<GearboxState>((state.gearbox ?? {}) as Parts, GEARBOX, 'gearbox.');
+  return { ...first, ...state, gearbox: { ...first.gearbox, ...gearbox } };
+}
+
+const KEY = 'epicyclic-entry-';
+const idOf = (state: unknown) => (isParts(state) && typeof state['id'] === 'string' ? state['id'] : null);
+
+/** The entries of this tab's history. What each shows outlives a reload, and is there when one goes back. */
+export class Entries {
+  /** The entry that is shown. */
+  private id: string | null = null;
+
+  /** Whether the browser has gone to an entry other than the one that is shown. */
+  get hasMoved(): boolean {
+    return idOf(history.state) !== this.id;
+  }
+
+  /** Takes the entry that the browser is at; gives what it keeps, nothing for one that is new. */
+  enter(first: State): Entry | null {
+    const id = idOf(history.state);
+    if (id === null) {
+      this.id = this.named(location.href, 'replaceState');
+      return null;
+    }
+    this.id = id;
+    try {
+      const kept: unknown = JSON.parse(sessionStorage.getItem(KEY + id) ?? 'null');
+      if (!isParts(kept)) return null;
+      const { gearbox, motor } = kept['edited'] as Entry['edited'];
+      const served = typeof kept['served'] === 'string' ? kept['served'] : null;
+      return { state: checked(kept['state'], first), edited: { gearbox, motor }, served };
+    } catch {
+      // Another version of the app has kept it otherwise: the address has it, too.
+      return null;
+    }
+  }
+
+  /** A new entry behind the one that is shown. */
+  add(): void {
+    this.id = this.named(location.href, 'pushState');
+  }
+
+  /** Keeps what the entry shows. */
+  keep(entry: Entry): void {
+    const write = () => sessionStorage.setItem(KEY + this.id, JSON.stringify(entry));
+    const others = () => Object.keys(sessionStorage).filter((key) => key.startsWith(KEY));
+    try {
+      try {
+        write();
+      } catch {
+        // There is no more room: the addresses of the other entries hold them as well.
+        for (const key of others()) sessionStorage.removeItem(key);
+        write();
+      }
+    } catch {
+      // Where the browser gives no room at all, the address alone keeps it.
+    }
+  }
+
+  /** Another address for the entry that is shown. */
+  address(address: string): void {
+    history.replaceState({ id: this.id }, '', address);
+  }
+
+  private named(address: string, how: 'pushState' | 'replaceState'): string {
+    const id = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+    history[how]({ id }, '', address);
+    return id;
   }
 }

@@ -9,9 +9,14 @@ worker.addEventListener('install', (event) => {
   event.waitUntil(
     caches
       .open(kept)
-      .then((cache) => cache.addAll(FILES))
-      .then(() => worker.skipWaiting()),
+      // As the server has them now, not as a cache of the browser has kept them.
+      .then((cache) => cache.addAll(FILES.map((file) => new Request(file, { cache: 'reload' })))),
   );
+});
+
+// Pages of the version before may be open: a newer one waits until one of them asks for it.
+worker.addEventListener('message', ({ data }) => {
+  if (data === 'take over') void worker.skipWaiting();
 });
 
 worker.addEventListener('activate', (event) => {

@@ -80,15 +80,16 @@ export class Turning {
     if (this.isPlaying) this.angle.value = String(Math.round(degrees(this.input)) % 360);
   }
 
-  /** The gears of a file in a gear. */
-  async show(file: string, question: Question): Promise<void> {
-    if (!this.isOnScreen) return;
+  /** The gears of a file in a gear, where they are on the screen or wanted anyway. */
+  async show(file: string, question: Question, isWanted = this.isOnScreen): Promise<void> {
+    if (!isWanted) return;
     try {
       const { transmission, gear, efficiency } = question;
       const front = await core.front(file, { transmission, gear, efficiency, speed: null, torque: null });
       this.draw(front);
     } catch (error) {
       if (error instanceof Overtaken) return;
+      this.element.classList.remove('waiting');
       this.parts = [];
       this.sets.replaceChildren();
       this.note.textContent = error instanceof Error ? error.message : String(error);
@@ -96,6 +97,7 @@ export class Turning {
   }
 
   private draw(front: Front): void {
+    this.element.classList.remove('waiting');
     this.parts = [];
     this.sets.replaceChildren(...front.sets.map((set) => this.set(set)));
     const words = [];

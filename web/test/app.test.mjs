@@ -2,39 +2,12 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
-import { browser, open, serve } from './serve.mjs';
+import { app, change, DESK, open, pages, PHONE } from './serve.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const shots = process.env.SHOTS ?? '../target/app-shots';
-const DESK = { width: 1280, height: 900 };
-const PHONE = { width: 360, height: 740 };
-let server;
-let chromium;
-
-before(async () => {
-  mkdirSync(shots, { recursive: true });
-  server = await serve(process.env.WEB ?? '../target/app');
-  chromium = await browser();
-});
-after(async () => {
-  await chromium?.close();
-  server?.end();
-});
-
-/** A test with a page of its own; a fault in the page, or a request to another host, fails it. */
-function on(name, run, options = {}) {
-  test(name, async () => {
-    const context = await chromium.newContext({ viewport: DESK, acceptDownloads: true, reducedMotion: 'reduce', ...options });
-    const { page, faults } = await open(context, server.url);
-    try {
-      await run(page, context);
-      assert.deepEqual(faults, []);
-    } finally {
-      await context.close();
-    }
-  });
-}
+mkdirSync(shots, { recursive: true });
+const { on, url } = pages();
 
 const option = (page, id, value) => page.selectOption(`#${id}`, value);
 const refused = (page) => page.textContent('#refused');
@@ -46,16 +19,9 @@ const isText = (page, text) => page.waitForFunction(({ source, is }) => {
   return is === undefined ? new RegExp(source).test(value) : value === is;
 }, text instanceof RegExp ? { source: text.source } : { is: text });
 
-/** Waits until a change is calculated and drawn. */
-async function change(page, act) {
-  await page.evaluate(() => delete document.body.dataset.change);
-  await act();
-  await page.waitForSelector('body[data-change]', { state: 'attached' });
-}
-
 on('the first page shows an eight-speed automatic within two seconds, of less than 2 MB', async (page) => {
   const ready = Number(await page.getAttribute('body', 'data-ready'));
-  const { compressed } = JSON.parse(readFileSync(`${process.env.WEB ?? '../target/app'}/size.json`, 'utf8'));
+  const { compressed } = JSON.parse(readFileSync(`${app}/size.json`, 'utf8'));
   console.log(`    first load: ${(compressed / 1e6).toFixed(2)} MB compressed, ready after ${ready} ms`);
   assert.ok(ready < 2000, `${ready} ms`);
   assert.ok(compressed < 2e6);
@@ -182,7 +148,7 @@ on('a link opens the same gearbox in the same gear', async (page, context) => {
   await change(page, () => page.getByLabel('P1: teeth of the ring', { exact: true }).fill('99'));
   await page.click('#share');
   await page.waitForFunction(() => location.hash.startsWith('#s='));
-  const other = await open(context, server.url, new URL(page.url()).hash);
+  const other = await open(context, url(), new URL(page.url()).hash);
   assert.equal(await other.page.locator('#gears input:checked').getAttribute('value'), '5');
   assert.match(await other.page.inputValue('#text'), /z_s: 48, z_r: 99/);
   assert.deepEqual(other.faults, []);

@@ -1,10 +1,16 @@
 // A server of the built app on the loopback, and a browser of the system.
+import assert from 'node:assert/strict';
 import http from 'node:http';
 import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
 import { extname, join, normalize } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.webmanifest': 'application/manifest+json' };
+
+export const app = process.env.WEB ?? '../target/app';
+export const DESK = { width: 1280, height: 900 };
+export const PHONE = { width: 360, height: 740 };
 
 /** Serves a folder; returns its address and what ends it. */
 export async function serve(folder) {
@@ -40,4 +46,37 @@ export async function open(context, url, hash = '') {
   await page.goto(url + hash);
   await page.waitForSelector('body[data-ready]');
   return { page, faults };
+}
+
+/** Tests with a page of the app each; a fault in the page, or a request to another host, fails it. */
+export function pages() {
+  let server;
+  let chromium;
+  before(async () => {
+    server = await serve(app);
+    chromium = await browser();
+  });
+  after(async () => {
+    await chromium?.close();
+    server?.end();
+  });
+  const on = (name, run, options = {}) =>
+    test(name, async () => {
+      const context = await chromium.newContext({ viewport: DESK, acceptDownloads: true, reducedMotion: 'reduce', ...options });
+      const { page, faults } = await open(context, server.url);
+      try {
+        await run(page, context);
+        assert.deepEqual(faults, []);
+      } finally {
+        await context.close();
+      }
+    });
+  return { on, url: () => server.url, chromium: () => chromium };
+}
+
+/** Waits until a change is calculated and drawn. */
+export async function change(page, act) {
+  await page.evaluate(() => delete document.body.dataset.change);
+  await act();
+  await page.waitForSelector('body[data-change]', { state: 'attached' });
 }

@@ -47,6 +47,18 @@ pub enum AdjustableKind {
     RingTeeth,
 }
 
+impl AdjustableKind {
+    /// Its name in messages.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::K => "k",
+            Self::SunTeeth => "teeth of the sun",
+            Self::RingTeeth => "teeth of the ring",
+        }
+    }
+}
+
 /// The `k` and teeth of all sets that are written in short.
 #[must_use]
 pub fn answer(subject: &Subject<'_>) -> Adjustable {

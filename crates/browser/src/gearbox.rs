@@ -8,7 +8,7 @@ use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
 use epicyclic_answers::{adjust, front as from_the_front, transmissions};
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::gearbox::written;
-use epicyclic_formats::{Position, Quantity};
+use epicyclic_formats::{Number, Physical, Position, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
@@ -17,7 +17,7 @@ use epicyclic_train::{Analysis, Gearbox, InputLoad};
 use epicyclic_views::{AsReport as _, drawability};
 use serde::Deserialize;
 use std::cmp::Reverse;
-use uom::si::f64::{AngularVelocity, Ratio, Torque};
+use uom::si::f64::Ratio;
 
 /// What messages call the file.
 const NAME: &str = "gearbox.yaml";
@@ -30,12 +30,12 @@ struct Question {
     transmission: Option<String>,
     /// One gear in full; the pictures are of it.
     gear: Option<String>,
-    /// Speed of the input.
-    speed: Option<Quantity<AngularVelocity>>,
+    /// Speed of the input, as it was typed.
+    speed: Option<String>,
     /// Torque on the input.
-    torque: Option<Quantity<Torque>>,
+    torque: Option<String>,
     /// Efficiency of sets for which the file states no losses.
-    efficiency: Option<Quantity<Ratio>>,
+    efficiency: Option<String>,
     /// The pictures that are shown.
     #[serde(default)]
     pictures: Vec<Picture>,
@@ -79,15 +79,25 @@ impl Question {
     }
 
     fn choice(&self) -> Result<Choice, Failure> {
-        let efficiency = self.efficiency.map(|efficiency| MeshEfficiency::new(efficiency.0.value));
+        let efficiency = typed::<Ratio>("efficiency", self.efficiency.as_deref())?
+            .map(|efficiency| MeshEfficiency::new(efficiency.value));
         let efficiency = efficiency.transpose().map_err(|error| refuse("efficiency", error.to_string()))?;
         Ok(Choice { transmission: self.transmission.clone(), efficiency })
     }
 
-    fn input(&self) -> Input {
-        let load = self.torque.map(|torque| InputLoad::Torque(torque.0));
-        Input { speed: self.speed.map(|speed| speed.0), load }
+    fn input(&self) -> Result<Input, Failure> {
+        let load = typed("torque", self.torque.as_deref())?.map(InputLoad::Torque);
+        Ok(Input { speed: typed("speed", self.speed.as_deref())?, load })
     }
+}
+
+/// A quantity as it was typed into a field; of what is none the refusal names the field.
+fn typed<Q: Physical>(field: &str, text: Option<&str>) -> Result<Option<Q>, Failure> {
+    let read = |text: &str| {
+        let quantity: Result<Quantity<Q>, _> = text.parse();
+        quantity.map(|quantity| quantity.0).map_err(|error| refuse(error.name(), format!("{field}: {error}")))
+    };
+    text.map(read).transpose()
 }
 
 /// What the file says of the gearbox that is meant: done with it, or a list of transmissions.
@@ -112,7 +122,7 @@ pub(crate) fn look(file: &str, question: &str) -> Result<String, Failure> {
 }
 
 fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure> {
-    let overview = analyze::overview::answer(subject, question.input(), None).map_err(refused)?;
+    let overview = analyze::overview::answer(subject, question.input()?, None).map_err(refused)?;
     let mut parts = vec![("analyze", json(&overview)?), ("adjust", json(&adjust::answer(subject))?)];
     if question.list
         && let Content::Several(all) = all_of(subject)?
@@ -131,7 +141,7 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
                 parts.push(("gear_tables", text(&answer.report().html())));
             }
         } else {
-            let answer = analyze::gear::answer(subject, gear, question.input()).map_err(refused)?;
+            let answer = analyze::gear::answer(subject, gear, question.input()?).map_err(refused)?;
             parts.push(("gear", json(&answer)?));
             if question.gear_tables {
                 parts.push(("gear_tables", text(&answer.report().html())));
@@ -227,6 +237,12 @@ struct Change {
 pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<String, Failure> {
     let mut changes: Vec<Change> =
         serde_json::from_str(changes).map_err(|error| refuse("changes", error.to_string()))?;
+    for Change { number: AdjustableNumber { set, of, .. }, to } in &mut changes {
+        // What is no number would change how the file reads: `k: 2,94` is two entries.
+        let read: Result<Number, _> = to.parse();
+        read.map_err(|error| refuse(error.name(), format!("set {set}, {}: {error}", of.name())))?;
+        *to = to.trim().to_owned();
+    }
     // From the end of the file: those before keep their places.
     changes.sort_by_key(|Change { number, .. }| Reverse((number.line, number.column)));
     let mut new = file.to_owned();

@@ -18,6 +18,8 @@ pub mod memory;
 
 use crate::failure::Failure;
 use apart::Files;
+use epicyclic_answers::Answer;
+use epicyclic_answers::answer::write_json;
 use epicyclic_formats::visible;
 use std::ffi::OsString;
 use std::io;
@@ -90,6 +92,15 @@ pub trait Desk: Sync {
     /// # Errors
     /// Where its reader takes no more.
     fn answer(&self, source: &mut Source) -> io::Result<()>;
+
+    /// Takes the answer as JSON, where it goes to a file or in another form; a refusal, too. By default nobody wants it.
+    ///
+    /// # Errors
+    /// Where it cannot be written as JSON.
+    fn record(&self, source: &mut Source) -> io::Result<()> {
+        let _ = source;
+        Ok(())
+    }
 
     /// Takes a message: a warning, a note, or why there is no answer.
     fn message(&self, text: &str);
@@ -185,6 +196,11 @@ impl<'d> Call<'d> {
     /// The same of a text.
     pub(crate) fn say(&self, text: &str) -> Result<(), Failure> {
         self.answer(&mut |out| out.write_all(text.as_bytes()))
+    }
+
+    /// Hands over the record of an answer that goes to a file or in another form.
+    pub(crate) fn record<A: Answer>(&self, answer: &A) -> Result<(), Failure> {
+        self.desk.record(&mut |out| write_json(answer, out)).map_err(Failure::StandardOutput)
     }
 
     /// A line, or lines, beside the answer.

@@ -206,6 +206,9 @@ fn end(call: &Call<'_>, done: Result<(), failure::Failure>, is_json: bool) -> u8
         Err(failure) => {
             if is_json {
                 output::in_place_of_an_answer(call, &failure.as_answer());
+            } else if !call.has_answered() {
+                // What fails here has been told already.
+                let _ = call.record(&failure.as_answer());
             }
             if !failure.is_quiet() {
                 call.complain(&format!("error: {}", failure.told()));

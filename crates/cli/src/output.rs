@@ -143,6 +143,7 @@ impl OutputArgs {
             }
             _ => unreachable!("a report is made for tables and CSV"),
         }
+        self.record(call, answer)?;
         // A list in CSV has no place for them.
         if let Some(report) =
             report.filter(|one| self.is_file() || (self.format() == Format::Csv && one.is_list()))
@@ -202,8 +203,14 @@ impl OutputArgs {
         let report = answer.report();
         report.refuse_infinite()?;
         self.write_with(call, files, &sheet?.html(imprint)?)?;
+        self.record(call, answer)?;
         tell(call, &report);
         Ok(())
+    }
+
+    /// Hands over the record, unless standard output has it.
+    pub(crate) fn record<A: Answer>(&self, call: &Call<'_>, answer: &A) -> Result<(), Failure> {
+        if self.format() == Format::Json && !self.is_file() { Ok(()) } else { call.record(answer) }
     }
 
     /// Writes the answer and other files of the same call, all of them or none.

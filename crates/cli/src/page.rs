@@ -62,11 +62,17 @@ enum Format {
     Json,
 }
 
+impl Args {
+    fn is_page(&self) -> bool {
+        self.format == Format::Html
+    }
+}
+
 /// Runs the command.
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    args.page.only_of_a_page(args.format == Format::Html)?;
-    args.target.is_for_a_page(args.format == Format::Html)?;
-    if args.to_scale && args.format == Format::Json {
+    args.page.only_of_a_page(args.is_page())?;
+    args.target.is_for_a_page(args.is_page())?;
+    if args.to_scale && !args.is_page() {
         let message = "it is for the pictures of a page; JSON has none".to_owned();
         return Err(Failure::Option { option: "--to-scale", message });
     }
@@ -89,14 +95,15 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
             for_gearboxes("scenario")?;
             of_scenario(call, args, document, text)?
         }
-        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(args, &document, text)?,
+        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(call, args, &document, text)?,
         Some(FileKind::Drive) => {
             for_gearboxes("drive")?;
-            of_drive(args, &document, text)?
+            of_drive(call, args, &document, text)?
         }
         Some(FileKind::Motor) => {
             for_gearboxes("motor")?;
-            of_motor(args, &document, text).map_err(|failure| failure.in_file(&document, &Path::root()))?
+            of_motor(call, args, &document, text)
+                .map_err(|failure| failure.in_file(&document, &Path::root()))?
         }
         None => {
             let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
@@ -108,7 +115,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.target.write(call, text.as_bytes())
 }
 
-fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
     let wanted = args.exciting.wanted()?;
     let (report, mut shown) =
@@ -117,8 +124,8 @@ fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, 
         let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
         return Err(Failure::Option { option, message });
     }
-    match args.format {
-        Format::Json => json(file, About::Gearbox(Box::new(report))),
+    let sheet = match args.format {
+        Format::Json => None,
         Format::Html => {
             let own = own_lines(document, &subject.base, &file);
             let scale = match &shown.layout {
@@ -135,10 +142,11 @@ fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, 
                 }
                 _ => None,
             };
-            html(args, page::gearbox::sheet(&report, &shown, scale.as_ref(), own))
+            Some(page::gearbox::sheet(&report, &shown, scale.as_ref(), own))
         }
-    }
-    .map_err(|failure| failure.in_file(document, &subject.base))
+    };
+    let report = Report { file, about: About::Gearbox(Box::new(report)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &subject.base))
 }
 
 /// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand in lines of their own.
@@ -160,36 +168,35 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
 fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
     let read = simulate::Read::beside(call, document, args.choice.file())?;
     let simulation = answers::simulate::answer(&read.document, &read.file, &read.beside)?;
-    match args.format {
-        Format::Json => json(file, About::Scenario(Box::new(simulation))),
-        Format::Html => html(args, page::scenario::sheet(&simulation, file)),
-    }
-    .map_err(|failure| failure.in_file(&read.document, &Path::root()))
+    let sheet = args.is_page().then(|| page::scenario::sheet(&simulation, file.clone()));
+    let report = Report { file, about: About::Scenario(Box::new(simulation)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(&read.document, &Path::root()))
 }
 
-fn of_drive(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+fn of_drive(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let report = DriveReport::of(answers::drive::of_file(document)?);
-    match args.format {
-        Format::Json => json(file, About::Drive(Box::new(report))),
-        Format::Html => html(args, page::drive::sheet(&report, file)),
-    }
-    .map_err(|failure| failure.in_file(document, &Path::root()))
+    let sheet = args.is_page().then(|| page::drive::sheet(&report, file.clone()));
+    let report = Report { file, about: About::Drive(Box::new(report)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &Path::root()))
 }
 
-fn of_motor(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+fn of_motor(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let (title, designed) = answers::motor::of_file(document)?;
     let report = motor::answer(title, &designed)?;
-    match args.format {
-        Format::Json => json(file, About::Motor(Box::new(report))),
-        Format::Html => html(args, page::motor::sheet(&report, &designed, file)),
-    }
+    let sheet = args.is_page().then(|| page::motor::sheet(&report, &designed, file.clone()));
+    written(call, args, sheet, &Report { file, about: About::Motor(Box::new(report)) })
 }
 
-fn json(file: String, about: About) -> Result<String, Failure> {
-    Ok(to_json(&Report { file, about })?)
-}
-
-/// What HTML does not allow in a name, or turns its reading around, is written out.
-fn html(args: &Args, sheet: Result<Sheet, epicyclic_views::Error>) -> Result<String, Failure> {
-    Ok(visible::lines(&sheet?.html(&args.page.imprint())?).into_owned())
+/// The page of a sheet, whose record is handed over; without a sheet the record.
+fn written(
+    call: &Call<'_>,
+    args: &Args,
+    sheet: Option<Result<Sheet, epicyclic_views::Error>>,
+    report: &Report,
+) -> Result<String, Failure> {
+    let Some(sheet) = sheet else { return Ok(to_json(report)?) };
+    // What HTML does not allow in a name, or turns its reading around, is written out.
+    let page = visible::lines(&sheet?.html(&args.page.imprint())?).into_owned();
+    call.record(report)?;
+    Ok(page)
 }

@@ -411,6 +411,7 @@ fn with_teeth(
                 csv(designs.take().into_iter().flatten(), is_shifted, out)
             })?;
         }
+        args.output.record(call, &found.streamed(&|_| ())?)?;
     } else {
         let answer = found.answer().map_err(|error| refuse(args, error))?;
         if args.output.is_page() {

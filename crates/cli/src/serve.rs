@@ -17,6 +17,9 @@ use tiny_http::{Header, Method, Request, Response, Server};
 /// Where the page asks for the file it is to open.
 const OPENED: &str = "opened";
 
+/// The media type of a file that is opened, and of why it is not.
+const TEXT: &str = "text/plain; charset=utf-8";
+
 /// The app in a browser: gearboxes and hydromotors to look at, change and choose, as the program calculates them.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -60,9 +63,13 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if !args.no_browser && open::that_detached(&address).is_err() {
         call.complain("no browser was found: open the address in one");
     }
-    let opened = |file: &Path| {
-        let again = (!input::is_standard_input(file)).then(|| input::text(call, file));
-        again.and_then(Result::ok).or_else(|| read.clone()).unwrap_or_default().into_bytes()
+    // A file that cannot be read any more is no reason to show what it was.
+    let opened = |file: &Path| match read.clone().filter(|_| input::is_standard_input(file)) {
+        Some(text) => reply(text.into_bytes(), TEXT),
+        None => match input::text(call, file) {
+            Ok(text) => reply(text.into_bytes(), TEXT),
+            Err(failure) => reply(failure.told().into_bytes(), TEXT).with_status_code(500),
+        },
     };
     for request in server.incoming_requests() {
         let reply = if !is_of_here(&request, port) {
@@ -72,7 +79,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         } else {
             let asked = request.url().split(['?', '#']).next().unwrap_or_default().trim_start_matches('/');
             match (asked, file) {
-                (OPENED, Some(file)) => Some(reply(opened(file), "text/plain; charset=utf-8")),
+                (OPENED, Some(file)) => Some(opened(file)),
                 ("", _) => app.file("index.html").map(|bytes| reply(bytes, "text/html; charset=utf-8")),
                 (name, _) => app.file(name).map(|bytes| reply(bytes, kind(name))),
             }

@@ -1,7 +1,7 @@
 //! A call of the command line over a desk that Python furnishes: files in its memory before those of the disk.
 
 use crate::work::{self, Shared};
-use epicyclic::desk::captured::Captured;
+use epicyclic::desk::captured::{Captured, Told};
 use epicyclic::desk::{Content, Desk, NotWritten, Source, Text};
 use epicyclic::{Ended, INTERRUPTED};
 use pyo3::prelude::*;
@@ -77,6 +77,10 @@ impl Desk for Desktop<'_> {
         self.captured.answer(source)
     }
 
+    fn record(&self, source: &mut Source) -> io::Result<()> {
+        self.captured.record(source)
+    }
+
     fn message(&self, text: &str) {
         self.captured.message(text);
     }
@@ -104,8 +108,8 @@ impl Desk for Desktop<'_> {
     }
 }
 
-/// Exit code, answer, messages, and the files that were kept.
-type Called = (u8, Vec<u8>, Vec<String>, Vec<Content>);
+/// Exit code, what was told, and the files that were kept.
+type Called = (u8, Told, Vec<Content>);
 
 fn called(
     words: Vec<String>,
@@ -119,12 +123,12 @@ fn called(
         Err(payload) if payload.is::<Ended>() => INTERRUPTED,
         Err(payload) => resume_unwind(payload),
     };
-    let told = desk.captured.into_told();
-    (code, told.answer, told.messages, desk.written.into_inner().unwrap_or_else(PoisonError::into_inner))
+    (code, desk.captured.into_told(), desk.written.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// What Python gets: exit code, answer, messages and files.
-type Answer<'py> = (u8, Bound<'py, PyBytes>, String, BTreeMap<String, Bound<'py, PyBytes>>);
+/// What Python gets: exit code, answer, its record where the answer is not that, messages and files.
+type Answer<'py> =
+    (u8, Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>, String, BTreeMap<String, Bound<'py, PyBytes>>);
 
 /// Answers the words of a command line, without the name of the program.
 ///
@@ -138,11 +142,11 @@ pub(crate) fn call<'py>(
     kept: Vec<PathBuf>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Answer<'py>> {
-    let (code, answer, messages, written) =
-        work::done(py, progress, move |shared| called(line, files, kept, shared))?;
+    let (code, told, written) = work::done(py, progress, move |shared| called(line, files, kept, shared))?;
     let written = written
         .into_iter()
         .map(|(file, content)| (file.display().to_string(), PyBytes::new(py, &content)))
         .collect();
-    Ok((code, PyBytes::new(py, &answer), messages.join("\n"), written))
+    let record = told.record.map(|record| PyBytes::new(py, &record));
+    Ok((code, PyBytes::new(py, &told.answer), record, told.messages.join("\n"), written))
 }

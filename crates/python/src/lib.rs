@@ -20,6 +20,7 @@ use pyo3::prelude::*;
 /// The compiled part of the package `epicyclic`; use that.
 #[pymodule]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    work::loaded();
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_function(wrap_pyfunction!(call::call, module)?)?;
     module.add_function(wrap_pyfunction!(commands::commands, module)?)?;

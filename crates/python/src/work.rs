@@ -1,12 +1,16 @@
 //! Work that is long: beside Python's lock, with its progress told and Ctrl-C heard.
+//!
+//! A process that is forked has the memory of its parent and none of its threads. Work there runs in threads of its own: the pool that all
+//! work shares otherwise would never answer.
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
+use std::{process, thread};
 
 /// How often signals are looked for.
 const LOOK: Duration = Duration::from_millis(50);
@@ -14,6 +18,23 @@ const LOOK: Duration = Duration::from_millis(50);
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Searches and readers recurse; a thread of its own has less than the main one otherwise.
 const STACK: usize = 16 << 20;
+
+/// The process that loaded the module.
+static LOADED_BY: OnceLock<u32> = OnceLock::new();
+
+/// Remembers the process that loads the module.
+pub(crate) fn loaded() {
+    LOADED_BY.get_or_init(process::id);
+}
+
+/// Threads for one piece of work, in a process that was forked from the one that loaded the module.
+fn pool_after_fork() -> PyResult<Option<ThreadPool>> {
+    if LOADED_BY.get() == Some(&process::id()) {
+        return Ok(None);
+    }
+    let pool = ThreadPoolBuilder::new().stack_size(STACK).build();
+    pool.map(Some).map_err(|error| PyRuntimeError::new_err(format!("no threads for a calculation: {error}")))
+}
 
 /// What work and the thread that waits for it share.
 #[derive(Debug, Default)]
@@ -50,8 +71,15 @@ pub(crate) fn done<T: Send + 'static>(
     let shared = Arc::new(Shared::default());
     let (sender, mut receiver) = channel();
     let own = Arc::clone(&shared);
-    // Nobody waits for the result of work that was left to itself.
-    let run = move || drop(sender.send(work(&own)));
+    let pool = pool_after_fork()?;
+    let run = move || {
+        let result = match pool {
+            Some(pool) => pool.install(|| work(&own)),
+            None => work(&own),
+        };
+        // Nobody waits for the result of work that was left to itself.
+        drop(sender.send(result));
+    };
     thread::Builder::new().stack_size(STACK).spawn(run).map_err(PyErr::from)?;
     loop {
         let (found, back) = wait(py, receiver, LOOK);

@@ -18,6 +18,8 @@ pub struct Captured {
 pub struct Told {
     /// The answer: what a program writes to its standard output.
     pub answer: Vec<u8>,
+    /// The answer as JSON, where it goes to a file or in another form; where there is none, why.
+    pub record: Option<Vec<u8>>,
     /// What stands beside the answer, each message of one line or more.
     pub messages: Vec<String>,
 }
@@ -66,6 +68,14 @@ impl Desk for Captured {
         let done = source(&mut part);
         self.told.lock().unwrap_or_else(PoisonError::into_inner).answer.append(&mut part);
         done
+    }
+
+    fn record(&self, source: &mut Source) -> io::Result<()> {
+        let mut record = vec![];
+        source(&mut record)?;
+        // Where an answer says why nothing was found, the refusal behind it says less.
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).record.get_or_insert(record);
+        Ok(())
     }
 
     fn message(&self, text: &str) {

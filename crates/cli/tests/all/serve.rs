@@ -112,9 +112,18 @@ fn a_file_is_opened_and_read_anew() {
     assert_eq!(serving.got("/opened").2, b"gearbox: one\n");
     fs::write(&file, "gearbox: another\n").unwrap();
     assert_eq!(serving.got("/opened").2, b"gearbox: another\n");
-    // What was read last holds where the file is gone.
-    fs::remove_file(&file).unwrap();
-    assert_eq!(serving.got("/opened").2, b"gearbox: one\n");
+    // What it was is not shown in place of what cannot be read.
+    for spoil in [
+        |file: &Path| fs::write(file, b"gearbox: \xff\n").unwrap(),
+        |file: &Path| fs::remove_file(file).unwrap(),
+    ] {
+        spoil(&file);
+        let (status, head, body) = serving.got("/opened");
+        assert_eq!(status, 500, "{head}");
+        assert!(text(&body).contains("box.yaml: cannot be read: "), "{}", text(&body));
+    }
+    fs::write(&file, "gearbox: a third\n").unwrap();
+    assert_eq!(serving.got("/opened").2, b"gearbox: a third\n");
 }
 
 /// Whoever is called in place of a browser writes down with what.
