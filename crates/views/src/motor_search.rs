@@ -74,11 +74,11 @@ fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row
 
 fn records(search: &MotorSearch) -> Records {
     let judged = if search.made {
-        "the form keeps its limits, and ideal ports can be made."
+        "On each the teeth of the form keep their limits, and ideal ports can be made."
     } else {
-        "whether the form keeps its limits (hold, fail) or gives no teeth (none); teeth and ports were not judged."
+        "Teeth: whether the form keeps its limits (hold, fail) or gives no teeth (none); teeth and ports were not judged."
     };
-    let has_contact = search.designs.iter().any(|design| design.contact_stress_pa.is_some());
+    let has_contact = search.made && search.designs.iter().any(|design| design.contact_stress_pa.is_some());
     let contact = if has_contact {
         " σ_H: greatest contact stress of steel teeth where one pair of flanks carries alone."
     } else {
@@ -94,13 +94,13 @@ fn records(search: &MotorSearch) -> Records {
         "flank_ripple",
         "least_radius_in_modules",
         "nearest",
-        "teeth_limits",
     ];
+    shape_columns.extend((!search.made).then_some("teeth_limits"));
     shape_columns.extend(has_contact.then_some("contact_stress"));
     let shapes = View {
         note: format!(
             "q/V: displacement over the cylinder about the stator's centrode. δ: ripple of flow and torque, satellites \
-             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. Teeth: {judged}{contact}{hidden}"
+             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. {judged}{contact}{hidden}"
         ),
         ..View::new("Designs", &shape_columns)
     };

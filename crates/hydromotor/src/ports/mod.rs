@@ -326,6 +326,7 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     if let Some((by, phase)) = greatest(across) {
         return Err(Error::SatelliteAcrossRay { by_mm: mm(by), rotation_deg: degrees(phase) });
     }
+    let [rotor, stator] = motor.facing_radii();
     // The other half of the cycle mirrors this one.
     for (wheel, is_stator) in [(WheelKind::Stator, true), (WheelKind::Rotor, false)] {
         let within = phases().take(PLACES as usize / 2 + 1).flat_map(|phase| {
@@ -335,14 +336,21 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
                 ([x + r * cos, y + r * sin], phase)
             })
         });
-        let cut = within.map(|([x, y], phase)| {
+        // Within the stator's least radius, and outside the rotor's greatest, nothing is asked of the curves.
+        let cut = within.filter_map(|([x, y], phase)| {
             let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
             let by = if is_stator {
+                if rho <= stator {
+                    return None;
+                }
                 rho - motor.shape.at(By::StatorAngle, theta).rho3
             } else {
+                if rho >= rotor {
+                    return None;
+                }
                 motor.shape.at(By::RotorAngle, theta - phase).rho1 - rho
             };
-            (by, phase)
+            Some((by, phase))
         });
         if let Some((by, phase)) = greatest(cut.filter(|(by, _)| *by > crate::tolerance::MET)) {
             return Err(Error::SatelliteInWheel { wheel, by_mm: mm(by), rotation_deg: degrees(phase) });

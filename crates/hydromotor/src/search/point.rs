@@ -257,8 +257,8 @@ impl Point {
 
 /// Whether ideal ports can be made for a motor.
 pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
-    let plate = PortPlate::of_ideal_holes(motor, IDEAL_PART).map_err(|_| FormRefusal::Ports)?;
-    plate.timing().map(|_| ()).map_err(|_| FormRefusal::Ports)
+    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests ask for every timing.
+    PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
 }
 
 /// How far a value keeps above a limit, relative to it.
