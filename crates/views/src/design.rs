@@ -118,7 +118,7 @@ fn ways_out(ways: &[WayOut]) -> Records {
             text(options(way)),
             text(format!("{}{reverses}", way.scheme)),
             text(sets(&way.teeth)),
-            text(percent(off)),
+            text(percent(off).replace('+', "")),
             column(Dimension::Mass, way.teeth.mass_kg),
         ]
     };

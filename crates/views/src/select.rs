@@ -106,7 +106,7 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
     vec![
         View { note: note(select, accepted), ..View::new(heading, &with_speeds(&select.required, main)) },
         View {
-            note: objectives_note(&select.required),
+            note: objectives_note(&select.required, accepted.iter().any(|one| one.mixed_directions)),
             ..View::new(
                 "Objectives",
                 &["no", "efficiency", "speed", "k_distance", "ratio_error", size_column(accepted), "non_dominated"],
@@ -164,10 +164,11 @@ fn note(select: &Select, accepted: &[Candidate]) -> String {
     note
 }
 
-fn objectives_note(required: &Required) -> String {
+fn objectives_note(required: &Required, some_reverse: bool) -> String {
+    let apart = if some_reverse { "; schemes that reverse are compared among themselves" } else { "" };
     format!(
         "Efficiency: the least of the gears. Speed: the largest of links, and of planets relative to their carriers. k: \
-         distance of ln k from {} to {}. {} Non-dominated: no other is better in one and worse in none.",
+         distance of ln k from {} to {}. {} Non-dominated: no other is better in one and worse in none{apart}.",
         required.preferred_k.least,
         required.preferred_k.greatest,
         size_note(required)

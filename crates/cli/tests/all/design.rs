@@ -60,7 +60,7 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
         &["--speeds", "0.63 m/s, 1.0 m/s, 1.6 m/s"],
         &["--speeds", "0.8 m/s, 1.6 m/s"],
         &["--ratios", "2.5, 1.5", "--sun=30..32", "--planet=20..22"],
-        &["--ratios", "3.9375", "--sun=19..21", "--planet=17..19"],
+        &["--ratios", "3.9375", "--sun=40..60", "--planet=17..19"],
     ];
     let mut seen = vec![];
     for order in orders {
@@ -183,7 +183,7 @@ fn a_factor_acts_in_any_spelling_and_is_given_once() {
     }
     assert_eq!(sizes("K_Hβ 1.4"), sizes("KHbeta=1.4"));
     let of_ring = sizes("Y_delta_rel_T_stat 0.5");
-    assert_eq!(of_ring, sizes("Y_δrelT,stat=0.5"));
+    assert_eq!(of_ring, sizes("Y_δrelTstat=0.5"));
     for (factors, both) in
         [("K_A 1.5, KA 3", ["`K_A`", "`KA`"]), ("K_Hβ=1, K_v=1, K_H_beta=1", ["`K_Hβ`", "`K_H_beta`"])]
     {
@@ -199,7 +199,7 @@ fn a_factor_that_a_file_gives_twice_is_refused() {
     let line = [&["design", "--ratios=4", "--save=box.yaml"], QUICK].concat();
     assert_eq!(output(folder.path(), &line).status.code(), Some(0));
     let file = fs::read_to_string(folder.path().join("box.yaml")).unwrap();
-    let twice = file.replace("K_A: 1.25", "K_A: 1.25\n        KA: 3");
+    let twice = file.replace("K_A: 1.25", "K_A: 1.25\n      KA: 3");
     assert_ne!(file, twice);
     fs::write(folder.path().join("twice.yaml"), twice).unwrap();
     let basis = [&["design", "--ratios=4", "--basis=twice.yaml"], QUICK].concat();
