@@ -411,7 +411,7 @@ fn ratios_near_one_and_near_a_billion_have_the_exact_state() {
     let cases = common::cases(4000);
     let mut dice = Dice(0xd1ce);
     let mut met = std::collections::BTreeMap::<&str, u32>::new();
-    let (mut wrong, mut worst) = (vec![], 0.0_f64);
+    let (mut wrong, mut worst, mut unbalanced) = (vec![], 0.0_f64, 0.0_f64);
     for case in 0..cases {
         let (Planted { links, sets, input, output }, specs) = extreme(&mut dice);
         let described =
@@ -442,9 +442,15 @@ fn ratios_near_one_and_near_a_billion_have_the_exact_state() {
             ));
         }
         worst = worst.max(differs);
+        if let Some(ideal) = found.ideal() {
+            unbalanced = unbalanced.max((ideal.efficiency - 1.0).abs() / ideal.power.largest.max(1.0));
+        }
         *met.entry(found.state().name()).or_default() += 1;
     }
-    println!("{cases} gearboxes, {} wrong, ratios to {worst:e}: {met:?}", wrong.len());
+    println!(
+        "{cases} gearboxes, {} wrong, ratios to {worst:e}, powers to {unbalanced:e}: {met:?}",
+        wrong.len()
+    );
     assert!(wrong.is_empty(), "{} of {cases}: {}", wrong.len(), wrong[0]);
     assert!(met.len() >= 5, "{met:?}");
 }
