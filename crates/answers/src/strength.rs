@@ -2,7 +2,10 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`records`] | meshes, gears and what is not rated |
+//! | [`records`] | meshes and gears |
+//! | `names` | meshes, gears, flanks and roots by name |
+//! | `not_rated` | what is not rated, and why |
+//! | `sharing` | how planets share the load |
 //! | `prepared` | the meshes of a file's sets |
 //! | [`factors`] | factors by their symbols, each once |
 //! | `axial` | axial forces of helical teeth |
@@ -20,10 +23,13 @@ pub(crate) mod bearings;
 pub(crate) mod duty;
 pub mod factors;
 pub(crate) mod load;
+mod names;
+mod not_rated;
 pub(crate) mod overload;
 pub(crate) mod place;
 pub(crate) mod prepared;
 pub mod records;
+mod sharing;
 
 use crate::analyze::pins;
 use crate::analyze::warnings::tilting;

@@ -49,9 +49,6 @@
 
 use crate::drive::Spacing;
 use crate::{Number, Path, Quantity};
-use epicyclic_gears::involute::Profile;
-use epicyclic_gears::rack::BasicRack;
-use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
@@ -66,6 +63,7 @@ mod drag;
 mod kind;
 mod losses;
 mod place;
+mod set;
 mod size;
 mod spacing;
 mod strength;
@@ -73,7 +71,7 @@ mod tools;
 mod transmissions;
 mod vibration;
 mod written;
-use checks::{counts, unique};
+use checks::unique;
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
@@ -586,86 +584,6 @@ impl GearboxFile {
             None => Ok(()),
         }
     }
-}
-
-impl SetEntry {
-    fn spec(&self) -> Result<SetSpec, DescriptionError> {
-        let set = || self.id.clone();
-        let kind = SetKind::from(self.kind);
-        let carrier = match (&self.carrier, kind.is_pair()) {
-            (None, true) => GROUND,
-            (Some(carrier), false) => carrier,
-            (_, is_pair) => return Err(DescriptionError::Carrier { set: set(), is_pair }),
-        };
-        let members = [self.sun.as_str(), self.ring.as_str(), carrier];
-        let mut spec = match (self.k, self.teeth) {
-            (Some(k), None) => SetSpec::new(&self.id, kind, members, k.get()),
-            (None, Some(teeth)) => {
-                counts(&self.id, "teeth", &teeth)?;
-                let refuse =
-                    |source| DescriptionError::Set { set: set(), at: Path::root().key("teeth"), source };
-                SetSpec::teeth(&self.id, kind, members, teeth[0], teeth[1]).map_err(refuse)?
-            }
-            _ => return Err(DescriptionError::RowKnownInOneWay { set: set() }),
-        };
-        spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
-        if let Some(teeth) = &self.planet_teeth {
-            spec = match counts(&self.id, "planet_teeth", teeth)?[..] {
-                [only] => spec.planet_teeth(only, None),
-                [first, second] => spec.planet_teeth(first, Some(second)),
-                _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: teeth.len() }),
-            };
-        }
-        if let Some(count) = self.planets {
-            spec = spec.planet_count(count);
-        }
-        let in_vibration = self.vibration.as_ref().and_then(|vibration| vibration.planet_angles.as_deref());
-        spec = spec.spaced(spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), in_vibration])?);
-        if self.profile_shifts.is_some() || self.tip_alterations.is_some() {
-            spec = self.with_shifts(spec)?;
-        }
-        if self.tools.is_some() && spec.kind != SetKind::Simple {
-            return Err(DescriptionError::ToolsOfKind { set: set() });
-        }
-        self.with_helix_angle(spec.cut(self.cutting()?))
-    }
-
-    fn with_shifts(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
-        let set = || self.id.clone();
-        let is_known = spec.planet.is_some() && spec.second_planet.is_none() && self.teeth.is_some();
-        let Some(profile) = self.profile_shifts.as_ref().filter(|_| spec.kind == SetKind::Simple && is_known)
-        else {
-            return Err(DescriptionError::Shifts { set: set() });
-        };
-        let of = |key, values: &[Number]| numbers(&self.id, key, "sun, planets, ring", values);
-        let tips = self.tip_alterations.as_ref().map(|tips| of("tip_alterations", tips)).transpose()?;
-        Ok(spec.shifted(Shifts { profile: of("profile_shifts", profile)?, tips }))
-    }
-
-    fn with_helix_angle(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
-        let Some(Quantity(helix_angle)) = self.helix_angle else { return Ok(spec) };
-        let at = Path::root().key("helix_angle");
-        let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
-        Profile { helix_angle, ..Profile::default() }.check().map_err(refuse)?;
-        let spec = spec.helical(helix_angle);
-        if spec.is_helical() && spec.toothed_set(&BasicRack::default()).is_none() {
-            return Err(DescriptionError::HelixAngle { set: self.id.clone() });
-        }
-        Ok(spec)
-    }
-}
-
-/// The values of a key of a set, one for each of these gears or meshes.
-fn numbers<const N: usize>(
-    set: &str,
-    key: &'static str,
-    of: &'static str,
-    values: &[Number],
-) -> Result<[f64; N], DescriptionError> {
-    let wrong =
-        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
-    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
-    Ok(values.map(Number::get))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::error::{CompoundFault, MeshFault, Place, Terminal};
 use crate::gearbox::{Gear, ShiftElement, ascending};
 use crate::groups::Groups;
 use crate::names::nearest;
+use crate::planet_angles;
 use crate::planet_set::{
     Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
 };
@@ -354,7 +355,7 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
     if let Some(given) = set.planet_count().filter(|count| !(1..=MOST_ALIKE).contains(count)) {
         return Err(Error::PlanetCount { set: id, given });
     }
-    set.spacing().check(&set)?;
+    planet_angles::check(&set)?;
     // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the housing. Joined by a
     // *shift element* they are the ordinary direct drive. Central gears that turn alike anyway lose nothing by being one piece.
     let members = set.members();

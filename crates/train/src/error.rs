@@ -3,6 +3,8 @@
 use crate::compound::{CentralKind, GearName, SetMember};
 pub use crate::drag_fault::DragFault;
 pub use crate::operating_fault::OperatingFault;
+use crate::set_fault::coincident;
+pub use crate::set_fault::{MeshFault, SpacingFault};
 use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -355,24 +357,6 @@ impl fmt::Display for SetValue {
     }
 }
 
-/// Why two gears do not mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MeshFault {
-    /// Two central gears.
-    #[error("both are central gears, and turn about one axis")]
-    TwoCentrals,
-    /// Two gears of one planet.
-    #[error("they are gears of one planet, and turn as one piece")]
-    OnePlanet,
-    /// A ring with no more teeth than the planet.
-    #[error("a ring has more teeth than the planet in it")]
-    SmallRing,
-    /// A planet shaft.
-    #[error("a planet shaft has no teeth")]
-    PlanetShaft,
-}
-
 /// Why no speed or torque is given to a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -630,75 +614,5 @@ impl fmt::Display for Warning {
                  them as one compound set: as two sets the shared mesh loses twice, and what it passes on may seem to circulate"
             ),
         }
-    }
-}
-
-/// What is wrong with the spacing of planets.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SpacingFault {
-    /// A pair of gears on fixed axes.
-    #[error("a pair on fixed axes has no planets to place")]
-    Pair,
-    /// Angles of another number of planets.
-    #[error("{angles} planet angles are given for {planets} planets; give one angle for each planet")]
-    Count {
-        /// How many angles.
-        angles: usize,
-        /// How many planets.
-        planets: u32,
-    },
-    /// An angle that is no number.
-    #[error("the angle of planet {planet} is not finite")]
-    NotFinite {
-        /// The planet, from 1.
-        planet: usize,
-    },
-    /// Two planets at one angle.
-    #[error("planets {} and {} have the same angle; give each planet its own", planets[0], planets[1])]
-    SameAngle {
-        /// The planets, from 1.
-        planets: [usize; 2],
-    },
-    /// Assembly positions that are not known.
-    #[error(
-        "the least unequal spacing needs the number of planets and the teeth of all gears; give them, or the angles of the planets"
-    )]
-    Unknown,
-    /// More planets than assembly positions.
-    #[error(
-        "{planets} planets need {planets} assembly positions, and the teeth leave {positions}; give fewer planets"
-    )]
-    TooFewPositions {
-        /// How many planets.
-        planets: u32,
-        /// How many positions.
-        positions: u64,
-    },
-}
-
-/// What two members of a set that are one piece make of it.
-fn coincident(
-    set: &str,
-    [first, second]: [&SetMember; 2],
-    link: &str,
-    [is_pair, is_held]: [bool; 2],
-) -> String {
-    match (is_pair, is_held) {
-        (true, true) => format!(
-            "a gear of the pair `{set}` is held to the housing, so that neither of its gears turns; give the gear a link of its own and \
-             hold it by a brake"
-        ),
-        (true, false) => {
-            format!("both gears of the pair `{set}` are `{link}`, so that neither turns; give them two links")
-        }
-        (false, true) => format!(
-            "{first} and {second} of set `{set}` are both held to the housing, so that the set cannot turn; give them two links and \
-             hold one of these by a brake"
-        ),
-        (false, false) => format!(
-            "{first} and {second} of set `{set}` are both `{link}`: such a set turns as a block; give them two links and join these by a \
-             clutch"
-        ),
     }
 }

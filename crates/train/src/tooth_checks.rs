@@ -20,9 +20,9 @@
 //! | `z_c`, `z_p`, `z` | teeth of a central gear, of a planet, of any gear | 1 |
 //! | `R` | radius of a planet's centre | that of `m` |
 //! | `h_a*`, `α` | addendum coefficient and pressure angle of the teeth | 1, deg |
-//! | `N` | planets of a kind, at equal angles `2π/N` unless the set [says otherwise](crate::spacing) | 1 |
+//! | `N` | planets of a kind, at equal angles `2π/N` unless the set [says otherwise](crate::planet_angles) | 1 |
 //!
-//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at [given angles](crate::spacing). Two planets in mesh stand apart by the angle of
+//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at [given angles](crate::planet_angles). Two planets in mesh stand apart by the angle of
 //! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it does not mesh with. Gears
 //! that do not mesh may lie beside each other along the axis, as the short planets and the large sun of a Ravigneaux
 //! set do; that they must is only a [note](ToothWarning::is_note).

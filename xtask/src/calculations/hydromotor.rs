@@ -225,7 +225,7 @@ fn closed_arcs(given: &MotorGiven) -> Result<Results, Refusal> {
                 Limit::NoTroughArc => "no trough arc",
                 Limit::RotorCusp => "rotor cusp",
                 Limit::RadialFlank => "radial flank",
-                Limit::StraightArc => "straight arc",
+                Limit::GreatestRadius => "greatest radius",
             };
             results.text(format!("family.{i}.{name}_limit"), limit);
         }

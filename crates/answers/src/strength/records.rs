@@ -1,12 +1,13 @@
 //! Records of the strength of teeth: meshes, gears, what governs, what is not rated.
 
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
+pub use super::names::{Against, MeshName, Place, ToothedGear};
+pub use super::not_rated::{NotRated, Reason};
+pub use super::sharing::{LoadSharing, SharingBasis};
 use crate::Warning;
 use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_strength::factor::{Origin, Side};
-use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::MeshRating;
 use epicyclic_strength::spectrum::{DutyRating, Worn};
@@ -14,78 +15,6 @@ use epicyclic_strength::{self as strength, factor, rating};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
-
-/// A mesh of a simple set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum MeshName {
-    /// Of sun and planets.
-    SunPlanet,
-    /// Of planets and ring.
-    PlanetRing,
-}
-
-impl MeshName {
-    /// Both.
-    pub const BOTH: [Self; 2] = [Self::SunPlanet, Self::PlanetRing];
-
-    /// Its gears, in the order of the calculation.
-    #[must_use]
-    pub const fn gears(self) -> [ToothedGear; 2] {
-        match self {
-            Self::SunPlanet => [ToothedGear::Sun, ToothedGear::Planet],
-            Self::PlanetRing => [ToothedGear::Planet, ToothedGear::Ring],
-        }
-    }
-}
-
-impl fmt::Display for MeshName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [first, second] = self.gears();
-        write!(f, "{first}-{second}")
-    }
-}
-
-/// A gear of a simple set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ToothedGear {
-    /// The sun.
-    Sun,
-    /// A planet.
-    Planet,
-    /// The ring.
-    Ring,
-}
-
-impl fmt::Display for ToothedGear {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Sun => "sun",
-            Self::Planet => "planet",
-            Self::Ring => "ring",
-        })
-    }
-}
-
-/// Where a tooth fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Place {
-    /// The flank, by pitting.
-    Flank,
-    /// The root, by bending.
-    Root,
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Flank => "flank",
-            Self::Root => "root",
-        })
-    }
-}
 
 /// Required safeties.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
@@ -387,64 +316,6 @@ pub struct Overloaded {
     pub required: Required,
 }
 
-/// Where a mesh load factor comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SharingBasis {
-    /// A member floats.
-    Floating,
-    /// No member floats.
-    Rigid,
-    /// Not stated: a floating member is assumed.
-    Assumed,
-}
-
-impl SharingBasis {
-    pub(crate) const fn of(floating: Floating) -> Self {
-        match floating {
-            Floating::Assumed => Self::Assumed,
-            Floating::Yes => Self::Floating,
-            Floating::No => Self::Rigid,
-        }
-    }
-}
-
-/// How the planets of a set share the load, where the file gives no `K_γ`.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct LoadSharing {
-    /// The set.
-    pub set: String,
-    /// Number of planets.
-    pub planets: u32,
-    /// Mesh load factor `K_γ`.
-    pub mesh_load_factor: f64,
-    /// What it rests on.
-    pub basis: SharingBasis,
-}
-
-impl LoadSharing {
-    /// Of planets that share the load by the table; `None` where it ends before their number.
-    pub(crate) fn of(set: &str, planets: u32, floating: Floating) -> Option<Self> {
-        let mesh_load_factor = load_sharing(planets, floating).ok()?;
-        Some(Self { set: set.to_owned(), planets, mesh_load_factor, basis: SharingBasis::of(floating) })
-    }
-
-    /// That no member floats, which loads planets unevenly.
-    pub(crate) fn warning(&self) -> Option<Warning> {
-        (self.basis == SharingBasis::Rigid && self.planets > 1).then(|| Warning {
-            name: "rigid-load-sharing",
-            message: format!(
-                "set {}: no member floats, so the {} planets share the load unevenly: K_γ = {} is assumed; measure or calculate it and \
-                 give `K_gamma`",
-                self.set,
-                self.planets,
-                trimmed(self.mesh_load_factor, 4)
-            ),
-        })
-    }
-}
-
 /// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load factors.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -459,18 +330,6 @@ pub struct AxialForce {
     pub axial_force_n: f64,
     /// Moment by which both tilt a planet, which no rating of its bearing has.
     pub tilting_moment_n_m: f64,
-}
-
-/// What a safety is against.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Against {
-    /// The load of the operating point for the required life.
-    OperatingPoint,
-    /// The duty.
-    Duty,
-    /// An overload of the file.
-    Overload,
 }
 
 /// All safeties.
@@ -576,173 +435,5 @@ impl fmt::Display for Governing {
             (_, Some(gear)) => write!(f, ", gear {gear})"),
             (_, None) => f.write_str(", over the duty)"),
         }
-    }
-}
-
-/// Why a set, or a mesh, flank or root of it, is not rated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Reason {
-    /// It is no simple set: no sun, planet and ring.
-    NotSimple,
-    /// Its entry in the file lacks keys.
-    KeysMissing,
-    /// A factor is neither given nor can be calculated.
-    FactorMissing,
-    /// It is outside what the standard holds for.
-    BeyondStandard,
-    /// No torques follow in the gear, or it cannot take the load.
-    NoTorquesFollow,
-    /// It carries no torque.
-    NoTorque,
-    /// It does not roll: it turns as a block or rests.
-    NoRolling,
-}
-
-/// A set that is not rated, or a mesh, flank or root of it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct NotRated {
-    /// The set.
-    pub set: String,
-    /// Against what not; `null` against all.
-    pub against: Option<Against>,
-    /// In which selected gears; empty in all.
-    pub gears: Vec<String>,
-    /// The mesh; `null` where none of the set is rated.
-    pub mesh: Option<MeshName>,
-    /// The gear of the mesh; `null` where neither is rated.
-    pub toothed_gear: Option<ToothedGear>,
-    /// Flank or root of this gear; `null` where neither is rated.
-    pub place: Option<Place>,
-    /// Why.
-    pub reason: Reason,
-    /// The keys, or the factor, that are missing.
-    pub missing: Vec<String>,
-    /// What the factor would follow from, or what is outside the standard.
-    pub because: Option<String>,
-    /// The value that is outside the standard, lengths in mm, roughness in µm.
-    pub value: Option<f64>,
-}
-
-impl NotRated {
-    pub(crate) fn new(set: &str, reason: Reason) -> Self {
-        Self {
-            set: set.to_owned(),
-            against: None,
-            gears: vec![],
-            mesh: None,
-            toothed_gear: None,
-            place: None,
-            reason,
-            missing: vec![],
-            because: None,
-            value: None,
-        }
-    }
-
-    /// Of a set and what ended the calculation of it or of a part; `None` of a fault of the input.
-    pub(crate) fn of_error(set: &str, error: &strength::Error) -> Option<Self> {
-        use strength::Error as E;
-        match error {
-            E::MissingFactor { symbol, because } => Some(Self {
-                missing: vec![symbol.to_string()],
-                because: Some((*because).to_owned()),
-                ..Self::new(set, Reason::FactorMissing)
-            }),
-            E::IdleDuty => Some(Self::new(set, Reason::NoTorque)),
-            error if error.is_beyond_standard() => Some(Self {
-                because: Some(error.to_string()),
-                value: match error {
-                    E::OutOfRange { value, .. } | E::NotAbove { value, .. } => Some(*value),
-                    _ => None,
-                },
-                ..Self::new(set, Reason::BeyondStandard)
-            }),
-            _ => None,
-        }
-    }
-
-    /// The same of one mesh.
-    pub(crate) fn of_mesh(self, mesh: MeshName) -> Self {
-        Self { mesh: Some(mesh), ..self }
-    }
-
-    /// Flanks and roots of both gears of a mesh that have an error.
-    pub(crate) fn parts(
-        set: &str,
-        mesh: MeshName,
-        errors: [(Option<strength::Error>, Option<strength::Error>); 2],
-    ) -> Vec<Self> {
-        let of_gear = |(side, (flank, root)): (usize, (Option<strength::Error>, Option<strength::Error>))| {
-            [(Place::Flank, flank), (Place::Root, root)].into_iter().filter_map(move |(place, error)| {
-                let row = Self::of_error(set, &error?)?.of_mesh(mesh);
-                Some(Self { toothed_gear: Some(mesh.gears()[side]), place: Some(place), ..row })
-            })
-        };
-        errors.into_iter().enumerate().flat_map(of_gear).collect()
-    }
-
-    /// The same in one gear.
-    pub(crate) fn of_gear(self, gear: &str) -> Self {
-        Self { gears: vec![gear.to_owned()], ..self }
-    }
-
-    /// The same against one thing alone.
-    pub(super) fn against(self, against: Against) -> Self {
-        Self { against: Some(against), ..self }
-    }
-
-    /// Adds it to others, gears of one set and reason together.
-    pub(crate) fn join(mut self, all: &mut Vec<Self>) {
-        let alike = |one: &&mut Self| {
-            let part = |one: &Self| (one.against, one.mesh, one.toothed_gear, one.place, one.reason);
-            part(one) == part(&self)
-                && (&one.set, &one.missing, &one.because) == (&self.set, &self.missing, &self.because)
-                && !one.gears.is_empty()
-        };
-        match all.iter_mut().find(alike) {
-            Some(one) => one.gears.append(&mut self.gears),
-            None => all.push(self),
-        }
-    }
-
-    /// In words: `set 1: module missing`.
-    pub(crate) fn told(&self) -> String {
-        format!("{}: {}", self.of(), self.why())
-    }
-
-    /// What is not rated, in words: `set 1`, `set 1, mesh planet-ring, root of the ring`.
-    #[must_use]
-    pub fn of(&self) -> String {
-        let mut words = format!("set {}", self.set);
-        if let Some(mesh) = self.mesh {
-            words += &format!(", mesh {mesh}");
-        }
-        if let (Some(gear), Some(place)) = (self.toothed_gear, self.place) {
-            words += &format!(", {place} of the {gear}");
-        }
-        words
-    }
-
-    /// Why, in words.
-    #[must_use]
-    pub fn why(&self) -> String {
-        let against = if self.against == Some(Against::Overload) { "against the overload: " } else { "" };
-        let missing = self.missing.join(", ");
-        let why = match (self.reason, &self.because) {
-            (Reason::NotSimple, _) => "no simple set".to_owned(),
-            (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
-            (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {
-                format!("{missing} missing: {because}")
-            }
-            (Reason::BeyondStandard, because) => {
-                format!("outside ISO 6336: {}", because.as_deref().unwrap_or_default())
-            }
-            (Reason::NoTorquesFollow, _) => "no torques follow".to_owned(),
-            (Reason::NoTorque, _) => "carries no torque".to_owned(),
-            (Reason::NoRolling, _) => "does not roll".to_owned(),
-        };
-        format!("{against}{why}")
     }
 }

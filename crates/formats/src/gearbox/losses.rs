@@ -1,6 +1,7 @@
 //! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
 
-use super::{DescriptionError, GearboxFile, SetEntry, numbers};
+use super::set::numbers;
+use super::{DescriptionError, GearboxFile, SetEntry};
 use crate::{Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};

@@ -1,6 +1,6 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
-use crate::spacing::Misplaced;
+use crate::planet_angles::Misplaced;
 use crate::units::in_degrees;
 use epicyclic_gears::involute::check::Severity;
 use std::fmt;
