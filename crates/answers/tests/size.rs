@@ -70,7 +70,10 @@ fn safeties(text: &str) -> Vec<[f64; 2]> {
     let document = read(text);
     let subject = strength::subject(&document).unwrap();
     let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
-    told.over_duty.iter().map(|one| [one.flank.safety, one.root.safety]).collect()
+    told.over_duty
+        .iter()
+        .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
+        .collect()
 }
 
 #[test]
@@ -84,7 +87,7 @@ fn the_saved_file_has_the_safeties_that_were_found() {
             .sets
             .iter()
             .flat_map(|set| &set.found[0].over_duty)
-            .map(|one| [one.flank.safety, one.root.safety])
+            .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
             .collect();
         let told = safeties(&text);
         assert_eq!(told.len(), 8);
@@ -117,8 +120,9 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
     for set in size.sets.iter().filter(|set| set.found[0].overload.is_some()) {
         let own = told.overload.iter().filter(|one| one.set == set.set);
-        let least =
-            own.flat_map(|one| [one.flank_safety / one.required.flank, one.root_safety / one.required.root]);
+        let least = own.flat_map(|one| {
+            [one.flank_safety.unwrap() / one.required.flank, one.root_safety.unwrap() / one.required.root]
+        });
         let found = set.found[0].overload.unwrap();
         let least = least.fold(f64::INFINITY, f64::min);
         assert!(

@@ -48,6 +48,8 @@ fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
         rules: Rules::default(),
         limits: epicyclic_synthesis::limits::Limits::default(),
         drawable: false,
+        shares: None,
+        usable: None,
         efficiency: MeshEfficiency::new(0.97).unwrap(),
         most: usize::MAX,
         all_gearboxes: true,

@@ -338,7 +338,7 @@ impl Speeds {
 
     /// The speeds of the machine; none where ratios are given.
     pub(crate) fn of_machine(&self) -> Vec<Velocity> {
-        self.speeds.iter().flat_map(|speeds| speeds.values()).collect()
+        self.speeds.iter().flat_map(super::lists::List::values).collect()
     }
 }
 

@@ -322,10 +322,8 @@ impl Family {
         let kernel = Kernel::of(self.numbers);
         let mut intervals_mm = Vec::new();
         for interval in &self.intervals {
-            let ends = [&interval.lower, &interval.upper].map(|end| match end.arcs {
-                Some(arcs) => Some((arcs.arcs.l.recip(), arcs.arcs.a)),
-                None => None,
-            });
+            let ends = [&interval.lower, &interval.upper]
+                .map(|end| end.arcs.map(|arcs| (arcs.arcs.l.recip(), arcs.arcs.a)));
             let [Some(lower), Some(upper)] = ends else { continue };
             if a > lower.1 && a < upper.1 {
                 let off = |inverse: f64| kernel.solve(inverse.recip()).map_or(f64::NAN, |arcs| arcs.a - a);

@@ -133,16 +133,14 @@ pub fn rate_duty(
     if steps.is_empty() {
         return Err(Error::IdleDuty);
     }
-    let worn_by =
-        |side: Side, stress_and_line: &dyn Fn(f64, f64, &LoadFactors) -> Result<(f64, Line), Error>| {
-            let cycle = |(share, force, speed, factors): &(f64, f64, f64, LoadFactors)| {
-                let (stress, line) = stress_and_line(*force, *speed, factors)?;
-                Ok(Cycle { stress, cycles: prepared.cycles(side, *speed, life_h * share, contacts)?, line })
-            };
-            part_of(
-                steps.iter().map(cycle).collect::<Result<Vec<_>, _>>().map(|cycles| worn(&cycles, life_h)),
-            )
+    type StressAndLine<'a> = &'a dyn Fn(f64, f64, &LoadFactors) -> Result<(f64, Line), Error>;
+    let worn_by = |side: Side, stress_and_line: StressAndLine<'_>| {
+        let cycle = |(share, force, speed, factors): &(f64, f64, f64, LoadFactors)| {
+            let (stress, line) = stress_and_line(*force, *speed, factors)?;
+            Ok(Cycle { stress, cycles: prepared.cycles(side, *speed, life_h * share, contacts)?, line })
         };
+        part_of(steps.iter().map(cycle).collect::<Result<Vec<_>, _>>().map(|cycles| worn(&cycles, life_h)))
+    };
     let gear = |side: Side| -> Result<GearDuty, Error> {
         Ok(GearDuty {
             contact: worn_by(side, &|force, speed, factors| {

@@ -328,13 +328,16 @@ pub fn designs(
     search.found
 }
 
+/// Sets with common planets by their suns and rings; none where there are none.
+type SharedPlanets = FxHashMap<Vec<[ToothCount; 2]>, Option<Vec<SetTeeth>>>;
+
 struct Search<'a> {
     ratios: &'a [Ratio],
     gears: Gears<'a>,
     widened: Vec<Bounds>,
     from: Sets<'a>,
     /// For each compound set its sets with common planets, by their suns and rings.
-    planets: Vec<FxHashMap<Vec<[ToothCount; 2]>, Option<Vec<SetTeeth>>>>,
+    planets: Vec<SharedPlanets>,
     alike: Alike,
     aim: Aim,
     most: usize,

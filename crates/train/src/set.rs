@@ -108,7 +108,7 @@ pub struct SetSpec {
     /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
     pub helix_angle: Angle,
     /// How sun, planets and ring of a simple set are cut.
-    pub cutting: [Cutting; 3],
+    pub cutting: Box<[Cutting; 3]>,
 }
 
 impl SetSpec {
@@ -127,7 +127,7 @@ impl SetSpec {
             spacing: Spacing::default(),
             shifts: None,
             helix_angle: degrees(0.0),
-            cutting: [Cutting::default(); 3],
+            cutting: Box::default(),
         }
     }
 

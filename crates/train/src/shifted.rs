@@ -27,7 +27,7 @@ impl SetSpec {
     /// The same set with sun, planets and ring cut so; of a simple set.
     #[must_use]
     pub fn cut(self, cutting: [Cutting; 3]) -> Self {
-        Self { cutting, ..self }
+        Self { cutting: Box::new(cutting), ..self }
     }
 
     /// The transverse module of a normal one, `m_t = m_n/cos β`.
@@ -99,7 +99,7 @@ impl SetSpec {
     #[must_use]
     pub fn profiles(&self, rack: &BasicRack) -> Profiles {
         let profile = Profile { helix_angle: self.helix_angle, ..Profile::of_rack(*rack) };
-        Profiles::cut(profile, self.cutting)
+        Profiles::cut(profile, *self.cutting)
     }
 
     fn with_shifts(

@@ -110,7 +110,8 @@ impl Basis {
         }
         let is_of_factors = |key: &Value| key.as_str().is_some_and(|key| factors::KEYS.contains(&key));
         strength.retain(|key, value| {
-            !(is_of_factors(key) && value.as_mapping().is_some_and(|mapping| mapping.is_empty()))
+            !(is_of_factors(key)
+                && value.as_mapping().is_some_and(epicyclic_formats::yaml::Mapping::is_empty))
         });
         self
     }

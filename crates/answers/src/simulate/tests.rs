@@ -487,10 +487,27 @@ fn a_motion_that_cannot_go_on_is_at_a_part_of_it() {
     let scenario = Scenario { document: &document, file: &file, subject: &subject, texts: &texts };
     let (time_s, names) = (0.0, |all: &[&str]| all.iter().map(|one| (*one).to_owned()).collect::<Vec<_>>());
     for (why, place) in [
-        (motion::Error::NoMotion { time_s, parts: names(&["P", "B"]), violation: 1.0 }, "29:5: elements[0]"),
-        (motion::Error::NoMotion { time_s, parts: names(&["P"]), violation: 1.0 }, "7:7: gearbox.sets[0]"),
         (
-            motion::Error::Accumulating { time_s, events: 9, within_s: 1e-9, parts: names(&["motor"]) },
+            motion::Error::NoMotion {
+                time_s,
+                parts: names(&["P", "B"]),
+                links: vec![],
+                violation: Some(1.0),
+            },
+            "29:5: elements[0]",
+        ),
+        (
+            motion::Error::NoMotion { time_s, parts: names(&["P"]), links: vec![], violation: Some(1.0) },
+            "7:7: gearbox.sets[0]",
+        ),
+        (
+            motion::Error::Accumulating {
+                time_s,
+                events: 9,
+                within_s: 1e-9,
+                parts: names(&["motor"]),
+                links: vec![],
+            },
             "20:5: torques[0]",
         ),
         (

@@ -1,6 +1,10 @@
 //! Refusals for programs: a name that stays, the option or the place in a file, for every way in which a call can be wrong.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use crate::common;
 

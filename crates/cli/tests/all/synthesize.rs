@@ -1,5 +1,11 @@
 //! `synthesize`: sets that share planets in its answer and its file, forward and reverse gears apart, where the search stops.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
+
 use super::common::{here, output, text};
 use serde_json::Value;
 use std::path::Path;

@@ -92,7 +92,7 @@ impl File<'_> {
             E::SpacingTwice { set } => self.spacing(set),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
             E::MemberInNoLink { set, member } => {
-                let named = self.reference(self.set(set), &MEMBERS, member);
+                let named = self.reference(&self.set(set), &MEMBERS, member);
                 named.unwrap_or_else(|| self.part_of_set(self.set(set), member))
             }
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
@@ -111,7 +111,7 @@ impl File<'_> {
         match error {
             SolverError::Unknown { name, place, .. } => {
                 let path = self.named(place);
-                self.reference(path.clone(), &["link", "links", "one_way", "engaged", "between"], name)
+                self.reference(&path, &["link", "links", "one_way", "engaged", "between"], name)
                     .unwrap_or(path)
             }
             SolverError::GroundedTerminal { place } => self.named(place),
@@ -337,7 +337,7 @@ impl File<'_> {
     }
 
     /// A name under one of the keys of an entry whose values are names; of an entry without keys, itself a list of names.
-    fn reference(&self, entry: Path, keys: &[&str], name: &str) -> Option<Path> {
+    fn reference(&self, entry: &Path, keys: &[&str], name: &str) -> Option<Path> {
         let lists = keys.iter().map(|key| entry.clone().key(*key)).chain([entry.clone()]);
         lists.flat_map(|list| self.listed(&list, name)).next()
     }

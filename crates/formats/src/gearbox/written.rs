@@ -172,7 +172,7 @@ fn of_set(spec: &SetSpec) -> String {
             keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
         }
     }
-    let tools = ["sun", "planet", "ring"].into_iter().zip(&spec.cutting);
+    let tools = ["sun", "planet", "ring"].into_iter().zip(spec.cutting.iter());
     let tools: Vec<String> = tools.filter_map(|(gear, cutting)| of_tool(gear, cutting)).collect();
     if !tools.is_empty() {
         keys.push(format!("tools: {{ {} }}", tools.join(", ")));
