@@ -182,7 +182,8 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
 fn designs_that_reverse_are_ranked_last() {
     for ratios in [&[1.466, 2.566][..], &[1.6, 2.54], &[3.9375], &[2.5, 1.5]] {
         for objective in Objective::ALL {
-            let requirements = Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap());
+            let mut requirements = Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap());
+            requirements.limits.planet_speed = 5.0;
             let order = Order::new(&[objective]).unwrap();
             let found = select_with(&requirements, &Space::All, order, None).unwrap();
             let of =
