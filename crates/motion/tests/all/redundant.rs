@@ -177,7 +177,7 @@ impl Bodies {
                     model.friction(&name, ends, ramp, 1.0).unwrap();
                 }
                 Some(place) if one.one_ways[place] => {
-                    model.one_way_clutch(&name, [ends[1], ends[0]]).unwrap()
+                    model.one_way_clutch(&name, [ends[1], ends[0]]).unwrap();
                 }
                 Some(_) => model.one_way_clutch(&name, ends).unwrap(),
             }
