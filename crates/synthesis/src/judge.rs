@@ -190,9 +190,8 @@ pub fn planet_speed(analysis: &Analysis<'_>) -> f64 {
         if !motion.planets.iter().any(Option::is_none) {
             continue;
         }
-        let relative = |central: usize| {
-            Some(analysis.speed(set.members()[central])? - analysis.speed(set.carrier())?)
-        };
+        let relative =
+            |central: usize| Some(analysis.speed(set.members()[central])? - analysis.speed(set.carrier())?);
         for [sun, ring] in suns_and_rings(set) {
             let k = set.ratio_between(sun, ring).abs();
             greatest = greatest.max(relative(sun).map_or(0.0, |speed| 2.0 * speed.abs() / (k - 1.0)));

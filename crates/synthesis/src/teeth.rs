@@ -652,7 +652,15 @@ mod tests {
         let (choice, ranges) = (few(), [1.4..=4.5, 1.4..=4.5]);
         for aim in [Aim::Deviation, Aim::Teeth] {
             let of = |most| {
-                designs(&ratios, Gears::apart(&gears), &ranges, Sets::apart(&[&choice; 2]), Alike::default(), aim, most)
+                designs(
+                    &ratios,
+                    Gears::apart(&gears),
+                    &ranges,
+                    Sets::apart(&[&choice; 2]),
+                    Alike::default(),
+                    aim,
+                    most,
+                )
             };
             let (all, five) = (of(usize::MAX), of(5));
             assert_eq!(five.first[..], all.first[..5]);

@@ -432,7 +432,8 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
             _ if spec.proportional => (None, place),
             _ => {
                 let (gear, given) = (GearName::only(&central.name), central.teeth);
-                let count = (given.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&given)).then_some(given as u32);
+                let count = (given.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&given))
+                    .then_some(given as u32);
                 let not_whole = || fault(CompoundFault::NotWhole { gear: gear.clone(), given });
                 (Some(teeth(&gear, count.ok_or_else(not_whole)?)?), place)
             }

@@ -390,7 +390,9 @@ pub enum CompoundFault {
         gear: GearName,
     },
     /// Teeth that are no whole number.
-    #[error("gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`")]
+    #[error(
+        "gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`"
+    )]
     NotWhole {
         /// The gear.
         gear: GearName,

@@ -465,8 +465,13 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
         Gearing::Teeth(first, second) => [Some(first), Some(second)],
         Gearing::BasicRatio(_) => [None; 2],
     };
-    let central =
-        |place: usize| Central { link: links[place], kind: kinds[place], teeth: teeth[place], proportion: None, body: place };
+    let central = |place: usize| Central {
+        link: links[place],
+        kind: kinds[place],
+        teeth: teeth[place],
+        proportion: None,
+        body: place,
+    };
     let centrals = vec![central(0), central(1)];
     let planet = |gears: &[Option<ToothCount>]| Planet { name: String::new(), gears: gears.to_vec() };
     let (g, f) = (spec.planet, spec.second_planet);

@@ -161,7 +161,6 @@ fn shared_planets(of: &SharedPlanets) -> String {
     }
 }
 
-
 const TORQUES: &str = "T_e, T_m: the greatest torque of a shift element, of a member of a set. Link, planet: the greatest speed of a link, of a \
     planet relative to its carrier. Circ.: circulating power over what enters.";
 
@@ -386,7 +385,8 @@ fn solutions(answer: &Synthesis) -> Records {
         Listed::AllGearboxes => "family",
     };
     // Without reverse gears there is no such column.
-    let reverse = if answer.solutions.iter().any(|of| of.reverse_efficiency.is_some()) { "reverse" } else { "" };
+    let reverse =
+        if answer.solutions.iter().any(|of| of.reverse_efficiency.is_some()) { "reverse" } else { "" };
     let columns = [
         "number",
         "structure",

@@ -276,7 +276,10 @@ const RUNS: &[(&str, &[&str])] = &[
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s", "--circulation", "0.3"]),
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
-    ("synthesize", &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1", "--shares", "1:30%, 2:70%"]),
+    (
+        "synthesize",
+        &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1", "--shares", "1:30%, 2:70%"],
+    ),
     (
         "synthesize",
         &["synthesize", "--ratios", "2.56, 1.465", "--tolerance", "5%", "--sets", "2", "--equal-k", "2"],
@@ -345,7 +348,17 @@ const RUNS: &[(&str, &[&str])] = &[
     ),
     (
         "synthesize",
-        &["synthesize", "--ratios", "2.56, 1.465", "--sets", "2", "--elements", "2..3", "--least-efficiency", "99.9%"],
+        &[
+            "synthesize",
+            "--ratios",
+            "2.56, 1.465",
+            "--sets",
+            "2",
+            "--elements",
+            "2..3",
+            "--least-efficiency",
+            "99.9%",
+        ],
     ),
     (
         "synthesize",

@@ -39,7 +39,8 @@ fn a_saved_compound_set_has_the_figures_of_the_answer() {
     assert!(!compounds.is_empty());
     for solution in compounds {
         let number = solution["number"].to_string();
-        let done = output(folder.path(), &[&RAVIGNEAUX[..], &["--save", "box.yaml", "--nth", &number]].concat());
+        let done =
+            output(folder.path(), &[&RAVIGNEAUX[..], &["--save", "box.yaml", "--nth", &number]].concat());
         assert!(done.status.success(), "{done:?}");
         let file = std::fs::read_to_string(folder.path().join("box.yaml")).unwrap();
         assert!(file.contains("compound_sets:") && file.contains("proportional: true"), "{file}");
@@ -52,7 +53,10 @@ fn a_saved_compound_set_has_the_figures_of_the_answer() {
         let told = efficiencies(list(solution, "gears"), "efficiency");
         let by_analyze = efficiencies(list(&analysed, "gears"), "efficiency");
         assert_eq!(told.len(), 2);
-        assert!(told.iter().zip(&by_analyze).all(|(one, other)| (one - other).abs() < 1e-9), "{told:?} {by_analyze:?}");
+        assert!(
+            told.iter().zip(&by_analyze).all(|(one, other)| (one - other).abs() < 1e-9),
+            "{told:?} {by_analyze:?}"
+        );
     }
 }
 
@@ -61,7 +65,8 @@ fn a_saved_compound_set_has_the_figures_of_the_answer() {
 fn a_search_goes_on_until_a_gearbox_is_of_use() {
     let folder = here();
     let search = |elements: &str, more: &[&str]| {
-        let args = ["synthesize", "--ratios=2.56, 1.465", "--sets", "2", "--engaged", "1..2", "--all-gearboxes"];
+        let args =
+            ["synthesize", "--ratios=2.56, 1.465", "--sets", "2", "--engaged", "1..2", "--all-gearboxes"];
         answer(folder.path(), &[&args[..], &["--elements", elements], more].concat())
     };
     let of_class = |elements| search(elements, &["--first-class"]);
@@ -77,7 +82,8 @@ fn a_search_goes_on_until_a_gearbox_is_of_use() {
     for limit in ["0", "0.95", "0.97", "0.975", "0.98", "0.985", "0.99", "1"] {
         let value: f64 = limit.parse().unwrap();
         let whole = search("2..3", &["--least-efficiency", limit, "--most-circulating", "1000"]);
-        let behind: u64 = list(&whole, "left_behind").iter().map(|of| of["solutions"].as_u64().unwrap()).sum();
+        let behind: u64 =
+            list(&whole, "left_behind").iter().map(|of| of["solutions"].as_u64().unwrap()).sum();
         let (expected, left) = match [of_use(&classes[0], value), of_use(&classes[1], value)] {
             [1.., _] => (found(&classes[0]), 0),
             [0, 1..] => (found(&classes[1]), found(&classes[0])),
@@ -93,7 +99,8 @@ fn a_search_goes_on_until_a_gearbox_is_of_use() {
 fn reverse_gears_do_not_decide_and_shares_weigh_the_forward_ones() {
     let folder = here();
     let search = |more: &[&str]| {
-        let args = ["synthesize", "--ratios=3.059, 1.625, 1, 0.696, -2.294", "--sets", "2", "--elements", "5"];
+        let args =
+            ["synthesize", "--ratios=3.059, 1.625, 1, 0.696, -2.294", "--sets", "2", "--elements", "5"];
         let more = [&["--engaged", "2", "--class", "all-sparse", "--all-gearboxes"], more].concat();
         answer(folder.path(), &[&args[..], &more].concat())
     };
@@ -108,7 +115,8 @@ fn reverse_gears_do_not_decide_and_shares_weigh_the_forward_ones() {
     let by_shares = search(&["--shares", "1:5%, 2:15%, 3:30%, 4:50%", "--order", "efficiency"]);
     let mut last = f64::INFINITY;
     for one in list(&by_shares, "solutions") {
-        let mean: f64 = list(one, "gears").iter().zip(shares).map(|(gear, share)| share * efficiency(gear)).sum();
+        let mean: f64 =
+            list(one, "gears").iter().zip(shares).map(|(gear, share)| share * efficiency(gear)).sum();
         assert!((one["mean_efficiency"].as_f64().unwrap() - mean).abs() < 1e-12);
         assert!(mean < last + 1e-5, "{mean} after {last}");
         last = mean;

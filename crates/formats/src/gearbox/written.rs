@@ -20,7 +20,9 @@ const DEGREE_DIGITS: usize = 12;
 
 /// A central gear that a file cannot name: there each is named as its link.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("gear `{gear}` of set `{set}` is on link `{link}`: in a file the central gears of a compound set are named as their links")]
+#[error(
+    "gear `{gear}` of set `{set}` is on link `{link}`: in a file the central gears of a compound set are named as their links"
+)]
 pub struct NotWritable {
     /// The set.
     pub set: String,
@@ -187,10 +189,8 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
     if let Some(CentralSpec { name, link, .. }) = spec.centrals.iter().find(|one| one.name != one.link) {
         return Err(NotWritable { set: spec.id.clone(), gear: name.clone(), link: link.clone() });
     }
-    let mut lines = vec![
-        format!("  - id: {}", scalar(&spec.id)),
-        format!("    carrier: {}", scalar(&spec.carrier)),
-    ];
+    let mut lines =
+        vec![format!("  - id: {}", scalar(&spec.id)), format!("    carrier: {}", scalar(&spec.carrier))];
     let kinds = [
         ("suns", CentralKind::Sun),
         ("rings", CentralKind::Ring),

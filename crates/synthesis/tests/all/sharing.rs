@@ -62,7 +62,12 @@ fn six_hp() -> Gearbox {
     let gears = [("1", ["A", "D"]), ("2", ["A", "C"]), ("3", ["A", "B"]), ("4", ["A", "E"])];
     let others = [("5", ["B", "E"]), ("6", ["C", "E"]), ("7", ["B", "D"])];
     let builder = builder.clutch("E", "in", "c").input("in").output("out");
-    gears.into_iter().chain(others).fold(builder, |builder, (name, engaged)| builder.gear(name, engaged)).build().unwrap()
+    gears
+        .into_iter()
+        .chain(others)
+        .fold(builder, |builder, (name, engaged)| builder.gear(name, engaged))
+        .build()
+        .unwrap()
 }
 
 #[test]

@@ -127,7 +127,9 @@ fn a_6hp_has_tooth_numbers() {
     for design in designs.first.iter().take(50) {
         let [front, large, small] = design.sets[..] else { panic!("three sets") };
         assert_eq!(large.ring(), small.ring());
-        let (SetTeeth::Simple(large), SetTeeth::DoublePlanet(small)) = (large, small) else { panic!("kinds") };
+        let (SetTeeth::Simple(large), SetTeeth::DoublePlanet(small)) = (large, small) else {
+            panic!("kinds")
+        };
         assert_eq!((large.planet, large.planets), (small.outer, small.pairs));
         let builder = judged.gearbox.to_builder().map_descriptions(|set| match set {
             Description::Short(set) => front.put_into(set).into(),
@@ -140,7 +142,8 @@ fn a_6hp_has_tooth_numbers() {
             assert_eq!(analysis.exact_ratio().as_ref(), Some(ratio));
             // Each planet's speed follows from the teeth; without them a bound is told, at nearly the same k.
             let [_, motion] = analysis.sets() else { panic!("two sets") };
-            let greatest = motion.planets.iter().map(|planet| planet.unwrap().relative.abs()).fold(0.0, f64::max);
+            let greatest =
+                motion.planets.iter().map(|planet| planet.unwrap().relative.abs()).fold(0.0, f64::max);
             assert!(planet_speed(&analysis) >= greatest);
             assert!(planet_speed(&without_teeth) <= 1.1 * planet_speed(&analysis));
         }
@@ -159,7 +162,16 @@ fn sets_of_two_kinds_with_equal_teeth_are_not_alike() {
     let bounds = synthesis::Bounds::default();
     let (simple, double) = (Choice::within(&bounds).unwrap(), Choice::of_double_planets(&bounds).unwrap());
     let count = |alike| {
-        designs(&ratios, Gears::apart(&wish.gears), &wish.k, Sets::apart(&[&simple, &double]), alike, Aim::Teeth, 3).count
+        designs(
+            &ratios,
+            Gears::apart(&wish.gears),
+            &wish.k,
+            Sets::apart(&[&simple, &double]),
+            alike,
+            Aim::Teeth,
+            3,
+        )
+        .count
     };
     assert_eq!(count(Alike { sets: 2, ..Alike::default() }), 0);
     let (any, rings) = (count(Alike::default()), count(Alike { rings: 2, ..Alike::default() }));

@@ -157,7 +157,9 @@ fn extreme(objective: Objective, first: &Solution) -> String {
         }
         Objective::Shifts => format!("the fewest of its shifts exchange several shift elements, {value}"),
         Objective::Efficiency if first.mean_efficiency.is_some() => {
-            format!("the mean efficiency of its forward gears, by their shares of time, is the highest, {value}")
+            format!(
+                "the mean efficiency of its forward gears, by their shares of time, is the highest, {value}"
+            )
         }
         Objective::Efficiency => format!("the efficiency of its worst forward gear is the highest, {value}"),
         Objective::Reverse => format!("the efficiency of its worst reverse gear is the highest, {value}"),
