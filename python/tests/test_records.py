@@ -113,16 +113,11 @@ def test_a_name_as_the_attribute_of_a_list_tells_how_to_take_it() -> None:
         _ = gears.slow
 
 
-def test_a_name_that_several_records_have_is_refused_with_their_places(answer: Answer) -> None:
+def test_a_name_that_several_records_have_is_refused_with_their_places() -> None:
     rows = Records([{"gear": "1", "set": "a"}, {"gear": "2", "set": "a"}, {"gear": "1", "set": "b"}])
     assert rows["2"] == rows[1]
     with pytest.raises(KeyError, match=r"'1' is the name of several records: take one by its place, \[0\] or \[2\]"):
         rows["1"]
-    shifts = answer.shifts
-    twice = [one["from"] for one in shifts if [other["from"] for other in shifts].count(one["from"]) > 1]
-    assert twice
-    with pytest.raises(KeyError, match="several records"):
-        shifts[twice[0]]
 
 
 def test_the_name_is_the_first_key_and_no_other() -> None:
