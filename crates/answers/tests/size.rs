@@ -87,7 +87,7 @@ fn the_saved_file_has_the_safeties_that_were_found() {
             .sets
             .iter()
             .flat_map(|set| &set.found[0].over_duty)
-            .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
+            .map(|one| [one.flank.safety, one.root.safety])
             .collect();
         let told = safeties(&text);
         assert_eq!(told.len(), 8);
