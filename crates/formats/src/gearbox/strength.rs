@@ -16,7 +16,7 @@ pub struct StrengthEntry {
     pub flank_roughness: [Quantity<Length>; 3],
     /// Roughness `R_z` of the roots of sun, planets and ring.
     pub root_roughness: [Quantity<Length>; 3],
-    /// The shaper that cuts the ring, in place of `tools.ring`.
+    /// The shaper that cuts the ring; `tools.ring` goes before it.
     #[serde(default)]
     pub shaper: Option<ShaperEntry>,
     /// Thickness of the rim under the planets' teeth. Default: solid planets.

@@ -165,7 +165,11 @@ impl SetEntry {
             |entry: &Option<ToolEntry>| entry.as_ref().map_or(Ok(Cutting::default()), ToolEntry::cutting);
         let [sun, planet, ring] = [&tools.sun, &tools.planet, &tools.ring].map(own);
         let ring = match (shaper, &tools.ring) {
-            (Some(_), Some(_)) => Err(ToolMisfit::Twice("strength.shaper", "tools.ring")),
+            // The corners of the shaper are the fillet of the standard's rack, whatever cuts the teeth.
+            (Some(shaper), Some(_)) => {
+                let fillet = shaper.fillet.map(Number::get);
+                ring.map(|ring| Cutting { fillet: fillet.or(ring.fillet), ..ring })
+            }
             (Some(shaper), None) => shaper.cutting().map_err(ToolMisfit::Invalid),
             (None, _) => ring,
         };

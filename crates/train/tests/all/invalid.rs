@@ -251,7 +251,7 @@ fn the_faults_of_a_compound_set_are_named() {
     let mut long = compound();
     long.planets[0].teeth = vec![18; 13];
     let mut small_ring = compound();
-    small_ring.centrals[2].teeth = 17;
+    small_ring.centrals[2].teeth = 17.0;
     let two_shafts = compound().planet_shaft("small", "long").planet_shaft("drive", "long");
     let shaft_of_nothing = compound().planet_shaft("small", "wide");
     holds_for(

@@ -47,7 +47,7 @@ fn set_of(parts: &Parts<'_>, planets: u32) -> CompoundSpec {
         set = set.planet(name, teeth);
     }
     for (place, (kind, teeth, _)) in parts.centrals.iter().enumerate() {
-        set = set.central(*kind, &format!("c{place}"), *teeth);
+        set = set.central(*kind, &format!("c{place}"), f64::from(*teeth));
     }
     for (place, (_, _, planet)) in parts.centrals.iter().enumerate() {
         set = set.mesh(&format!("c{place}"), planet, eta);

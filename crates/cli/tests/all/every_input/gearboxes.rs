@@ -424,7 +424,7 @@ const GEARBOX: &[Key] = &[
     key("oil.contamination", "contamination: 0.5", "contamination: 0.2", OVER_DUTY),
     key("bearing_reliability", "bearing_reliability: 95 %", "bearing_reliability: 99 %", OVER_DUTY),
     key("sets.load_rating", "load_rating: 60 kN", "load_rating: 61 kN", FIRST),
-    key("sets.bearing_rolling", "bearing_rolling: rollers # or", "bearing_rolling: balls # or", FIRST),
+    key("sets.bearing_rolling", "bearing_rolling: rollers # in", "bearing_rolling: balls # or", FIRST),
     Key {
         path: "brakes.id",
         first: &[("{ id: LR, link: carrier }", "{ id: LR, link: carrier }\n  - { id: B3, link: ring }")],
