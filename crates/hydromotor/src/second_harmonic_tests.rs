@@ -203,6 +203,11 @@ pub(crate) fn any_law() -> impl Strategy<Value = (MotorNumbers, f64)> {
     (proptest::sample::select(sets), 0.001..0.999)
 }
 
+/// A motor that closes, whether its rotor turns within the stator or not.
+fn closed(numbers: MotorNumbers, second: f64) -> Motor {
+    Motor::of_law(numbers, mm(1.0), *lobe(numbers, second).unwrap().law())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
@@ -211,7 +216,7 @@ proptest! {
     fn satellites_roll_equal_arcs_on_both_wheels((numbers, part) in any_law(), place in 0.01..0.99_f64) {
         let Ok(HarmonicRange { lower, upper }) = range(numbers) else { return Ok(()) };
         let second = lower.second_amplitude + part * (upper.second_amplitude - lower.second_amplitude);
-        let motor = Motor::of_second_harmonic(numbers, mm(1.0), second).unwrap();
+        let motor = closed(numbers, second);
         let (trough, r) = (*motor.shape.trough(), motor.shape.satellite_radius());
         prop_assert!((trough.s1 - trough.s3).abs() < 1e-11 && (trough.s3 - crate::arcs::half_length(numbers)).abs() < 1e-10);
         prop_assert!((trough.theta3 - PI / f64::from(numbers.stator_lobes())).abs() < 1e-11);
@@ -237,7 +242,7 @@ proptest! {
     fn the_extremes_of_the_curvature_are_those_of_finer_samples((numbers, part) in any_law()) {
         let Ok(HarmonicRange { lower, upper }) = range(numbers) else { return Ok(()) };
         let second = lower.second_amplitude + part * (upper.second_amplitude - lower.second_amplitude);
-        let motor = Motor::of_second_harmonic(numbers, mm(1.0), second).unwrap();
+        let motor = closed(numbers, second);
         let end = motor.shape.trough().phase;
         let places = (0..=4000).map(|i| motor.shape.within(By::Phase, end * f64::from(i) / 4000.0));
         let sampled = crate::contact::greatest_curvatures(places);

@@ -16,7 +16,7 @@ use epicyclic_hydromotor::search::{FlankTerms, MotorSearch};
 use uom::si::f64::Ratio;
 
 /// Places of families that are tried in a second, about.
-const PLACES_IN_A_SECOND: f64 = 2e4;
+const PLACES_IN_A_SECOND: f64 = 6e3;
 
 /// Non-dominated motors for a displacement or torque.
 ///

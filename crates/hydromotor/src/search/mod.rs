@@ -53,7 +53,8 @@
 //! than any at the evenly spaced places.
 //!
 //! # Cost and threads
-//! With the default bounds some 5·10⁴ motors, a second or two of one core (`hydromotor/search`). Results do not depend on the number of
+//! With the default bounds some 6·10⁴ motors, three to eight seconds of one core (`hydromotor/search`), of which the judgement of teeth and ports
+//! takes some three quarters. Results do not depend on the number of
 //! threads: each set is worked by itself, and rounds of refinement see the same front. With the feature `parallel`, on by default,
 //! run it within a `rayon::ThreadPool` of your own to choose their number; without it there is one.
 //!
