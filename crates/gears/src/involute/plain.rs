@@ -1,7 +1,8 @@
 //! Gears without profile shift that cannot be cut or turned together: what a search for tooth numbers leaves out.
 //!
 //! Each gear is cut by its [usual tool](super::tool::Tool::usual), the tips of the ring are shortened to stay out of the fillets of the planets. Undercut is no reason:
-//! such gears turn, and are marked. Nor are tips that reach less than 0.1 modules of radius of curvature into the fillets of their mates.
+//! such gears turn, and are marked. Nor are tips of planets that reach into the fillets of a ring by a small
+//! shaper, which a larger shaper or shorter tips avoid.
 
 use super::check::{Check, Limits, Place, Rule, SetMesh, Severity, gear_checks, mesh_checks};
 use super::{InvoluteGear, Pair, Profile};
@@ -45,9 +46,9 @@ fn mesh_miss(
     let Ok(pair) = pair.with_clear_ring_tips() else { return Ok(Some(no_teeth(second_name))) };
     let mut first = None;
     let mut see = |check: Check| {
-        // A little of a long tip is shortened, or a larger shaper taken.
-        let is_little = check.rule == Rule::Fillet && check.value > -LITTLE;
-        let counts = check.rule.severity() == Severity::Error && !check.holds() && !is_little;
+        // Planets of a large ring are cut a little shorter, or the ring by a larger shaper.
+        let is_fillet = check.rule == Rule::Fillet;
+        let counts = check.rule.severity() == Severity::Error && !check.holds() && !is_fillet;
         if counts && first.is_none() {
             first = Some(check);
         }
@@ -60,9 +61,6 @@ fn mesh_miss(
     mesh_checks(&Place::Mesh(mesh), &tips, &pair, &limits, &mut see);
     Ok(first)
 }
-
-/// Tips that reach less into the fillets of their mates, as radius of curvature in modules, are no reason to leave teeth out; they are told as a check.
-const LITTLE: f64 = 0.1;
 
 fn no_teeth(gear: SimpleGear) -> Check {
     Check {
