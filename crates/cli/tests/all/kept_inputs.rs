@@ -77,6 +77,10 @@ fn no_output_replaces_a_file_that_another_file_names() {
     ];
     for name in names {
         for line in outputs {
+            // A page is refused by the end of its name before that.
+            if line[0] == "report" && !name.ends_with(".yaml") {
+                continue;
+            }
             let done = output(folder.path(), &[line, &[name]].concat());
             let told = text(&done.stderr);
             assert!(done.status.code() == Some(2) && done.stdout.is_empty(), "{line:?} {name}: {done:?}");
