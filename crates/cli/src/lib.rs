@@ -107,6 +107,8 @@ mod sizing;
 mod strength;
 mod synthesize;
 mod teeth;
+mod teeth_wanted;
+mod usable;
 mod vibrate;
 
 use clap::error::{ContextKind, ContextValue};
