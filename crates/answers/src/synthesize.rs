@@ -28,6 +28,7 @@ mod kept;
 mod left_out;
 mod means;
 mod tried;
+mod usable;
 mod wanted;
 
 pub use gear::WantedGear;
@@ -35,6 +36,7 @@ pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
 pub use means::Means;
 pub use tried::{Searching, Tried, tried};
+pub use usable::LimitsOfUse;
 pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
@@ -45,7 +47,6 @@ use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::usable::Usable;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -119,18 +120,6 @@ pub struct Synthesis {
     pub near_miss: Option<NearMiss>,
     /// These, the best first.
     pub solutions: Vec<Solution>,
-}
-
-/// Limits of a gearbox that is of use, beside that it can be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct LimitsOfUse {
-    /// The least efficiency of a forward gear.
-    pub least_forward_efficiency: f64,
-    /// The least efficiency of a reverse gear.
-    pub least_reverse_efficiency: f64,
-    /// The greatest circulating power of a forward gear over what enters.
-    pub greatest_circulating_of_entering: f64,
 }
 
 /// Which solutions are told.
@@ -391,7 +380,7 @@ pub fn solve_by<E: From<Error>>(
             }
             if behind < kept.len() {
                 behind = kept.len();
-                means.going_on(&before, &faults(&kept));
+                means.going_on(&before, &usable::faults(&kept));
             }
         }
         before = Some(searching);
@@ -417,7 +406,7 @@ pub fn solve_by<E: From<Error>>(
     }
     answer.left_out = left_out.told();
     if kept[behind..].iter().any(|one| one.fault.is_none()) {
-        answer.left_behind = faults(&kept[..behind]);
+        answer.left_behind = usable::faults(&kept[..behind]);
         kept.drain(..behind);
     }
     answer.of_use = kept.iter().filter(|one| one.fault.is_none()).count();
@@ -466,23 +455,6 @@ pub fn solve_by<E: From<Error>>(
         }
     }
     Ok((answer, kept))
-}
-
-/// By which limits of use how many gearboxes are of none.
-fn faults(kept: &[Kept]) -> Vec<LeftOut> {
-    let mut all = LeftOuts::default();
-    kept.iter().filter_map(|one| one.fault).for_each(|fault| all.add(Reason::of_fault(fault), 1));
-    all.told()
-}
-
-impl LimitsOfUse {
-    const fn of(usable: Usable) -> Self {
-        Self {
-            least_forward_efficiency: usable.forward,
-            least_reverse_efficiency: usable.reverse,
-            greatest_circulating_of_entering: usable.circulation,
-        }
-    }
 }
 
 /// The places of the solutions that are told, in rising order.

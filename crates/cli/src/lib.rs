@@ -106,6 +106,8 @@ mod sizing;
 mod strength;
 mod synthesize;
 mod teeth;
+mod teeth_wanted;
+mod usable;
 mod usage;
 mod vibrate;
 

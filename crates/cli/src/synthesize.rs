@@ -7,37 +7,32 @@ use crate::input;
 use crate::lists::List;
 use crate::options;
 use crate::output::{Format, OutputArgs};
-use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use crate::ratios::Ratios;
 use crate::shards;
 use crate::size;
+use crate::teeth_wanted::{ANY_K, TeethOptions};
+use crate::usable::{GearShare, UsableOptions, shares_of};
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::near_miss::near_miss;
 use epicyclic_answers::synthesize::page::drawn;
-use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_answers::synthesize::{
     Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
 };
-use epicyclic_formats::wanted_ratio::Wanted as RatioOf;
-use epicyclic_formats::{Number, Physical as _, Quantity, Span, WantedRatio};
+use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::{self, search};
 use epicyclic_synthesis::shifts::Shifts;
-use epicyclic_synthesis::teeth::{Aim, Alike};
-use epicyclic_synthesis::usable::Usable;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::sync::{Mutex, PoisonError};
 use uom::si::f64::{Ratio, Time};
 
@@ -50,17 +45,11 @@ const MOST_ELEMENTS: u32 = 7;
 /// The most of them that a gear engages.
 const MOST_ENGAGED: u32 = 4;
 
-/// By how much the sum of shares may be off 1, by rounding of what was written.
-const SHARES: f64 = 1e-6;
-
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
 /// Schemes drawn on a page.
 const DRAWN: usize = 10;
-
-/// The k that may be asked for: below, planets have no teeth; above, no ring is that large.
-const ANY_K: RangeInclusive<f64> = 1.05..=20.0;
 
 /// Every gearbox of simple planet sets, brakes and clutches that has a list of ratios.
 ///
@@ -258,47 +247,6 @@ struct Wishes {
     drawable: bool,
 }
 
-/// What a gearbox of use keeps.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "When the search stops")]
-struct UsableOptions {
-    /// Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or cannot be drawn, larger
-    /// classes are searched.
-    #[arg(long, value_name = "SHARE", default_value = "0.9", allow_hyphen_values = true)]
-    least_efficiency: Quantity<Ratio>,
-
-    /// Least efficiency of a reverse gear.
-    #[arg(long, value_name = "SHARE", default_value = "0.8", allow_hyphen_values = true)]
-    least_reverse_efficiency: Quantity<Ratio>,
-
-    /// Greatest circulating power of a forward gear over what enters.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
-    most_circulating: Number,
-
-    /// End at the first class with gearboxes, whether they are of use or not.
-    #[arg(long)]
-    first_class: bool,
-}
-
-/// The share of time of a gear: `3:20%`.
-#[derive(Debug, Clone, Copy)]
-struct GearShare {
-    gear: usize,
-    share: f64,
-}
-
-impl FromStr for GearShare {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let expected = || format!("`{text}` is no gear and its share, such as 3:20% or 3:0.2");
-        let (gear, share) = text.split_once(':').ok_or_else(expected)?;
-        let gear = gear.trim().parse().map_err(|_| expected())?;
-        let share: Quantity<Ratio> = share.trim().parse().map_err(|_| expected())?;
-        Ok(Self { gear, share: share.0.si() })
-    }
-}
-
 /// Which shifts are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum ShiftChoice {
@@ -306,63 +254,6 @@ enum ShiftChoice {
     Any,
     /// Those that exchange one element for one.
     Single,
-}
-
-/// Tooth numbers of the gearboxes shown.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Tooth numbers")]
-struct TeethOptions {
-    /// Find all tooth numbers of each gearbox shown that keep the tolerances.
-    #[arg(long)]
-    teeth: bool,
-
-    /// Teeth of the suns.
-    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    sun: Span<u32>,
-
-    /// Teeth of the planets; of a double-planet set of either planet.
-    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    planet: Span<u32>,
-
-    /// Teeth of the rings.
-    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    ring: Span<u32>,
-
-    /// Number of planets of a set, of a double-planet set of its pairs of planets, from 2 to 8.
-    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
-    planet_count: Span<u32>,
-
-    /// At least so many sets have rings of equal teeth.
-    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_rings: usize,
-
-    /// At least so many sets have suns of equal teeth.
-    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_suns: usize,
-
-    /// At least so many sets are equal.
-    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_sets: usize,
-
-    /// Which tooth numbers are the best.
-    #[arg(long, value_enum, requires = "teeth", default_value_t = TeethAim::Deviation)]
-    teeth_aim: TeethAim,
-
-    /// Choices of tooth numbers shown of each gearbox.
-    #[arg(long, value_name = "N", requires = "teeth", default_value = "5")]
-    teeth_limit: usize,
-
-    #[command(flatten)]
-    shifts: ShiftOptions,
-}
-
-/// Which tooth numbers are the best.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum TeethAim {
-    /// The least greatest deviation of a ratio.
-    Deviation,
-    /// The fewest teeth of all suns and rings.
-    Fewest,
 }
 
 /// Which structures are searched.
@@ -579,61 +470,6 @@ impl Wishes {
     }
 }
 
-impl UsableOptions {
-    fn wanted(&self) -> Result<Option<Usable>, Failure> {
-        let share = |option, value: Quantity<Ratio>| match value.0.si() {
-            share if (0.0..=1.0).contains(&share) => Ok(share),
-            _ => Err(Failure::Option { option, message: "from 0, which asks for nothing, to 100 %".into() }),
-        };
-        let circulation = self.most_circulating.get();
-        if circulation < 0.0 {
-            let message = "at least 0: circulating power over what enters".into();
-            return Err(Failure::Option { option: "--most-circulating", message });
-        }
-        let usable = Usable {
-            forward: share("--least-efficiency", self.least_efficiency)?,
-            reverse: share("--least-reverse-efficiency", self.least_reverse_efficiency)?,
-            circulation,
-        };
-        Ok((!self.first_class).then_some(usable))
-    }
-}
-
-/// The share of each gear of the list.
-fn shares_of(given: &[GearShare], gears: &[WantedRatio]) -> Result<Vec<f64>, Failure> {
-    let fault = |message: String| Err(Failure::Option { option: "--shares", message });
-    let mut shares: Vec<Option<f64>> = vec![None; gears.len()];
-    for GearShare { gear, share } in given {
-        let Some(place) = gear.checked_sub(1).filter(|place| *place < gears.len()) else {
-            return fault(format!("gear {gear}: --ratios has gears 1 to {}", gears.len()));
-        };
-        let is_reverse = match gears[place].wanted {
-            RatioOf::Around { ratio, .. } => ratio < 0.0,
-            RatioOf::Range { most, .. } => most < 0.0,
-            RatioOf::Free => false,
-        };
-        if is_reverse {
-            return fault(format!("gear {gear} is a reverse gear: shares are of forward gears"));
-        }
-        if !(0.0..=1.0).contains(share) {
-            return fault(format!("gear {gear}: a share is from 0 to 100 %"));
-        }
-        if shares[place].replace(*share).is_some() {
-            return fault(format!("gear {gear} is given twice"));
-        }
-    }
-    let shares: Vec<f64> = shares.into_iter().map(Option::unwrap_or_default).collect();
-    let sum: f64 = shares.iter().sum();
-    if (sum - 1.0).abs() > SHARES {
-        return fault(format!("the shares are {} % together: they must be 100 %", short_percent(sum)));
-    }
-    Ok(shares)
-}
-
-fn short_percent(share: f64) -> String {
-    epicyclic_formats::quantity::format::trimmed(100.0 * share, 6)
-}
-
 /// How many sets have equal k.
 fn equal_k(count: u32) -> Result<usize, Failure> {
     if !(1..=MOST_SETS).contains(&count) {
@@ -690,34 +526,4 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
     }));
     let text = saved::file(&gearbox, &comment).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(vec![(file.clone(), text.into_bytes())])
-}
-
-impl TeethOptions {
-    fn wanted(&self) -> Result<Option<TeethWanted>, Failure> {
-        self.shifts.only_with_teeth(self.teeth)?;
-        if !self.teeth {
-            return Ok(None);
-        }
-        let usual = Bounds::default();
-        let planets = self.planet_count.within(usual.planets);
-        let wanted = TeethWanted {
-            bounds: Bounds {
-                sun: options::of_wheel("--sun", self.sun, usual.sun)?,
-                planet: options::of_wheel("--planet", self.planet, usual.planet)?,
-                ring: options::of_wheel("--ring", self.ring, usual.ring)?,
-                planets: planets.map_err(|error| Failure::Range { option: "--planet-count", error })?,
-                ring_to_sun_ratio: ANY_K,
-                ..Bounds::default()
-            },
-            shifts: self.shifts.wanted(),
-            alike: Alike { rings: self.equal_rings, suns: self.equal_suns, sets: self.equal_sets },
-            aim: match self.teeth_aim {
-                TeethAim::Deviation => Aim::Deviation,
-                TeethAim::Fewest => Aim::Teeth,
-            },
-            most: self.teeth_limit,
-        };
-        self.shifts.check(&wanted.bounds)?;
-        Ok(Some(wanted))
-    }
 }

@@ -1,22 +1,12 @@
 //! A structure with elements and ring-to-sun ratios as a gearbox of the solver.
 
 use crate::motion::Element;
+pub use crate::names::{real_k, solver_name};
 use crate::sharing::Sharing;
 use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name, link_of_name};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
-use epicyclic_train::{GROUND, Gearbox};
-
-/// The name that a link has in a gearbox of the solver: `in` the input, `out` the output, letters the others.
-#[must_use]
-pub fn solver_name(link: Link) -> String {
-    match link {
-        HOUSING => GROUND.into(),
-        INPUT => "in".into(),
-        OUTPUT => "out".into(),
-        _ => link_name(link).to_string(),
-    }
-}
 
 /// The name of an element: the links that it joins, a brake by its link alone.
 #[must_use]
@@ -52,12 +42,6 @@ pub fn element_of_name(name: &str) -> Option<Element> {
         _ => None,
     }
     .filter(|[one, other]| one < other)
-}
-
-/// The ring-to-sun ratio of a set of the structure by that of its word: of a double-planet set `k = k′ + 1`.
-#[must_use]
-pub fn real_k(structure: &Structure, place: usize, k: f64) -> f64 {
-    if structure.is_double_planet(place) { k + 1.0 } else { k }
 }
 
 /// The gearbox with these elements and this efficiency of a simple set's two meshes together, by the gears that each engages some of

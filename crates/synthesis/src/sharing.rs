@@ -18,9 +18,9 @@
 //! [`MOST_TEETH`], three planets of each kind and no planet below [`LEAST_TEETH`]: what does not fit there fits with no smaller
 //! ring. Profile shift, and whether all teeth are whole numbers, are left to the tooth numbers.
 
-use crate::gearbox::{real_k, solver_name};
+use crate::names::{real_k, solver_name};
+use crate::set_teeth::SetTeeth;
 use crate::structure::{Link, Members, Structure};
-use crate::teeth::SetTeeth;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::{DoublePlanetNumbers, Pair};
 use epicyclic_gears::efficiency::MeshEfficiency;

@@ -18,14 +18,13 @@
 use crate::Error;
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::{Polynomial, Ratio};
+pub use crate::set_teeth::SetTeeth;
 use crate::sharing::Compound;
 use crate::tolerance::WIDENING;
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::double_planet::DoublePlanetNumbers;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::synthesis::{self, ToothNumbers};
-use epicyclic_train::set::{Gearing, SetSpec};
 #[cfg(feature = "parallel")]
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use rustc_hash::FxHashMap;
@@ -100,66 +99,6 @@ impl<'a> Gears<'a> {
     fn are_falling(&self, ratios: &[[i128; 2]]) -> bool {
         let at = |gear: usize| ratios.get(gear).map(|[above, below]| Fraction::new(*above, *below));
         self.side_by_side.iter().flat_map(|run| run.windows(2)).all(|pair| at(pair[0]) > at(pair[1]))
-    }
-}
-
-/// Tooth numbers of a set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum SetTeeth {
-    /// Of a simple set.
-    Simple(ToothNumbers),
-    /// Of a double-planet set.
-    DoublePlanet(DoublePlanetNumbers),
-}
-
-impl SetTeeth {
-    /// Teeth of the sun.
-    #[must_use]
-    pub const fn sun(&self) -> ToothCount {
-        match self {
-            Self::Simple(of) => of.sun,
-            Self::DoublePlanet(of) => of.sun,
-        }
-    }
-
-    /// Teeth of the ring.
-    #[must_use]
-    pub const fn ring(&self) -> ToothCount {
-        match self {
-            Self::Simple(of) => of.ring,
-            Self::DoublePlanet(of) => of.ring,
-        }
-    }
-
-    /// Whether it is a double-planet set.
-    #[must_use]
-    pub const fn is_double_planet(&self) -> bool {
-        matches!(self, Self::DoublePlanet(_))
-    }
-
-    /// The ratio of the structure's word times the teeth of the sun: `k·z_sun = z_ring`, of a double-planet set
-    /// `k′·z_sun = z_ring − z_sun`.
-    fn over_sun(&self) -> i64 {
-        match self {
-            Self::Simple(of) => i64::from(of.ring.get()),
-            Self::DoublePlanet(of) => i64::from(of.ring.get()) - i64::from(of.sun.get()),
-        }
-    }
-
-    /// The ratio of the structure's word: `k`, of a double-planet set `k′ = k − 1`.
-    #[must_use]
-    pub fn k_of_word(&self) -> f64 {
-        self.over_sun() as f64 / self.sun().as_f64()
-    }
-
-    /// A set of the solver of this kind, with these teeth in place of its own ratio, and its planets.
-    #[must_use]
-    pub fn put_into(&self, set: SetSpec) -> SetSpec {
-        let set = SetSpec { gearing: Gearing::Teeth(self.sun(), self.ring()), ..set };
-        match self {
-            Self::Simple(of) => set.planet_teeth(of.planet, None).planet_count(of.planets),
-            Self::DoublePlanet(of) => set.planet_teeth(of.inner, Some(of.outer)).planet_count(of.pairs),
-        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! What this crate refuses, and what it only remarks on.
 
-use crate::compound::{CentralKind, GearName, SetMember};
+use crate::compound::{CentralKind, SetMember};
+pub use crate::compound_fault::{CompoundFault, MeshFault};
 pub use crate::drag_fault::DragFault;
+use crate::names::hint;
 pub use crate::operating_fault::OperatingFault;
+pub use crate::set_fault::SpacingFault;
 use crate::set_fault::coincident;
-pub use crate::set_fault::{MeshFault, SpacingFault};
 use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -369,108 +371,6 @@ pub enum LinkFault {
     OnePiece,
 }
 
-/// What is wrong with the description of a compound set.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CompoundFault {
-    /// Fewer than two central gears.
-    #[error("{given} central gears: at least two members besides the carrier are due")]
-    TooFewMembers {
-        /// How many were given.
-        given: usize,
-    },
-    /// A gear without teeth.
-    #[error("gear `{gear}` has 0 teeth: at least 1 is due")]
-    NoTeeth {
-        /// The gear.
-        gear: GearName,
-    },
-    /// Teeth that are no whole number.
-    #[error(
-        "gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`"
-    )]
-    NotWhole {
-        /// The gear.
-        gear: GearName,
-        /// What was given.
-        given: f64,
-    },
-    /// A proportion that is none.
-    #[error("gear `{gear}` has the proportion {given}: it must be above 0")]
-    Proportion {
-        /// The gear.
-        gear: GearName,
-        /// What was given.
-        given: f64,
-    },
-    /// Teeth of a planet where those of the central gears are not known.
-    #[error("planet `{planet}` has teeth in a proportional set: leave them out, as in `{planet}: []`")]
-    PlanetTeeth {
-        /// The planet.
-        planet: String,
-    },
-    /// A planet with too many gears.
-    #[error("planet `{planet}` has {given} gears: {most} at most are allowed")]
-    PlanetGears {
-        /// The planet.
-        planet: String,
-        /// How many were given.
-        given: usize,
-        /// How many it may have.
-        most: usize,
-    },
-    /// One name for two things.
-    #[error("`{name}` is named twice: central gears and planets of a set have names of their own")]
-    NameTwice {
-        /// The name.
-        name: GearName,
-    },
-    /// Two shafts of one planet.
-    #[error(
-        "`{name}` is a second shaft of planet `{planet}`: one is enough, with its link for all that it joins"
-    )]
-    TwoShafts {
-        /// The second shaft.
-        name: String,
-        /// The planet.
-        planet: String,
-    },
-    /// A gear that is not there.
-    #[error("no gear is called `{name}`{}; a gear of a planet with several is `planet.1`, `planet.2`…", hint(suggestion.as_deref()))]
-    UnknownGear {
-        /// The name given.
-        name: String,
-        /// The nearest name that exists.
-        suggestion: Option<String>,
-    },
-    /// Two gears that cannot mesh.
-    #[error("`{first}` and `{second}` do not mesh: {why}")]
-    Mesh {
-        /// One gear.
-        first: String,
-        /// The other.
-        second: String,
-        /// Why not.
-        why: MeshFault,
-    },
-    /// A mesh that closes a loop.
-    #[error(
-        "the mesh of `{first}` and `{second}` closes a loop: other meshes tie them already; leave it out"
-    )]
-    Loop {
-        /// One gear.
-        first: String,
-        /// The other.
-        second: String,
-    },
-    /// A gear or planet that no mesh ties to the first central gear.
-    #[error("`{name}` meshes with none of the others: add a mesh")]
-    Apart {
-        /// The gear or planet.
-        name: String,
-    },
-}
-
 /// Why speeds and torques given for several inputs settle no state.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -543,10 +443,6 @@ fn of_the_torques(needed: usize, candidates: &[String]) -> String {
     } else {
         format!("{needed} of the torques at {links} must be given")
     }
-}
-
-fn hint(suggestion: Option<&str>) -> String {
-    suggestion.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
 }
 
 fn allowed_k(kind: SetKind) -> &'static str {

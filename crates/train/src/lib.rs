@@ -68,6 +68,7 @@ pub mod builder;
 pub mod combinations;
 pub mod compiled;
 pub mod compound;
+mod compound_fault;
 pub mod drag;
 mod drag_fault;
 pub mod drawn;

@@ -12,3 +12,8 @@ pub fn nearest<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<S
         })
         .map(|(_, other)| other.to_owned())
 }
+
+/// A nearest name in words, the end of a message.
+pub(crate) fn hint(suggestion: Option<&str>) -> String {
+    suggestion.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+}

@@ -2,24 +2,6 @@
 
 use crate::compound::SetMember;
 
-/// Why two gears do not mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MeshFault {
-    /// Two central gears.
-    #[error("both are central gears, and turn about one axis")]
-    TwoCentrals,
-    /// Two gears of one planet.
-    #[error("they are gears of one planet, and turn as one piece")]
-    OnePlanet,
-    /// A ring with no more teeth than the planet.
-    #[error("a ring has more teeth than the planet in it")]
-    SmallRing,
-    /// A planet shaft.
-    #[error("a planet shaft has no teeth")]
-    PlanetShaft,
-}
-
 /// What is wrong with the spacing of planets.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]

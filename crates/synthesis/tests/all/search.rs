@@ -121,11 +121,15 @@ fn the_6hp_is_found_with_its_double_planet_set() {
             let one = Found { structure: structure.clone(), solution };
             let judged = judge(&one, &wish, MeshEfficiency::new(0.97).unwrap()).unwrap();
             assert!(judged.ratios.iter().zip(&wish.gears).all(|(ratio, gear)| gear.contain(*ratio)));
-            let sets = judged.gearbox.sets();
-            assert_eq!(sets[2].kind(), Some(SetKind::DoublePlanet));
-            assert!(sets[..2].iter().all(|set| set.kind() == Some(SetKind::Simple)));
+            // Two of its sets may be one compound set, which is drawn as the two.
+            let of_kind = |kind: SetKind| {
+                let sets = judged.gearbox.drawn_sets().iter().filter(move |set| set.kind == kind);
+                sets.map(|set| set.basic_ratio(&judged.gearbox).abs()).collect::<Vec<f64>>()
+            };
+            let (simple, double) = (of_kind(SetKind::Simple), of_kind(SetKind::DoublePlanet));
+            assert_eq!((simple.len(), double.len()), (2, 1));
             // k 1.919, 2.237 and 2.742 of the real box.
-            let k: Vec<f64> = sets.iter().map(|set| set.basic_ratio().get().abs()).collect();
+            let k = [simple, double].concat();
             found += usize::from(
                 [1.919, 2.237, 2.742].iter().zip(&k).all(|(real, k)| (k / real - 1.0).abs() < 0.02),
             );

@@ -228,9 +228,9 @@ synthesize: --ratios '2.56, 1.465' --format json
   --merge none.parquet
   --longest '0.000001 s'
   --shares '1:30%, 2:70%'
-  --least-efficiency 99.9%
   --first-class
-synthesize: --ratios '2.56, 1.465, -2' --sets 2 --elements 3..4 --engaged 1..2 --format json
+synthesize: --ratios '2.7778, -2.2' --sets 2 --elements 2 --engaged 1 --double-planets 1 --format json
+  --least-efficiency 99.9%
   --least-reverse-efficiency 99.9%
   --most-circulating 0
 synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format json
