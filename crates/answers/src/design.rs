@@ -28,7 +28,7 @@ use epicyclic_train::Gear;
 use records::{BasisKey, SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// What is wanted.
@@ -95,7 +95,7 @@ pub fn order_of_teeth() -> Order {
     Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
 }
 
-/// The design; `watch` is told how far the search for tooth numbers is.
+/// The design; `watch` is told how far the search for tooth numbers is, and may end it, and the sizing after it.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
@@ -143,7 +143,9 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     };
     let mut tried: Vec<Tried> = vec![];
     for number in numbers {
-        tried.extend(Tried::of(&found, number, wanted, torque, speed)?);
+        tried.extend(Tried::of(&found, number, wanted, torque, speed, &|| {
+            watch(teeth::At { share: 1.0, searched: None })
+        })?);
     }
     tried.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
     design.teeth = Some(TeethStep::of(&found, &tried)?);
@@ -179,11 +181,12 @@ impl Tried {
         wanted: &Wanted,
         torque: Torque,
         speed: AngularVelocity,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Self>, Error> {
         let Some(saved) = found.saved(number)? else { return Ok(None) };
         let file = loaded(&saved, wanted, torque, speed)?;
         let document = Document::parse_one(MAKING, file.as_bytes())?;
-        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size)?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
         Ok(Some(Self { number, file, size }))
     }
 

@@ -19,6 +19,7 @@ use crate::failure::Failure;
 use epicyclic_formats::visible;
 use std::ffi::OsString;
 use std::io;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -125,23 +126,24 @@ pub trait Desk: Sync {
         let _ = told;
     }
 
-    /// From here on, or no more, a search ends by itself where [`Desk::is_asked`] says so, with what it has.
+    /// From here on, or no more, what was found can be told when the call is asked to end: then it ends by itself.
     fn hears(&self, hears: bool) {
         let _ = hears;
     }
 
-    /// Whether a search that hears is to end with what it has.
-    fn is_asked(&self) -> bool {
-        false
-    }
-
-    /// Whether any search is to end at once: its call unwinds from the next progress it makes, and has no answer.
-    fn must_end(&self) -> bool {
-        false
+    /// Whether the call is asked to end: then the seconds that are left to tell what was found, 0 where there are none. Asked from any
+    /// thread, by every search, motion and table after at most some 50 ms of work.
+    fn asked_to_end(&self) -> Option<f64> {
+        None
     }
 
     /// Seconds since any one moment.
     fn seconds(&self) -> f64;
+}
+
+/// Whether the call of a desk goes on.
+pub(crate) fn goes_on(desk: &dyn Desk) -> ControlFlow<()> {
+    if desk.asked_to_end().is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// One call: its desk, its words, and whether it has answered.
@@ -155,6 +157,11 @@ pub(crate) struct Call<'d> {
 impl<'d> Call<'d> {
     pub(crate) fn new(desk: &'d dyn Desk, words: Vec<OsString>) -> Self {
         Self { desk, words, has_answered: AtomicBool::new(false) }
+    }
+
+    /// Whether the call goes on: the one means by which everything that takes long is ended.
+    pub(crate) fn goes_on(&self) -> ControlFlow<()> {
+        goes_on(self.desk)
     }
 
     /// Whether anything was answered: then there is an answer, whatever fails later.
@@ -194,19 +201,14 @@ impl<'d> Call<'d> {
     }
 }
 
-/// A search that ends early, with what it has, where it is asked to.
+/// From when it is made until it goes, what was found can be told when the call is asked to end.
 pub(crate) struct Hearing<'d>(&'d dyn Desk);
 
 impl<'d> Hearing<'d> {
-    /// A search that begins.
+    /// Something that can be told begins.
     pub(crate) fn new(call: &Call<'d>) -> Self {
         call.desk.hears(true);
         Self(call.desk)
-    }
-
-    /// Whether it was asked to end.
-    pub(crate) fn is_asked(&self) -> bool {
-        self.0.is_asked()
     }
 }
 

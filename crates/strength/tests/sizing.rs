@@ -318,12 +318,12 @@ fn an_overload_asks_for_more() {
     let with = agrees(&task).unwrap();
     let without = agrees(&hoist()).unwrap();
     assert!(10 < with && with < without, "{with} of {without}");
-    let all = size(&task, usize::MAX).unwrap();
+    let all = size(&task, usize::MAX, &|| std::ops::ControlFlow::Continue(())).unwrap();
     assert!(all.left_out.overload > 0);
     // Of one that loads no set nothing is asked.
     task.overloads.truncate(1);
-    let idle = size(&task, 1).unwrap();
-    assert_eq!(idle, size(&hoist(), 1).unwrap());
+    let idle = size(&task, 1, &|| std::ops::ControlFlow::Continue(())).unwrap();
+    assert_eq!(idle, size(&hoist(), 1, &|| std::ops::ControlFlow::Continue(())).unwrap());
     assert_eq!(idle.found[0].overload, None);
 }
 
@@ -337,7 +337,7 @@ fn shifts_that_are_held_fix_the_centre_distance() {
         profile: set.gears().map(InvoluteGear::shift),
         tips: set.gears().map(InvoluteGear::tip_alteration),
     });
-    let found = size(&task, 1).unwrap();
+    let found = size(&task, 1, &|| std::ops::ControlFlow::Continue(())).unwrap();
     let best = &found.found[0];
     assert_eq!(best.set.gears().map(InvoluteGear::shift), set.gears().map(InvoluteGear::shift));
     assert!(is_near(in_mm(best.centre_distance), in_mm(best.module) * (natural + 0.1)));
@@ -349,7 +349,7 @@ fn shifts_that_are_held_fix_the_centre_distance() {
 fn what_is_out_of_reach_has_a_nearest_miss() {
     let mut task = hoist();
     task.required_root = 9.0;
-    let found = size(&task, 1).unwrap();
+    let found = size(&task, 1, &|| std::ops::ControlFlow::Continue(())).unwrap();
     let miss = found.nearest_miss.unwrap();
     assert!(found.found.is_empty() && found.not_reached == 0);
     assert_eq!(miss.governing.requirement, Requirement::Root);
@@ -362,7 +362,7 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
     let of = |change: &dyn Fn(&mut Sizing)| {
         let mut task = hoist();
         change(&mut task);
-        size(&task, 1).unwrap_err().to_string()
+        size(&task, 1, &|| std::ops::ControlFlow::Continue(())).unwrap_err().to_string()
     };
     assert_eq!(of(&|task| task.space.modules.clear()), "no module to search; at least one is needed");
     assert_eq!(
@@ -398,7 +398,7 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
 /// The design of the first space in plain figures.
 #[test]
 fn a_design_names_its_figures() {
-    let found = size(&hoist(), 3).unwrap();
+    let found = size(&hoist(), 3, &|| std::ops::ControlFlow::Continue(())).unwrap();
     let Design { bearing, planet_bore, planet_rim, governing, .. } = &found.found[0];
     let [outside, bore] = [bearing.as_ref().unwrap().outside_diameter, planet_bore.unwrap()].map(in_mm);
     assert!(is_near(outside, bore));

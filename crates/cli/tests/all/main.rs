@@ -6,6 +6,7 @@ mod cli;
 #[path = "../common/mod.rs"]
 mod common;
 mod draw;
+mod endings;
 mod every_input;
 mod files;
 mod gearboxes;

@@ -164,8 +164,14 @@ fn tooth_numbers_keep_the_order_of_gears_side_by_side() {
     for found in all(class, &wish).found {
         let ratios: Vec<Ratio> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
         let gears = Gears { bounds: &wish.gears, side_by_side: &wish.side_by_side };
-        let by_search =
-            designs(&ratios, gears, &wish.k, &[&choice, &choice], Alike::default(), Aim::Deviation, 5);
+        let by_search = designs(
+            &ratios,
+            gears,
+            &wish.k,
+            &[&choice, &choice],
+            (Alike::default(), Aim::Deviation, 5),
+            &|| false,
+        );
         assert!(by_search.complete);
         let mut by_trial = 0;
         for one in &k {

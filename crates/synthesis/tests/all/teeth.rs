@@ -41,9 +41,8 @@ fn all(found: &Found, wish: &Wish, choices: &[&Choice]) -> Designs {
         Gears::apart(&wish.gears),
         &wish.k,
         choices,
-        Alike::default(),
-        Aim::Deviation,
-        usize::MAX,
+        (Alike::default(), Aim::Deviation, usize::MAX),
+        &|| false,
     )
 }
 
@@ -144,7 +143,15 @@ fn sets_of_two_kinds_with_equal_teeth_are_not_alike() {
     let bounds = synthesis::Bounds::default();
     let (simple, double) = (Choice::within(&bounds).unwrap(), Choice::of_double_planets(&bounds).unwrap());
     let count = |alike| {
-        designs(&ratios, Gears::apart(&wish.gears), &wish.k, &[&simple, &double], alike, Aim::Teeth, 3).count
+        designs(
+            &ratios,
+            Gears::apart(&wish.gears),
+            &wish.k,
+            &[&simple, &double],
+            (alike, Aim::Teeth, 3),
+            &|| false,
+        )
+        .count
     };
     assert_eq!(count(Alike { sets: 2, ..Alike::default() }), 0);
     let (any, rings) = (count(Alike::default()), count(Alike { rings: 2, ..Alike::default() }));

@@ -3,7 +3,7 @@
 //! | module | is |
 //! |---|---|
 //! | [`terminal`] | a terminal and the disk |
-//! | [`interrupt`] | Ctrl-C |
+//! | [`interrupt`] | Ctrl-C and SIGTERM |
 
 mod interrupt;
 mod terminal;
