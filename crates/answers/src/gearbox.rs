@@ -56,7 +56,7 @@ pub struct Subject<'d> {
     /// Drag torques that the file states.
     pub drags: Vec<Drag>,
     inputs: Vec<(String, GearInputs)>,
-    /// Modules that the file states of the meshes of each set, mm.
+    /// Modules that the file states of the meshes of each set, m.
     modules: Vec<Vec<Option<f64>>>,
 }
 

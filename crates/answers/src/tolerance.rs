@@ -73,3 +73,9 @@ pub(crate) const LEAST_MODULE_M: f64 = 1e-6;
 
 /// Energies of a motion that miss more, over the largest of them, are warned of.
 pub(crate) const RESIDUAL: f64 = 1e-9;
+
+/// A place of a planet is whole within this, in places: rounding of an angle times some hundred of them.
+pub(crate) const AT_POSITION: f64 = 1e-6;
+
+/// Gaps that differ by less, over them, differ by the rounding of their unit.
+pub(crate) const SAME_GAP: f64 = 1e-9;

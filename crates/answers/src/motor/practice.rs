@@ -16,6 +16,7 @@ use super::made::Made;
 use super::made::ports::MadePorts;
 use super::{AllowedPressure, ContactStresses, Flanks, GoverningLimit, Losses};
 use crate::Warning;
+use crate::tolerance::SAME_GAP;
 use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use uom::si::f64::{Length, Pressure};
@@ -102,7 +103,7 @@ pub(super) fn of_work(drop_pa: Option<f64>, ripple: f64, made: &Made) -> Vec<War
     let gaps =
         leakage.as_ref().map(|leaks| [("satellite", leaks.satellite_gap_m), ("rotor", leaks.rotor_gap_m)]);
     // A rounding of the unit is no gap beyond.
-    let is_usual = |gap: f64| (GAP_M[0] * (1.0 - 1e-9)..=GAP_M[1] * (1.0 + 1e-9)).contains(&gap);
+    let is_usual = |gap: f64| (GAP_M[0] * (1.0 - SAME_GAP)..=GAP_M[1] * (1.0 + SAME_GAP)).contains(&gap);
     for (wheel, gap) in gaps.into_iter().flatten().filter(|(_, gap)| *gap > 0.0 && !is_usual(*gap)) {
         let [gap, least, most] =
             [gap, GAP_M[0], GAP_M[1]].map(|gap| format::quantity(Length::from_si(gap), 4));

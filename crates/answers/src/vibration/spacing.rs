@@ -1,7 +1,7 @@
 //! Where the planets of a set stand on its carrier, for the phases of their meshes.
 
 use crate::number::short;
-use crate::tolerance::EQUAL_SPACING;
+use crate::tolerance::{AT_POSITION, EQUAL_SPACING};
 use epicyclic_formats::Physical;
 use epicyclic_train::PlanetSet;
 use std::f64::consts::TAU;
@@ -49,9 +49,6 @@ impl Spacing {
         Some(Ok(Self { angles_rad, is_equal, places }))
     }
 }
-
-/// A place is whole within this, in places: rounding of an angle times some hundred of them.
-const AT_POSITION: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

@@ -38,20 +38,19 @@ impl GearboxFile {
         self.density.map_or(SetSize::default().density, |density| density.0)
     }
 
-    /// Modules that the file states of the meshes of a set, in mm.
+    /// Modules that the file states of the meshes of a set, in metres.
     #[must_use]
     pub fn stated_modules(&self, set: &PlanetSet) -> Vec<Option<f64>> {
-        let in_mm = |module: Length| module.get::<uom::si::length::millimeter>();
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
             // The module is that of the mesh with the sun; a planet of one gear has one module.
-            let of_first = entry.module.map(|module| in_mm(module.0));
+            let of_first = entry.module.map(|module| module.0.si());
             let all = set.meshes().iter().enumerate();
             let is_alone = set.planets().iter().all(|planet| planet.gears.len() == 1);
             return all.map(|(mesh, _)| of_first.filter(|_| mesh == 0 || is_alone)).collect();
         }
         let size = self.size(set);
         let own = |mesh: usize| size.meshes.get(mesh).and_then(|own| own.module).or(size.module);
-        (0..set.meshes().len()).map(|mesh| own(mesh).map(in_mm)).collect()
+        (0..set.meshes().len()).map(|mesh| own(mesh).map(Physical::si)).collect()
     }
 
     /// What the file says of the size of a set.
