@@ -148,8 +148,11 @@ fn a_6hp_has_tooth_numbers() {
             assert!(planet_speed(&without_teeth) <= 1.1 * planet_speed(&analysis));
         }
         let faults = gearbox.tooth_checks(&BasicRack::default());
-        let is_undercut = |fault: &ToothWarning| matches!(fault, ToothWarning::Undercut { .. });
-        assert!(faults.iter().all(is_undercut), "{faults:?}");
+        // The short planets stand beside the large sun, as in every Ravigneaux set.
+        let is_remark = |fault: &ToothWarning| {
+            matches!(fault, ToothWarning::Undercut { .. } | ToothWarning::DifferentPlanes { .. })
+        };
+        assert!(faults.iter().all(is_remark), "{faults:?}");
     }
 }
 
