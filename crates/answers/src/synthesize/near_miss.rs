@@ -1,6 +1,6 @@
 //! Gearboxes of fewer sets that miss the wanted ratios narrowly.
 
-use super::{ClassName, Synthesis, Wanted, solve};
+use super::{ClassName, Kept, Synthesis, Wanted, solve};
 use crate::Error;
 use epicyclic_synthesis::rank::Objective;
 use schemars::JsonSchema;
@@ -30,8 +30,11 @@ pub struct NearMiss {
     pub greatest_deviation: f64,
 }
 
+/// Gearboxes of a class that are looked at, the nearest ones.
+const NEAREST: usize = 100;
+
 /// The smallest class of fewer sets than those found that has the ratios within a wider tolerance: five times the wanted one, at most
-/// 10 %. Of that class the gearbox with the least deviation.
+/// 10 %. Of that class, among the hundred gearboxes nearest to the ratios, the gearbox of use with the least deviation.
 ///
 /// Classes that take longer than a second to search again are left out.
 ///
@@ -51,7 +54,8 @@ pub fn near_miss(wanted: &Wanted, answer: &Synthesis) -> Result<Option<NearMiss>
         sets: first..=most,
         tolerance: (WIDER * wanted.tolerance).min(WIDEST).max(wanted.tolerance),
         order: vec![Objective::Deviation],
-        most: 1,
+        most: NEAREST,
+        all_gearboxes: true,
         also: None,
         teeth: None,
         explain: None,
@@ -64,11 +68,10 @@ pub fn near_miss(wanted: &Wanted, answer: &Synthesis) -> Result<Option<NearMiss>
         found => found?,
     };
     // What is of no use is no hint either.
-    let is_of_use = kept.first().is_some_and(|kept| {
-        let fault = wanted.usable.and_then(|usable| usable.fault(&kept.judged, &kept.rating));
-        fault.is_none()
-    });
-    let first = found.solutions.first().filter(|one| is_of_use && one.missing_gears.is_empty());
+    let is_of_use =
+        |kept: &Kept| wanted.usable.is_none_or(|usable| usable.fault(&kept.judged, &kept.rating).is_none());
+    let mut of_use = found.solutions.iter().zip(&kept).filter(|(_, kept)| is_of_use(kept));
+    let first = of_use.find(|(one, _)| one.missing_gears.is_empty()).map(|(one, _)| one);
     Ok(first.map(|one| NearMiss {
         class: found.searched.last().map_or(ClassName::Core, |class| class.class),
         sets: one.sets.len(),

@@ -1,11 +1,5 @@
 //! `synthesize`: sets that share planets in its answer and its file, forward and reverse gears apart, where the search stops.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "helpers of tests, which clippy does not know for such"
-)]
-
 use super::common::{here, output, text};
 use serde_json::Value;
 use std::path::Path;
@@ -89,10 +83,12 @@ fn a_search_goes_on_until_a_gearbox_is_of_use() {
         let whole = search("2..3", &["--least-efficiency", limit, "--most-circulating", "1000"]);
         let behind: u64 =
             list(&whole, "left_behind").iter().map(|of| of["solutions"].as_u64().unwrap()).sum();
-        let (expected, left) = match [of_use(&classes[0], value), of_use(&classes[1], value)] {
-            [first, _] if first > 0 => (found(&classes[0]), 0),
-            [_, second] if second > 0 => (found(&classes[1]), found(&classes[0])),
-            _ => (found(&classes[0]) + found(&classes[1]), 0),
+        let [smaller, larger] =
+            [&classes[0], &classes[1]].map(|class| (of_use(class, value) > 0, found(class)));
+        let (expected, left) = match (smaller, larger) {
+            ((true, all), _) => (all, 0),
+            ((false, left), (true, all)) => (all, left),
+            ((false, one), (false, other)) => (one + other, 0),
         };
         assert_eq!((found(&whole), behind), (expected, left), "{limit}");
         ends.insert(expected);
