@@ -1431,13 +1431,13 @@ def synthesize(
     class_
         Which structures are searched
     sets
-        Number of planet sets, at most 4
+        Number of planet sets, at most 6
     elements
-        Number of shift elements, at most 7
+        Number of shift elements, at most 8
     engaged
         Shift elements that a gear engages, at most 4. Default: 1..3; with ``links`` or ``open`` 1..4
     links
-        Number of moving links: sets, engaged elements and one more
+        Number of moving links: sets, engaged elements and one more; at most 11
     open
         Shift elements that are open in a gear: those not engaged
     k

@@ -90,8 +90,8 @@ pub fn order_of_teeth() -> Order {
     Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
 }
 
-/// The design; `watch` is told how far the searches for tooth numbers are. Where no gearbox is left, the search is repeated with each
-/// limit relaxed that stands in the way.
+/// The design; `watch` is told how far the searches for tooth numbers are, and may end them, and the sizing after them. Where no gearbox
+/// is left, the search is repeated with each limit relaxed that stands in the way.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.

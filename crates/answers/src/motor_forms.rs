@@ -14,7 +14,7 @@ use crate::{Answer, Error, Warning};
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch, FormSize};
-use epicyclic_hydromotor::search::forms::{Progress, Watch};
+use epicyclic_hydromotor::search::{Progress, Watch};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};

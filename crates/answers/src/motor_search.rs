@@ -171,10 +171,10 @@ pub struct Searched {
     found: Found,
 }
 
-/// Searches; `watch` is told how far it is, from any thread.
+/// Searches; `watch` is told how far it is, from any thread, and may end it.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes.
+/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotor`] where no motor passes.
 pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     let form = wanted.search.flanks.form;
@@ -196,7 +196,7 @@ pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error>
 /// # Errors
 /// As [`search()`].
 pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
-    Ok(search(wanted, &|_| ())?.answer())
+    Ok(search(wanted, &|_| std::ops::ControlFlow::Continue(()))?.answer())
 }
 
 impl Searched {

@@ -33,7 +33,7 @@ use records::{HeldKey, Minimise, NotSized, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
 
 /// How far centre distances may be from the natural one, in modules.
@@ -182,13 +182,17 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "size", "no teeth, materials or loads")
 }
 
-/// The sizes of the sets of a gearbox from a file.
+/// The sizes of the sets of a gearbox from a file, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
 /// - [`Error::Sizing`] and [`Error::Gear`] for a space of nothing, and for limits that are none.
 /// - [`Error::NoLoad`] without a duty; [`Error::Document`] for what the file says wrong, with its place.
 /// - [`Error::NothingToSize`] where no set can be sized.
-pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
+pub fn answer(
+    subject: &Subject<'_>,
+    wanted: &Wanted,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Size, Error> {
     wanted.check()?;
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
@@ -211,10 +215,12 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
             continue;
         };
         let (task, held) = task(set, load, life, required, wanted);
-        match size(&task, wanted.most.max(1)) {
+        match size(&task, wanted.most.max(1), goes_on) {
             Ok(found) => sets.push(SizedSet::of(set, held, &found, wanted.most)),
             Err(
-                error @ (strength::Error::NothingToSearch { .. } | strength::Error::SpaceTooLarge { .. }),
+                error @ (strength::Error::Cancelled
+                | strength::Error::NothingToSearch { .. }
+                | strength::Error::SpaceTooLarge { .. }),
             ) => return Err(error.into()),
             Err(error) => match Fault::of(subject.document, set.id, &set.path, &error) {
                 Fault::Row(row) => not_sized.push(NotSized::of(row)),

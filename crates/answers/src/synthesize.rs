@@ -393,7 +393,8 @@ pub fn solve_by<E: From<Error>>(
         left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
         let of = answered.found.len();
         let judged = |done| means.judged(done, of);
-        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out, &judged)?);
+        let rated = || means.rated();
+        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out, &judged, &rated)?);
         if left_out.has(Reason::Unjudged) {
             answer.complete = false;
         }
@@ -450,7 +451,8 @@ pub fn solve_by<E: From<Error>>(
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
             kept.shift = teeth.shift();
             let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
-            let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth)?;
+            let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth, &|| means.ended())?;
+            answer.complete &= !means.ended();
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }

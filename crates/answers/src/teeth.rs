@@ -18,6 +18,7 @@ use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, Candidate};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// The most sets that are written: their text is built whole, in some 100 MB.
 pub const MOST_SETS: usize = 100_000;
@@ -91,11 +92,11 @@ impl Answer for Teeth {
     const NAME: &'static str = "teeth";
 }
 
-/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1.
+/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
-pub fn answer(wanted: &Wanted, done: impl FnMut(f64)) -> Result<Teeth, Error> {
+pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
     let found = bounds.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found.found > MOST_SETS as u64 {
@@ -150,7 +151,7 @@ pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
             mode,
             tolerance / f64::from(sets),
             1,
-            |_| {},
+            |_| ControlFlow::Continue(()),
         ) {
             Ok(_) => Ok(true),
             Err(epicyclic_gears::Error::NoToothNumbers { .. }) => Ok(false),

@@ -51,6 +51,7 @@ use records::{
 use response::Excited;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 use train_records::{CoupledModes, TorsionalModes};
 use wanted::Settled;
 pub use wanted::Wanted;
@@ -93,13 +94,17 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "vibrate", "no masses and no stiffness")
 }
 
-/// The vibration of the sets of a gearbox.
+/// The vibration of the sets of a gearbox, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
 /// - [`Error::NoGear`], [`Error::NoSet`], [`Error::NothingVibrates`] where no set says enough, and those of [`Wanted`].
 /// - [`Error::Document`] for what the file says wrong, with its place.
-pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
-    let found = vibrating(subject, wanted)?;
+pub fn answer(
+    subject: &Subject<'_>,
+    wanted: &Wanted,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vibration, Error> {
+    let found = vibrating(subject, wanted, goes_on)?;
     if found.sets.is_empty() && found.torsional.is_empty() {
         let why = |one: &NotCalculated| {
             let gear = one.gear.as_ref().map_or_else(String::new, |gear| format!(" in gear {gear}"));
@@ -115,7 +120,11 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error
 ///
 /// # Errors
 /// Those of [`answer`] but [`Error::NothingVibrates`]: what keeps sets from being calculated is told.
-pub fn chapter(subject: &Subject<'_>, wanted: &Wanted) -> Result<Option<Vibration>, Error> {
+pub fn chapter(
+    subject: &Subject<'_>,
+    wanted: &Wanted,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Option<Vibration>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(None);
     }
@@ -123,10 +132,14 @@ pub fn chapter(subject: &Subject<'_>, wanted: &Wanted) -> Result<Option<Vibratio
     if file.sets.iter().all(|set| set.vibration.is_none()) {
         return Ok(None);
     }
-    vibrating(subject, wanted).map(Some)
+    vibrating(subject, wanted, goes_on).map(Some)
 }
 
-fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
+fn vibrating(
+    subject: &Subject<'_>,
+    wanted: &Wanted,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vibration, Error> {
     let file: GearboxFile = subject.document.read()?;
     let gearbox = &subject.gearbox;
     let settled = Settled::of(subject, &file, wanted)?;
@@ -198,7 +211,7 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
             };
             if !settled.speeds.is_empty() {
                 for gear in &names {
-                    over_speeds(&of, &prepared, &found, (place, gear), &settled, &mut all)?;
+                    over_speeds(&of, &prepared, &found, (place, gear), (&settled, goes_on), &mut all)?;
                 }
             }
             all.sets.push(found.told(&of, &prepared, held, names)?);
@@ -230,7 +243,7 @@ fn over_speeds(
     prepared: &Prepared,
     found: &Found,
     (place, gear): (usize, &str),
-    settled: &Settled,
+    (settled, goes_on): (&Settled, &dyn Fn() -> ControlFlow<()>),
     all: &mut Vibration,
 ) -> Result<(), Error> {
     let set = of.entry.id.clone();
@@ -252,7 +265,7 @@ fn over_speeds(
         return Ok(());
     }
     let speeds = &settled.speeds;
-    let branches = match Branches::new(found, carrier, speeds) {
+    let branches = match Branches::new(found, carrier, speeds, goes_on) {
         Ok(branches) => branches,
         Err(epicyclic_vibration::Error::Unbalanced { .. }) => {
             all.not_calculated.push(without(Reason::Unbalanced, vec![]));

@@ -55,7 +55,7 @@ fn every_design_of_a_search_is_a_motor_that_can_be_made() {
         search([5, 7], [50, 70], Size::default()),
         search([3, 8], [84, 96], Size::WidthOverDiameter(0.3)),
     ] {
-        let searched = motor_search::search(&wanted, &|_| ()).unwrap();
+        let searched = motor_search::search(&wanted, &|_| std::ops::ControlFlow::Continue(())).unwrap();
         let answer = searched.answer();
         assert_eq!(answer.designs.len(), answer.found);
         for design in &answer.designs {

@@ -24,7 +24,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let folder = &args.output;
     let made = call.desk.make_folder(folder);
     made.map_err(|source| Failure::Write { file: folder.clone(), source })?;
-    let made = atlas(&classes().map_err(epicyclic_answers::Error::from)?, env!("CARGO_PKG_VERSION"))?;
+    let classes = classes().map_err(epicyclic_answers::Error::from)?;
+    let made = atlas(&classes, env!("CARGO_PKG_VERSION"), &|| call.goes_on())?;
     let tables = [("structures", made.structures), ("functions", made.functions), ("gears", made.gears)];
     let mut told = String::new();
     let mut files = Vec::new();

@@ -197,7 +197,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         _ => vec![],
     };
     if args.output.is_page() {
-        let sheet = page::design::sheet(&design, own_page(&design)?, &imprint::command(call));
+        let sheet = page::design::sheet(&design, own_page(call, &design)?, &imprint::command(call));
         args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
     } else {
         args.output.deliver_with(call, files, &design)?;
@@ -218,12 +218,13 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 }
 
 /// The page of the gearbox that was designed.
-fn own_page(design: &Design) -> Result<Option<Sheet>, Failure> {
+fn own_page(call: &Call<'_>, design: &Design) -> Result<Option<Sheet>, Failure> {
     let Some(file) = &design.file else { return Ok(None) };
     let document = Document::parse_one("the gearbox of the design", file.as_bytes())?;
     let subject = one(&document, &epicyclic_answers::gearbox::Choice::default())?;
     let (report, shown) =
-        gearbox::answer(&subject, Default::default(), &Default::default()).map_err(refuse)?;
+        gearbox::answer(&subject, Default::default(), &Default::default(), &|| call.goes_on())
+            .map_err(refuse)?;
     Ok(Some(page::gearbox::sheet(&report, &shown, None, file.clone())?))
 }
 

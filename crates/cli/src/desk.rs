@@ -23,6 +23,7 @@ use epicyclic_answers::answer::write_json;
 use epicyclic_formats::visible;
 use std::ffi::OsString;
 use std::io;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -138,23 +139,24 @@ pub trait Desk: Sync {
         let _ = told;
     }
 
-    /// From here on, or no more, a search ends by itself where [`Desk::is_asked`] says so, with what it has.
+    /// From here on, or no more, what was found can be told when the call is asked to end: then it ends by itself.
     fn hears(&self, hears: bool) {
         let _ = hears;
     }
 
-    /// Whether a search that hears is to end with what it has.
-    fn is_asked(&self) -> bool {
-        false
-    }
-
-    /// Whether any search is to end at once: its call unwinds from the next progress it makes, and has no answer.
-    fn must_end(&self) -> bool {
-        false
+    /// Whether the call is asked to end: then the seconds that are left to tell what was found, 0 where there are none. Asked from any
+    /// thread, by every search, motion and table after at most some 50 ms of work.
+    fn asked_to_end(&self) -> Option<f64> {
+        None
     }
 
     /// Seconds since any one moment.
     fn seconds(&self) -> f64;
+}
+
+/// Whether the call of a desk goes on.
+pub(crate) fn goes_on(desk: &dyn Desk) -> ControlFlow<()> {
+    if desk.asked_to_end().is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// One call: its desk, its words, and whether it has answered.
@@ -180,6 +182,11 @@ impl<'d> Call<'d> {
     pub(crate) fn read(&self, file: Option<&Path>, name: &str, most: u64) -> Result<Text, Failure> {
         self.files.keep(self.desk, file)?;
         self.desk.read(file, most).map_err(|source| Failure::Read { file: name.into(), source })
+    }
+
+    /// Whether the call goes on: the one means by which everything that takes long is ended.
+    pub(crate) fn goes_on(&self) -> ControlFlow<()> {
+        goes_on(self.desk)
     }
 
     /// Whether anything was answered: then there is an answer, whatever fails later.
@@ -228,19 +235,14 @@ impl<'d> Call<'d> {
     }
 }
 
-/// A search that ends early, with what it has, where it is asked to.
+/// From when it is made until it goes, what was found can be told when the call is asked to end.
 pub(crate) struct Hearing<'d>(&'d dyn Desk);
 
 impl<'d> Hearing<'d> {
-    /// A search that begins.
+    /// Something that can be told begins.
     pub(crate) fn new(call: &Call<'d>) -> Self {
         call.desk.hears(true);
         Self(call.desk)
-    }
-
-    /// Whether it was asked to end.
-    pub(crate) fn is_asked(&self) -> bool {
-        self.0.is_asked()
     }
 }
 

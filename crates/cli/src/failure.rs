@@ -6,8 +6,9 @@
 //! | 1 | nothing found: the question is sound and has no answer within its bounds |
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
-//! | 130 | ended by Ctrl-C |
+//! | 130 | asked to end: Ctrl-C, or SIGTERM |
 
+use crate::desk::Call;
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::refused::{Place, Refused};
 use epicyclic_formats::gearbox::gear_place;
@@ -23,8 +24,11 @@ const NOTHING_FOUND: u8 = 1;
 pub(crate) const WRONG: u8 = 2;
 /// A file or stream that fails.
 const INPUT_OUTPUT: u8 = 3;
-/// Ended by Ctrl-C.
+/// Asked to end.
 pub const INTERRUPTED: u8 = 130;
+
+/// What is told of a call that was ended before there was anything to show.
+pub const NOTHING_TO_SHOW: &str = "interrupted: ended before there was an answer; no file is half-written";
 
 /// The exit codes, as the help tells them.
 pub(crate) const EXIT_CODES: &str = "\
@@ -35,8 +39,8 @@ Exit codes:
   2  wrong usage, or an input that cannot be
   3  a file or stream that cannot be read or written; a reader that
      leaves before the end, as head does, is told nothing
-  130  ended by Ctrl-C; a search through classes of gearboxes tells first what
-     it has found";
+  130  asked to end, by Ctrl-C or SIGTERM; within a second, with what was
+     found where there is something to show, and no file half-written";
 
 /// A refusal, shown after `error: `.
 #[derive(Debug, thiserror::Error)]
@@ -115,7 +119,7 @@ pub(crate) enum Failure {
     /// An answer that says that there is none.
     #[error("{0}")]
     NothingFound(String),
-    /// A search that Ctrl-C ended.
+    /// A call that was asked to end.
     #[error("{0}")]
     Interrupted(String),
     /// A search that takes too long here, with the commands to divide it.
@@ -170,6 +174,15 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// The same, unless the call was asked to end: whatever a search says that was broken off, it was for that.
+    pub(crate) fn of_a_call_asked_to_end(self, call: &Call<'_>) -> Self {
+        match self {
+            Self::Interrupted(_) | Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) => self,
+            _ if call.goes_on().is_continue() => self,
+            _ => Self::Interrupted(NOTHING_TO_SHOW.to_owned()),
+        }
+    }
+
     /// The exit code.
     pub(crate) fn code(&self) -> u8 {
         match self {

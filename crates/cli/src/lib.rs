@@ -118,8 +118,7 @@ use std::ffi::OsString;
 
 pub use desk::Desk;
 pub use desk::memory::Memory;
-pub use failure::INTERRUPTED;
-pub use progress::Ended;
+pub use failure::{INTERRUPTED, NOTHING_TO_SHOW};
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]
@@ -206,6 +205,7 @@ fn end(call: &Call<'_>, done: Result<(), failure::Failure>, is_json: bool) -> u8
     match done {
         Ok(()) => 0,
         Err(failure) => {
+            let failure = failure.of_a_call_asked_to_end(call);
             if is_json {
                 output::in_place_of_an_answer(call, &failure.as_answer());
             } else if !call.has_answered() {

@@ -34,6 +34,9 @@ pub(crate) fn of_synthesis(error: epicyclic_answers::Error) -> Failure {
             let option = of_teeth(&error, "--planet-count").unwrap_or("--teeth");
             Failure::Option { option, message: error.to_string() }
         }
+        error @ epicyclic_answers::Error::Synthesis(
+            epicyclic_synthesis::Error::Contradiction { .. } | epicyclic_synthesis::Error::Solver(_),
+        ) => error.into(),
         epicyclic_answers::Error::Synthesis(error) => {
             let option = match error {
                 epicyclic_synthesis::Error::Steps { .. } => "--step",
@@ -52,7 +55,7 @@ pub(crate) fn of_wheel(
     span: Span<u32>,
     usual: RangeInclusive<u32>,
 ) -> Result<RangeInclusive<u32>, Failure> {
-    let range = span.within(usual).map_err(|error| Failure::Range { option, error })?;
+    let range = span.closed(usual).map_err(|error| Failure::Range { option, error })?;
     if *range.start() == 0 {
         let message = format!("{span}: a wheel has at least 1 tooth");
         return Err(Failure::Option { option, message });

@@ -3,7 +3,7 @@
 use crate::analyze::{Choice, Load, subject};
 use crate::desk::Call;
 use crate::draw::to_scale;
-use crate::failure::Failure;
+use crate::failure::{Failure, NOTHING_TO_SHOW};
 use crate::imprint::PageArgs;
 use crate::named::Read;
 use crate::output::Target;
@@ -118,8 +118,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
     let wanted = args.exciting.wanted()?;
-    let (report, mut shown) =
-        gearbox::answer(&subject, args.load.input(), &wanted).map_err(Exciting::refuse)?;
+    let (report, mut shown) = gearbox::answer(&subject, args.load.input(), &wanted, &|| call.goes_on())
+        .map_err(Exciting::refuse)?;
     if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
         let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
         return Err(Failure::Option { option, message });
@@ -167,7 +167,11 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
 
 fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
     let read = simulate::Read::beside(call, document, args.choice.file())?;
-    let simulation = answers::simulate::answer(&read.document, &read.file, &read.beside)?;
+    let goes_on = |_| call.goes_on().is_continue();
+    let simulation = answers::simulate::answer_watched(&read.document, &read.file, &read.beside, goes_on)?;
+    if call.goes_on().is_break() {
+        return Err(Failure::Interrupted(NOTHING_TO_SHOW.to_owned()));
+    }
     let sheet = args.is_page().then(|| page::scenario::sheet(&simulation, file.clone()));
     let report = Report { file, about: About::Scenario(Box::new(simulation)) };
     written(call, args, sheet, &report).map_err(|failure| failure.in_file(&read.document, &Path::root()))

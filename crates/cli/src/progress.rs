@@ -1,6 +1,7 @@
 //! How large a long search is and how far, where anybody wants to know.
 
-use crate::desk::{Call, Desk};
+use crate::desk::{Call, Desk, goes_on};
+use std::ops::ControlFlow;
 use std::sync::{Mutex, Once};
 
 /// How often it is shown, in s; what is done sooner shows nothing.
@@ -93,19 +94,16 @@ impl<'d> Progress<'d> {
     }
 
     /// A pass of which nobody knows how many follow, and the share of it that is done.
-    pub(crate) fn at_pass(&self, pass: u32, share: f64) {
-        self.show(None, || format!("refining, pass {pass}: {:3.0} %", 100.0 * share));
+    pub(crate) fn at_pass(&self, pass: u32, share: f64) -> ControlFlow<()> {
+        self.show(None, || format!("refining, pass {pass}: {:3.0} %", 100.0 * share))
     }
 
-    /// The share that is done, from 0 to 1.
-    pub(crate) fn at(&self, share: f64) {
-        self.show(Some(share), || format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)));
+    /// The share that is done, from 0 to 1; a break where the call is asked to end.
+    pub(crate) fn at(&self, share: f64) -> ControlFlow<()> {
+        self.show(Some(share), || format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)))
     }
 
-    fn show(&self, share: Option<f64>, line: impl FnOnce() -> String) {
-        if self.desk.must_end() {
-            std::panic::resume_unwind(Box::new(Ended));
-        }
+    fn show(&self, share: Option<f64>, line: impl FnOnce() -> String) -> ControlFlow<()> {
         // A thread that finds another at it has nothing to add.
         if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock) {
             let now = self.desk.seconds();
@@ -114,6 +112,7 @@ impl<'d> Progress<'d> {
                 self.desk.progress(Some((&line(), share)));
             }
         }
+        goes_on(self.desk)
     }
 }
 
@@ -124,10 +123,6 @@ impl Drop for Progress<'_> {
         }
     }
 }
-
-/// What a call unwinds with that [`Desk::must_end`] ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Ended;
 
 #[cfg(test)]
 mod tests {

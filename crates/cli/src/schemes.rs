@@ -64,7 +64,7 @@ pub(crate) struct Args {
 /// Runs the command.
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let usual = RingToSunRange::USED;
-    let span = args.k.within(usual.low()..=usual.high());
+    let span = args.k.closed(usual.low()..=usual.high());
     let span = span.map_err(|error| Failure::Range { option: "--k", error })?;
     let range = RingToSunRange::new(*span.start(), *span.end()).map_err(of_option("--k"))?;
     let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(of_option("--efficiency"))?;

@@ -326,7 +326,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 impl Criteria {
     /// The ring-to-sun ratios allowed, within these.
     pub(crate) fn k(&self, usual: RangeInclusive<f64>) -> Result<RangeInclusive<f64>, Failure> {
-        self.k.within(usual).map_err(|error| Failure::Range { option: "--k", error })
+        self.k.closed(usual).map_err(|error| Failure::Range { option: "--k", error })
     }
 }
 
@@ -387,7 +387,7 @@ fn with_teeth(
                 )
             });
         }
-        shown.at(at.share);
+        shown.at(at.share)
     });
     drop(shown);
     let found = found.map_err(|error| refuse(args, error))?;
@@ -397,7 +397,7 @@ fn with_teeth(
     if for_programs {
         // Each design is made when it is written: there may be some hundred thousand of them.
         let shown = args.output.is_out_of_sight(call).then(|| Progress::of_writing(call));
-        let told = |share: f64| shown.iter().for_each(|shown| shown.at(share));
+        let told = |share: f64| shown.iter().for_each(|shown| _ = shown.at(share));
         if args.output.format() == Format::Json {
             let answer = found.streamed(&told)?;
             args.output.stream(call, &files, &mut |out| write_json(&answer, out))?;
@@ -481,7 +481,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let usual = Bounds::default();
     let given = &args.teeth_bounds;
     let closed =
-        |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
+        |option, span: Span<u32>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
     let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
     Ok(Bounds {
         sun: options::of_wheel("--sun", given.sun, usual.sun)?,
@@ -525,7 +525,7 @@ pub(crate) fn requirements(
         }
     };
     let range =
-        |option, span: Span<f64>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
+        |option, span: Span<f64>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
     let usual = Limits::default();
     let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;

@@ -1,18 +1,19 @@
 //! The command `serve`: the app in a browser, given out by the program itself, on this machine alone.
 //!
 //! It listens on 127.0.0.1 and answers who asks for that or `localhost` by name: no other machine reaches it, and no page of another host
-//! reads from it under a name of its own.
+//! reads from it under a name of its own. A client that stalls keeps nobody waiting but itself.
 
 mod app;
+mod http;
 
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use app::App;
 use clap::ValueHint;
+use http::{Reply, Request};
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
-use tiny_http::{Header, Method, Request, Response, Server};
 
 /// Where the page asks for the file it is to open.
 const OPENED: &str = "opened";
@@ -56,8 +57,6 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         message: format!("{} on 127.0.0.1: {error}; give another one, or 0 for any that is free", args.port),
     })?;
     let port = listened.local_addr().map_err(Failure::StandardOutput)?.port();
-    let server = Server::from_listener(listened, None)
-        .map_err(|error| Failure::Option { option: "--port", message: error.to_string() })?;
     let address = format!("http://127.0.0.1:{port}/{}", if file.is_some() { "#open" } else { "" });
     call.desk.answer(&mut |out| writeln!(out, "{address}")).map_err(Failure::StandardOutput)?;
     if !args.no_browser && open::that_detached(&address).is_err() {
@@ -65,51 +64,34 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     // A file that cannot be read any more is no reason to show what it was.
     let opened = |file: &Path| match read.clone().filter(|_| input::is_standard_input(file)) {
-        Some(text) => reply(text.into_bytes(), TEXT),
+        Some(text) => Reply::of(text.into_bytes(), TEXT),
         None => match input::text(call, file) {
-            Ok(text) => reply(text.into_bytes(), TEXT),
-            Err(failure) => reply(failure.told().into_bytes(), TEXT).with_status_code(500),
+            Ok(text) => Reply::of(text.into_bytes(), TEXT),
+            Err(failure) => Reply::failed(failure.told().into_bytes(), TEXT),
         },
     };
-    for request in server.incoming_requests() {
-        let reply = if !is_of_here(&request, port) {
-            refusal(403)
-        } else if !matches!(request.method(), Method::Get | Method::Head) {
-            refusal(405)
-        } else {
-            let asked = request.url().split(['?', '#']).next().unwrap_or_default().trim_start_matches('/');
-            match (asked, file) {
-                (OPENED, Some(file)) => Some(opened(file)),
-                ("", _) => app.file("index.html").map(|bytes| reply(bytes, "text/html; charset=utf-8")),
-                (name, _) => app.file(name).map(|bytes| reply(bytes, kind(name))),
-            }
-            .unwrap_or_else(|| refusal(404))
-        };
-        // Whoever asked may be gone.
-        let _ = request.respond(reply);
-    }
+    http::serve(&listened, &|request| {
+        if !is_of_here(request, port) {
+            return Reply::refusal(403);
+        }
+        if !matches!(request.method.as_str(), "GET" | "HEAD") {
+            return Reply::refusal(405);
+        }
+        let asked = request.url.split(['?', '#']).next().unwrap_or_default().trim_start_matches('/');
+        match (asked, file) {
+            (OPENED, Some(file)) => Some(opened(file)),
+            ("", _) => app.file("index.html").map(|bytes| Reply::of(bytes, "text/html; charset=utf-8")),
+            (name, _) => app.file(name).map(|bytes| Reply::of(bytes, kind(name))),
+        }
+        .unwrap_or_else(|| Reply::refusal(404))
+    });
     Ok(())
 }
 
-type Reply = Response<std::io::Cursor<Vec<u8>>>;
-
 /// Whether this machine is asked under its own name.
 fn is_of_here(request: &Request, port: u16) -> bool {
-    let host = request.headers().iter().find(|header| header.field.equiv("Host"));
     let here = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
-    host.is_some_and(|host| here.iter().any(|here| host.value.as_str() == here))
-}
-
-fn reply(bytes: Vec<u8>, kind: &str) -> Reply {
-    // A newer program has newer files under the same names.
-    let headers =
-        [("Content-Type", kind), ("Cache-Control", "no-cache"), ("X-Content-Type-Options", "nosniff")];
-    let headers = headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok());
-    headers.fold(Response::from_data(bytes), Response::with_header)
-}
-
-fn refusal(code: u16) -> Reply {
-    reply(vec![], "text/plain").with_status_code(code)
+    request.host.as_ref().is_some_and(|host| here.contains(host))
 }
 
 /// The media type of a file of the app.

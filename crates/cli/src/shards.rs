@@ -22,6 +22,9 @@ use std::sync::Mutex;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// The most bytes of a part: of so much the memory for what it holds is a multiple.
+const MOST_BYTES: u64 = 1 << 30;
+
 /// How often what is done is kept at most, in s.
 const KEPT_EVERY: f64 = 0.2;
 
@@ -58,7 +61,7 @@ pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path
             Part { version: VERSION.into(), share, searches }
         }
     };
-    let hearing = Hearing::new(call);
+    let _hearing = Hearing::new(call);
     for (number, Tried { searching: Searching { class, .. }, wish, .. }) in questions.iter().enumerate() {
         let before = std::mem::take(&mut part.searches[number].1);
         let at = before.progress();
@@ -66,14 +69,10 @@ pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path
         let keeping = Mutex::new(Keeping { part: part.clone(), next: call.desk.seconds(), failed: None });
         let work = go_on(*class, wish, share, before, &|work| {
             let at = work.progress();
-            shown.at(at.done as f64 / at.of.max(1) as f64);
+            let goes_on = shown.at(at.done as f64 / at.of.max(1) as f64);
             let mut keeping = keeping.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             keeping.keep(call, number, work, &progress);
-            if keeping.failed.is_some() || hearing.is_asked() {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
+            if keeping.failed.is_some() { ControlFlow::Break(()) } else { goes_on }
         });
         part.searches[number].1 = work.map_err(|error| of_synthesis(error.into()))?;
         if let Some(failed) = keeping.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).failed {
@@ -82,7 +81,7 @@ pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path
         if !part.searches[number].1.is_complete() {
             call.write(&[(progress.clone(), part.to_parquet()?)])?;
             return Err(Failure::Interrupted(format!(
-                "ended with {}; what is done is kept in {}, and the same command goes on from there",
+                "interrupted: ended with {}; what is done is kept in {}, and the same command goes on from there",
                 told(&part),
                 progress.display()
             )));
@@ -148,7 +147,12 @@ fn is_same(part: &Part, share: Share, asked: &[Asked]) -> bool {
 /// The part in a file, if there is one.
 fn read(call: &Call<'_>, file: &Path) -> Result<Option<Part>, Failure> {
     let failed = |source| Failure::Read { file: file.to_owned(), source };
-    let bytes = match call.desk.read(Some(file), u64::MAX) {
+    // A device may have no end, and a pipe no beginning.
+    if call.desk.exists(file) && !call.desk.are_one_file(file, file) {
+        let message = "a part is a file, no device, pipe or folder";
+        return Err(failed(io::Error::new(ErrorKind::InvalidInput, message)));
+    }
+    let bytes = match call.desk.read(Some(file), MOST_BYTES) {
         Ok(Text::Whole(bytes)) => bytes,
         Ok(Text::TooLarge { .. }) => return Err(failed(ErrorKind::FileTooLarge.into())),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),

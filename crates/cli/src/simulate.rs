@@ -112,8 +112,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
     let mut is_whole = true;
     let simulation = answers::answer_watched(&read.document, &read.file, &read.beside, |share| {
-        shown.at(share);
-        is_whole = !hearing.is_asked();
+        is_whole = shown.at(share).is_continue();
         is_whole
     });
     drop((shown, hearing));
@@ -155,12 +154,9 @@ fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(),
         steps: args.steps.unwrap_or(11),
     };
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
-    let goes_on = |share: f64| {
-        shown.at(share);
-        !hearing.is_asked()
-    };
+    let goes_on = |share: f64| shown.at(share).is_continue();
     let found = sweep::sweep(&read.document, &read.beside, &wanted, goes_on);
-    drop(shown);
+    drop((shown, hearing));
     let found = found.map_err(|error| match error {
         epicyclic_answers::Error::Places { .. } => {
             Failure::Option { option: "--steps", message: error.to_string() }

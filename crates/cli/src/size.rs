@@ -5,8 +5,7 @@ use crate::failure::Failure;
 use crate::progress::duration;
 use epicyclic_answers::synthesize::Searching;
 use epicyclic_formats::Physical as _;
-use epicyclic_synthesis::count::structures;
-use epicyclic_synthesis::estimate::sample;
+use epicyclic_synthesis::estimate;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use std::ffi::OsString;
@@ -18,6 +17,10 @@ const TOLD: f64 = 1e6;
 const SAMPLED: f64 = 1e9;
 /// How long a sample takes, in s, and once more as long; longer where few structures take that long.
 const SAMPLE_S: f64 = 1.0;
+/// How long it takes at most; what takes longer is told by what was searched until then.
+const MOST_SAMPLE_S: f64 = 20.0;
+/// How long the structures of a class are counted, in s; of more their number is estimated, in as long.
+const COUNT_S: f64 = 1.0;
 /// Of how many structures a sample is small.
 const FEW: usize = 100;
 /// The longest search that is begun without being asked for, in s.
@@ -34,40 +37,52 @@ pub(crate) fn check(
     longest: Option<Time>,
 ) -> Result<(), Failure> {
     let class = searching.class;
-    let structures = structures(class);
-    let space = searching.space(structures as f64);
+    let clock = || call.desk.seconds();
+    let ended = || call.goes_on().is_break();
+    // Where the search is to end it ends by itself, with what classes before had.
+    let Some(size) = estimate::size(class, COUNT_S, &clock, &ended) else { return Ok(()) };
+    let space = searching.space(size.structures as f64);
     if space < TOLD && longest.is_none() {
         return Ok(());
     }
-    let size = format!(
-        "{class}: {structures}, with sets of {} shift elements {space:.1e}",
-        searching.shift_elements
-    );
+    let count = if size.is_counted() {
+        size.structures.to_string()
+    } else {
+        format!("about {:.1e}", size.structures as f64)
+    };
+    let told =
+        format!("{class}: {count}, with sets of {} shift elements {space:.1e}", searching.shift_elements);
+    call.complain(&format!("searching {told}"));
     if space < SAMPLED && longest.is_none() {
-        call.complain(&format!("searching {size}"));
         return Ok(());
     }
-    let begun = call.desk.seconds();
-    let sampled = sample(class, wish, Share::WHOLE, SAMPLE_S, &|| call.desk.seconds() - begun)
+    let begun = clock();
+    let is_over = || ended() || clock() - begun > MOST_SAMPLE_S;
+    let sampled = estimate::sample(class, wish, Share::WHOLE, &size, (SAMPLE_S, &clock), &is_over)
         .map_err(epicyclic_answers::Error::from)?;
+    if ended() || sampled.sampled == 0 {
+        return Ok(());
+    }
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let seconds = sampled.seconds() / threads as f64;
     let gigabytes = sampled.bytes(threads) / 1e9;
     // The times of single structures differ widely.
     let few = match sampled.sampled {
+        1 => ", by a sample of one structure".to_owned(),
         few @ ..FEW => format!(", by a sample of {few} structures"),
         _ => String::new(),
     };
-    let about = format!("about {} and {gigabytes:.1} GB on {threads} threads{few}", duration(seconds));
+    let least = if sampled.is_cut { "at least" } else { "about" };
+    let about = format!("{least} {} and {gigabytes:.1} GB on {threads} threads{few}", duration(seconds));
     let refused = match longest {
         Some(longest) => seconds > longest.si(),
         None => seconds > LONGEST_S || gigabytes > MOST_GB,
     };
     if refused {
         let shares = sampled.shares(LONGEST_S * threads as f64).ceil().max(2.0);
-        return Err(Failure::TooLong(refusal(&size, &about, shares, call.words.iter().cloned())));
+        return Err(Failure::TooLong(refusal(&told, &about, shares, call.words.iter().cloned())));
     }
-    call.complain(&format!("searching {size}; {about}"));
+    call.complain(&format!("this takes {about}"));
     Ok(())
 }
 

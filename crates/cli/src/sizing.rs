@@ -148,7 +148,7 @@ enum Least {
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = subject(&document)?;
-    let size = answer(&subject, &args.space.wanted(call)?).map_err(refuse)?;
+    let size = answer(&subject, &args.space.wanted(call)?, &|| call.goes_on()).map_err(refuse)?;
     let without = size.sets.iter().find(|set| set.found.is_empty());
     let files = match (&args.save, without) {
         (Some(file), None) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
@@ -170,10 +170,6 @@ impl Options {
         };
         let planets =
             self.planets.within(1..=8).map_err(|error| Failure::Range { option: "--planets", error })?;
-        if *planets.start() == 0 || *planets.end() > 8 {
-            let message = format!("{}: a set has 1 to 8 planets", self.planets);
-            return Err(Failure::Option { option: "--planets", message });
-        }
         let bearings = match &self.bearings {
             _ if self.no_bearings => vec![],
             Some(file) => bearings(&input::text(call, file)?).map_err(refuse)?,

@@ -22,6 +22,7 @@ use epicyclic_answers::synthesize::{
 use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::class::{MOST_ELEMENTS, MOST_ENGAGED, MOST_LINKS, MOST_SETS};
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
@@ -35,15 +36,6 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use uom::si::f64::{Ratio, Time};
-
-/// The most planet sets that are searched.
-const MOST_SETS: u32 = 4;
-
-/// The most shift elements that are searched.
-const MOST_ELEMENTS: u32 = 7;
-
-/// The most of them that a gear engages.
-const MOST_ENGAGED: u32 = 4;
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -87,20 +79,22 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = Class::Core)]
     class: Class,
 
-    /// Number of planet sets, at most 4.
-    #[arg(long, default_value = "1..3")]
+    // The limits are those of the library; their help is made of them.
+    #[arg(long, default_value = "1..3", help = format!("Number of planet sets, at most {MOST_SETS}"))]
     sets: Span<u32>,
 
-    /// Number of shift elements, at most 7.
-    #[arg(long, default_value = "1..6")]
+    #[arg(long, default_value = "1..6", help = format!("Number of shift elements, at most {MOST_ELEMENTS}"))]
     elements: Span<u32>,
 
-    /// Shift elements that a gear engages, at most 4. Default: 1..3; with --links or --open 1..4.
-    #[arg(long)]
+    #[arg(
+        long,
+        help = format!(
+            "Shift elements that a gear engages, at most {MOST_ENGAGED}. Default: 1..3; with --links or --open 1..{MOST_ENGAGED}"
+        )
+    )]
     engaged: Option<Span<u32>>,
 
-    /// Number of moving links: sets, engaged elements and one more.
-    #[arg(long)]
+    #[arg(long, help = format!("Number of moving links: sets, engaged elements and one more; at most {MOST_LINKS}"))]
     links: Option<Span<u32>>,
 
     /// Shift elements that are open in a gear: those not engaged.
@@ -290,13 +284,13 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         elements: counts("--elements", args.elements, 1..=MOST_ELEMENTS)?,
         engaged: match args.engaged {
             Some(engaged) => counts("--engaged", engaged, 1..=MOST_ENGAGED)?,
-            None if args.links.is_some() || args.open.is_some() => 1..=MOST_ENGAGED as usize,
+            None if args.links.is_some() || args.open.is_some() => 1..=MOST_ENGAGED,
             None => 1..=3,
         },
-        links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=9))?,
+        links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=MOST_LINKS))?,
         open: args.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
-        double_planets: counts("--double-planets", args.double_planets, 0..=4)?,
+        double_planets: counts("--double-planets", args.double_planets, 0..=MOST_SETS)?,
         k_double: args
             .k_double
             .within(ANY_K)
@@ -325,9 +319,9 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         shards::merged(call, &wanted, &args.merge)?
     };
     if args.merge.is_empty() && found.complete {
-        found.near_miss = near_miss(&wanted, &found)?;
+        found.near_miss = near_miss(&wanted, &found, &|| call.goes_on())?;
     }
-    let ended = || Failure::Interrupted("the search was ended before it was complete".into());
+    let ended = || Failure::Interrupted("interrupted: the search was ended before it was complete".into());
     if found.found == 0 && !found.complete {
         return Err(ended());
     }
@@ -371,9 +365,8 @@ fn searched(
     wanted: &Wanted,
     longest: Option<Time>,
 ) -> Result<(Synthesis, Vec<Kept>), Failure> {
-    let hearing = Hearing::new(call);
-    let judging = Mutex::default();
-    solve_by(wanted, &mut Here { call, wanted, longest, hearing, judging, goes_on: false })
+    let _hearing = Hearing::new(call);
+    solve_by(wanted, &mut Here { call, wanted, longest, judging: Mutex::default(), goes_on: false })
 }
 
 /// A search on this machine.
@@ -381,16 +374,27 @@ struct Here<'c, 'd> {
     call: &'c Call<'d>,
     wanted: &'c Wanted,
     longest: Option<Time>,
-    hearing: Hearing<'d>,
-    /// While solutions are judged: how far that is, and whether the search had been asked to end before.
-    judging: Mutex<Option<(Progress<'d>, bool)>>,
+    /// While solutions are judged: how far that is.
+    judging: Mutex<Option<Progress<'d>>>,
     /// Whether gearboxes were found, none of use, and larger classes are searched.
     goes_on: bool,
 }
 
+/// Seconds before what was found has to be told, when nothing more is judged, and when nothing more is rated.
+const TO_RATE: f64 = 0.3;
+const TO_TELL: f64 = 0.1;
+
+impl Here<'_, '_> {
+    /// Goes on until so many seconds are left to tell what was found.
+    fn until(&self, seconds: f64) -> ControlFlow<()> {
+        let is_over = self.call.desk.asked_to_end().is_some_and(|left| left <= seconds);
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 impl Means<Failure> for Here<'_, '_> {
     fn search(&mut self, searching: &Searching, wish: &Wish) -> Result<Option<run::Answer>, Failure> {
-        let Self { call, wanted, hearing, .. } = self;
+        let Self { call, wanted, .. } = self;
         wanted.limits.check(&wish.gears).map_err(|error| options::of_synthesis(error.into()))?;
         match size::check(call, searching, wish, self.longest) {
             // What was found in smaller classes is told all the same.
@@ -401,25 +405,30 @@ impl Means<Failure> for Here<'_, '_> {
             checked => checked?,
         }
         let shown = Progress::new(call);
-        let found = search(searching.class, wish, Share::WHOLE, &|at| {
-            shown.at(at.done as f64 / at.of.max(1) as f64);
-            if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
+        let found =
+            search(searching.class, wish, Share::WHOLE, &|at| shown.at(at.done as f64 / at.of.max(1) as f64));
         *self.judging.lock().unwrap_or_else(PoisonError::into_inner) = None;
         found.map(Some).map_err(|error| options::of_synthesis(error.into()))
     }
 
     fn judged(&self, done: usize, of: usize) -> ControlFlow<()> {
-        let is_asked = self.hearing.is_asked();
         let mut judging = self.judging.lock().unwrap_or_else(PoisonError::into_inner);
-        // What a search that was ended has found is judged to the end.
-        let (shown, was_asked) = judging.get_or_insert_with(|| (Progress::of_judging(self.call), is_asked));
-        shown.at(done as f64 / of.max(1) as f64);
-        let is_over = is_asked && !*was_asked;
-        if is_over || done == of {
+        let shown = judging.get_or_insert_with(|| Progress::of_judging(self.call));
+        // What was found is judged as long as there is time to tell it.
+        let _ = shown.at(done as f64 / of.max(1) as f64);
+        let goes_on = self.until(TO_RATE);
+        if goes_on.is_break() || done == of {
             *judging = None;
         }
-        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        goes_on
+    }
+
+    fn rated(&self) -> ControlFlow<()> {
+        self.until(TO_TELL)
+    }
+
+    fn ended(&self) -> bool {
+        self.call.goes_on().is_break()
     }
 
     fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
@@ -454,7 +463,7 @@ impl Wishes {
     }
 
     fn limits(&self) -> Result<Limits, Failure> {
-        let steps = self.step.map(|step| step.within(1.0..=f64::INFINITY)).transpose();
+        let steps = self.step.map(|step| step.closed(1.0..=f64::INFINITY)).transpose();
         let steps = steps.map_err(|error| Failure::Range { option: "--step", error })?;
         if steps.as_ref().is_some_and(|steps| *steps.start() < 1.0) {
             let message = "a step is the higher ratio over the next lower, at least 1".into();
@@ -472,7 +481,7 @@ impl Wishes {
 
 /// How many sets have equal k.
 fn equal_k(count: u32) -> Result<usize, Failure> {
-    if !(1..=MOST_SETS).contains(&count) {
+    if !(1..=MOST_SETS).contains(&(count as usize)) {
         let message = format!("from 1, which asks for nothing, to {MOST_SETS}");
         return Err(Failure::Option { option: "--equal-k", message });
     }
@@ -490,9 +499,10 @@ fn greatest(option: &'static str, value: Option<Number>) -> Result<Option<f64>, 
 fn counts(
     option: &'static str,
     span: Span<u32>,
-    within: RangeInclusive<u32>,
+    within: RangeInclusive<usize>,
 ) -> Result<RangeInclusive<usize>, Failure> {
-    let range = span.within(within).map_err(|error| Failure::Range { option, error })?;
+    let [least, most] = [within.start(), within.end()].map(|end| u32::try_from(*end).unwrap_or(u32::MAX));
+    let range = span.within(least..=most).map_err(|error| Failure::Range { option, error })?;
     Ok(*range.start() as usize..=*range.end() as usize)
 }
 

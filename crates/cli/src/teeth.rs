@@ -287,5 +287,5 @@ fn closed<T: epicyclic_formats::range::End>(
     span: Span<T>,
     usual: RangeInclusive<T>,
 ) -> Result<RangeInclusive<T>, Failure> {
-    span.within(usual).map_err(|error| Failure::Range { option, error })
+    span.closed(usual).map_err(|error| Failure::Range { option, error })
 }

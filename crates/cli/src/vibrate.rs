@@ -178,7 +178,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         return Err(Failure::Option { option: "--coupled", message });
     }
     let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
-    let answer = answers::answer(&subject, &wanted).map_err(|error| match error {
+    let answer = answers::answer(&subject, &wanted, &|| call.goes_on()).map_err(|error| match error {
         Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
         error => Exciting::refuse(error),
     })?;

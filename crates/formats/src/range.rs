@@ -14,7 +14,8 @@ use crate::{quantity::parse_number, visible::one_line};
 /// use epicyclic_formats::Span;
 ///
 /// let teeth: Span<u32> = "17..".parse()?;
-/// assert_eq!(teeth.within(12..=200)?, 17..=200);
+/// assert_eq!(teeth.closed(12..=200)?, 17..=200);
+/// assert_eq!("17..40".parse::<Span<u32>>()?.within(1..=20).unwrap_err().to_string(), "17..40: allowed is 1 to 20");
 /// assert_eq!("20".parse::<Span<u32>>()?.single(), Some(20));
 /// assert_eq!("40..12".parse::<Span<u32>>().unwrap_err().to_string(), "40..12: write the smaller number first: 12..40");
 /// # Ok::<(), epicyclic_formats::RangeError>(())
@@ -101,6 +102,16 @@ pub enum RangeError {
         /// Where the default ends.
         usual: String,
     },
+    /// An end beyond what is allowed.
+    #[error("{written}: allowed is {least} to {most}")]
+    Outside {
+        /// The range.
+        written: String,
+        /// The least allowed.
+        least: String,
+        /// The most allowed.
+        most: String,
+    },
 }
 
 impl<T: End> Span<T> {
@@ -116,11 +127,24 @@ impl<T: End> Span<T> {
         self.from.filter(|_| self.from == self.to)
     }
 
-    /// The range, with open ends taken from `usual`.
+    /// The range within what is allowed, with open ends taken from there.
+    ///
+    /// # Errors
+    /// [`RangeError::Outside`] where an end is not within `allowed`.
+    pub fn within(&self, allowed: RangeInclusive<T>) -> Result<RangeInclusive<T>, RangeError> {
+        let (from, to) = (self.from.unwrap_or(*allowed.start()), self.to.unwrap_or(*allowed.end()));
+        if allowed.contains(&from) && allowed.contains(&to) {
+            return Ok(from..=to);
+        }
+        let [least, most] = [allowed.start(), allowed.end()].map(ToString::to_string);
+        Err(RangeError::Outside { written: self.to_string(), least, most })
+    }
+
+    /// The range, with open ends taken from `usual`, which given ends may exceed.
     ///
     /// # Errors
     /// [`RangeError::Open`] where that would turn it around.
-    pub fn within(&self, usual: RangeInclusive<T>) -> Result<RangeInclusive<T>, RangeError> {
+    pub fn closed(&self, usual: RangeInclusive<T>) -> Result<RangeInclusive<T>, RangeError> {
         let (from, to) = (self.from.unwrap_or(*usual.start()), self.to.unwrap_or(*usual.end()));
         if from <= to {
             return Ok(from..=to);
@@ -226,7 +250,7 @@ mod tests {
 
     fn teeth(text: &str) -> Result<String, String> {
         let span = text.parse::<Span<u32>>().map_err(|error| error.to_string())?;
-        span.within(12..=200).map(|range| format!("{range:?}")).map_err(|error| error.to_string())
+        span.closed(12..=200).map(|range| format!("{range:?}")).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -243,7 +267,22 @@ mod tests {
         ] {
             assert_eq!(teeth(text).as_deref(), Ok(range), "{text}");
         }
-        assert_eq!("1.3..10".parse::<Span<f64>>().unwrap().within(1.1..=9.0), Ok(1.3..=10.0));
+        assert_eq!("1.3..10".parse::<Span<f64>>().unwrap().closed(1.1..=9.0), Ok(1.3..=10.0));
+    }
+
+    #[test]
+    fn no_end_is_beyond_what_is_allowed() {
+        let within = |text: &str| {
+            let span = text.parse::<Span<u32>>().unwrap();
+            span.within(1..=6).map(|range| format!("{range:?}")).map_err(|error| error.to_string())
+        };
+        for (text, range) in [("1..6", "1..=6"), ("..4", "1..=4"), ("5..", "5..=6"), ("6", "6..=6")] {
+            assert_eq!(within(text).as_deref(), Ok(range), "{text}");
+        }
+        for text in ["0..3", "0", "7", "5..7", "7..", "..0"] {
+            assert_eq!(within(text), Err(format!("{text}: allowed is 1 to 6")), "{text}");
+        }
+        assert!("1.05..30".parse::<Span<f64>>().unwrap().within(1.05..=20.0).is_err());
     }
 
     #[test]

@@ -96,7 +96,9 @@ fn of_transmission(text: &str) -> Option<Error> {
 /// The refusal of a text, which is the same with its keys in the other order: path and name, and what begins at its position.
 fn refusal(text: &str, of: fn(&str) -> Option<Error>) -> [String; 3] {
     let told = |text: &str| {
-        let error = of(text).unwrap_or_else(|| panic!("nothing is refused in\n{text}"));
+        let refused = of(text);
+        assert!(refused.is_some(), "nothing is refused in\n{text}");
+        let error = refused.unwrap();
         let at = error.at();
         let line = text.lines().nth(at.position.line - 1).unwrap();
         let rest: String = line.chars().skip(at.position.column - 1).collect();

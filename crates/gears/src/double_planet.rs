@@ -60,7 +60,7 @@ use crate::teeth::ToothCount;
 use crate::tolerance::TOUCH;
 use crate::units::radians;
 use std::fmt;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// Tooth numbers and number of planet pairs of a double-planet set that goes together.
 ///
@@ -91,6 +91,9 @@ pub struct DoublePlanetNumbers {
 }
 
 /// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
+/// Rings of one sun after which whoever watches a search is asked.
+const RINGS: u32 = 64;
+
 impl fmt::Display for DoublePlanetNumbers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}+{}/{} ×{}", self.sun, self.inner, self.outer, self.ring, self.pairs)
@@ -347,6 +350,7 @@ impl Bounds {
         self.each_sun_and_ring(|sun, ring| {
             let frames = self.planets.clone().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
             frames.for_each(|frame| found.extend(frame.all()));
+            Ok(())
         })?;
         Ok(found)
     }
@@ -365,32 +369,35 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn double_planet_choices(&self) -> Result<Vec<DoublePlanetNumbers>, Error> {
         let mut found = Vec::new();
-        self.each_sun_and_ring(|sun, ring| found.extend(self.best_planets(sun, ring)))?;
+        self.each_sun_and_ring(|sun, ring| {
+            found.extend(self.best_planets(sun, ring));
+            Ok(())
+        })?;
         Ok(found)
     }
 
     /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first `most` of them, each with the
     /// planets of [`double_planet_choices`](Self::double_planet_choices): the most exact first, equally exact ones by ring and sun.
-    /// `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    /// `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
     /// use epicyclic_gears::simple_set::{Member, Mode};
     /// let ring_to_carrier = Mode::new(Member::Ring, Member::Carrier)?;
-    /// let found = Bounds::default().double_planets_for_ratio(0.625, ring_to_carrier, 0.0, 1, |_| {})?;
+    /// let found = Bounds::default().double_planets_for_ratio(0.625, ring_to_carrier, 0.0, 1, |_| std::ops::ControlFlow::Continue(()))?;
     /// assert_eq!(found.first[0].teeth.to_string(), "18/12+12/48 ×3");
     /// # Ok::<(), epicyclic_gears::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio).
+    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn double_planets_for_ratio(
         &self,
         wanted: f64,
         mode: Mode,
         tolerance: f64,
         most: usize,
-        mut done: impl FnMut(f64),
+        mut done: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<RankedDoublePlanets, Error> {
         self.check()?;
         let mut search = Search::new(wanted, tolerance)?;
@@ -403,16 +410,18 @@ impl Bounds {
         let suns = f64::from(self.sun.end() - self.sun.start()) + 1.0;
         let mut last = 0;
         self.each_sun_and_ring(|sun, ring| {
-            if sun.get() != last {
+            if sun.get() != last || ring.get() % RINGS == 0 {
                 last = sun.get();
-                done(f64::from(last - self.sun.start()) / suns);
+                if done(f64::from(last - self.sun.start()) / suns).is_break() {
+                    return Err(Error::Cancelled);
+                }
             }
-            let Ok(ratio) = BasicRatio::double_planet(sun, ring).ratio(mode) else { return };
+            let Ok(ratio) = BasicRatio::double_planet(sun, ring).ratio(mode) else { return Ok(()) };
             // Of what is farther off than the nearest known nothing is asked.
             if !search.is_near(ratio) && !search.is_nearer(ratio) {
-                return;
+                return Ok(());
             }
-            let Some(set) = self.best_planets(sun, ring) else { return };
+            let Some(set) = self.best_planets(sun, ring) else { return Ok(()) };
             if let Some(error) = search.take(ratio) {
                 found += 1;
                 held.push((error, set));
@@ -421,8 +430,9 @@ impl Bounds {
                     held.truncate(most);
                 }
             }
+            Ok(())
         })?;
-        done(1.0);
+        let _ = done(1.0);
         if found == 0 {
             return Err(Error::NoDoublePlanetSet { wanted, mode, tolerance, nearest: search.nearest() });
         }
@@ -456,13 +466,17 @@ impl Bounds {
         frames.map(|frame| frame.count()).sum()
     }
 
-    fn each_sun_and_ring(&self, mut each: impl FnMut(ToothCount, ToothCount)) -> Result<(), Error> {
+    /// Pairs of sun and ring in turn.
+    fn each_sun_and_ring(
+        &self,
+        mut each: impl FnMut(ToothCount, ToothCount) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         self.check()?;
         for sun in self.sun.clone() {
             for ring in self.ring.clone().filter(|ring| *ring > sun) {
                 let (sun, ring) = (ToothCount::new(sun)?, ToothCount::new(ring)?);
                 if self.ring_to_sun_ratio.contains(&(ring.as_f64() / sun.as_f64())) {
-                    each(sun, ring);
+                    each(sun, ring)?;
                 }
             }
         }

@@ -13,6 +13,9 @@ use crate::tolerance;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
+    /// A search that whoever watches it ended.
+    #[error("the search was cancelled")]
+    Cancelled,
     /// A gear without teeth.
     #[error("a tooth count of 0: a gear has at least 1 tooth")]
     NoTeeth,
@@ -409,6 +412,7 @@ impl Error {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
+            Self::Cancelled => "cancelled",
             Self::NoTeeth => "no-teeth",
             Self::RingToSunRatio { .. } => "ring-to-sun-ratio",
             Self::BasicRatio { .. } => "basic-ratio",

@@ -34,7 +34,7 @@ use crate::units::{not_negative, radians};
 use crate::{Error, Quantity};
 use std::f64::consts::PI;
 use std::fmt;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// Tooth numbers and number of planets of a simple set that goes together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -192,7 +192,7 @@ impl Bounds {
     /// [`Error::RingToSunRange`], [`Error::Negative`] for invalid bounds.
     pub fn tooth_numbers(&self) -> Result<Vec<ToothNumbers>, Error> {
         let mut found = Vec::new();
-        self.each(|_| {}, |set| found.push(set))?;
+        self.each(|_| ControlFlow::Continue(()), |set| found.push(set))?;
         Ok(found)
     }
 
@@ -202,16 +202,20 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn count(&self) -> Result<u64, Error> {
         let mut count = 0;
-        self.each(|_| {}, |_| count += 1)?;
+        self.each(|_| ControlFlow::Continue(()), |_| count += 1)?;
         Ok(count)
     }
 
     /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets; nothing is held. `done` is
-    /// told, from 0 to 1, how much of the bounds has been gone through.
+    /// told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
     ///
     /// # Errors
-    /// As [`tooth_numbers`](Self::tooth_numbers).
-    pub fn each(&self, done: impl FnMut(f64), mut each: impl FnMut(ToothNumbers)) -> Result<(), Error> {
+    /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
+    pub fn each(
+        &self,
+        done: impl FnMut(f64) -> ControlFlow<()>,
+        mut each: impl FnMut(ToothNumbers),
+    ) -> Result<(), Error> {
         self.visit(done, |teeth| {
             each(teeth);
             Ok(())
@@ -234,7 +238,7 @@ impl Bounds {
     /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.
     fn visit(
         &self,
-        mut done: impl FnMut(f64),
+        mut done: impl FnMut(f64) -> ControlFlow<()>,
         mut each: impl FnMut(ToothNumbers) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.check()?;
@@ -275,7 +279,9 @@ impl Bounds {
                     }
                 }
             }
-            done((z_a - f64::from(*self.sun.start()) + 1.0) / suns);
+            if done((z_a - f64::from(*self.sun.start()) + 1.0) / suns).is_break() {
+                return Err(Error::Cancelled);
+            }
         }
         Ok(())
     }
@@ -287,19 +293,19 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Tolerance`]; [`Error::NoToothNumbers`], with the
     /// nearest ratio within the bounds, where none comes close enough.
     pub fn for_ratio(&self, wanted: f64, mode: Mode, tolerance: f64) -> Result<Vec<Candidate>, Error> {
-        self.for_ratio_watched(wanted, mode, tolerance, |_| {})
+        self.for_ratio_watched(wanted, mode, tolerance, |_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio).
+    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn for_ratio_watched(
         &self,
         wanted: f64,
         mode: Mode,
         tolerance: f64,
-        done: impl FnMut(f64),
+        done: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Vec<Candidate>, Error> {
         Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
     }
@@ -308,14 +314,14 @@ impl Bounds {
     /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio).
+    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn first_for_ratio(
         &self,
         wanted: f64,
         mode: Mode,
         tolerance: f64,
         most: usize,
-        done: impl FnMut(f64),
+        done: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Ranked, Error> {
         let order = |one: &Near, other: &Near| {
             let key = |near: &Near| (near.teeth.ring, near.teeth.sun, near.teeth.planets);
@@ -338,13 +344,13 @@ impl Bounds {
     /// in [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio).
+    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn each_for_ratio(
         &self,
         wanted: f64,
         mode: Mode,
         tolerance: f64,
-        done: impl FnMut(f64),
+        done: impl FnMut(f64) -> ControlFlow<()>,
         mut each: impl FnMut(Near),
     ) -> Result<u64, Error> {
         let mut search = Search::new(wanted, tolerance)?;
@@ -568,7 +574,13 @@ mod tests {
     fn who_watches_sees_the_share_rise_to_one() {
         let mut seen = vec![];
         let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
-        let watched = Bounds::default().for_ratio_watched(6.0, mode, 0.01, |share| seen.push(share)).unwrap();
+        let watched = Bounds::default().for_ratio_watched(6.0, mode, 0.01, |share| {
+            seen.push(share);
+            ControlFlow::Continue(())
+        });
+        let watched = watched.unwrap();
+        let broken = Bounds::default().for_ratio_watched(6.0, mode, 0.01, |_| ControlFlow::Break(()));
+        assert_eq!(broken, Err(Error::Cancelled));
         assert_eq!(watched.len(), Bounds::default().for_ratio(6.0, mode, 0.01).unwrap().len());
         assert_eq!((seen.len(), seen.last()), (189, Some(&1.0)));
         assert!(seen.is_sorted());
@@ -650,7 +662,9 @@ mod tests {
         let all = bounds.for_ratio(5.3, sun_to_carrier(), 0.2).unwrap();
         assert!(all.len() > 1000, "{}", all.len());
         for most in [0, 1, 7, 100, all.len() - 1, all.len(), all.len() + 1] {
-            let ranked = bounds.first_for_ratio(5.3, sun_to_carrier(), 0.2, most, |_| {}).unwrap();
+            let ranked = bounds
+                .first_for_ratio(5.3, sun_to_carrier(), 0.2, most, |_| ControlFlow::Continue(()))
+                .unwrap();
             assert_eq!(ranked.found, all.len() as u64);
             assert_eq!(ranked.first, all[..most.min(all.len())]);
         }

@@ -265,7 +265,9 @@ fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
     let mut met = 0;
     for mode in Mode::ALL {
         let wanted = choices[choices.len() / 2].basic_ratio().ratio(mode).unwrap();
-        let found = bounds.double_planets_for_ratio(wanted, mode, 0.03, usize::MAX, |_| {}).unwrap();
+        let found = bounds
+            .double_planets_for_ratio(wanted, mode, 0.03, usize::MAX, |_| std::ops::ControlFlow::Continue(()))
+            .unwrap();
         let error = |set: &DoublePlanetNumbers| set.basic_ratio().ratio(mode).unwrap() / wanted - 1.0;
         let mut due: Vec<_> = choices.iter().filter(|set| error(set).abs() <= 0.03).collect();
         due.sort_by(|one, other| {
@@ -283,15 +285,19 @@ fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
             assert!(one.spacing.is_equal());
             met += 1;
         }
-        let few = bounds.double_planets_for_ratio(wanted, mode, 0.03, 2, |_| {}).unwrap();
+        let few = bounds
+            .double_planets_for_ratio(wanted, mode, 0.03, 2, |_| std::ops::ControlFlow::Continue(()))
+            .unwrap();
         assert_eq!((few.found, &few.first[..]), (found.found, &found.first[..2.min(found.first.len())]));
-        let none = bounds.double_planets_for_ratio(-wanted, mode, 0.03, 2, |_| {});
+        let none =
+            bounds.double_planets_for_ratio(-wanted, mode, 0.03, 2, |_| std::ops::ControlFlow::Continue(()));
         assert!(matches!(none, Err(Error::NoDoublePlanetSet { nearest: Some(_), .. })), "{none:?}");
     }
     assert!(met > 30, "{met}");
     #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]
     let empty = Bounds { sun: 30..=20, ..bounds };
-    let refused = empty.double_planets_for_ratio(2.6, Mode::ALL[0], 0.03, 2, |_| {});
+    let refused =
+        empty.double_planets_for_ratio(2.6, Mode::ALL[0], 0.03, 2, |_| std::ops::ControlFlow::Continue(()));
     assert!(matches!(refused, Err(Error::ToothRange { .. })) && empty.space(true).is_err());
 }
 

@@ -148,7 +148,8 @@ fn the_first_of_many_are_the_first_of_all() {
     let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
     let all = bounds.for_ratio(5.0, mode, 0.05).unwrap();
     for most in [0, 1, 2, 7, all.len() - 1, all.len(), all.len() + 1] {
-        let ranked = bounds.first_for_ratio(5.0, mode, 0.05, most, |_| {}).unwrap();
+        let ranked =
+            bounds.first_for_ratio(5.0, mode, 0.05, most, |_| std::ops::ControlFlow::Continue(())).unwrap();
         assert_eq!(ranked.found, all.len() as u64);
         assert_eq!(ranked.first, all[..most.min(all.len())], "{most}");
     }

@@ -3,12 +3,10 @@
 use crate::work::{self, Shared};
 use epicyclic::desk::captured::{Captured, Told};
 use epicyclic::desk::{Content, Desk, NotWritten, Source, Text};
-use epicyclic::{Ended, INTERRUPTED};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::collections::BTreeMap;
 use std::io;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -95,12 +93,8 @@ impl Desk for Desktop<'_> {
         }
     }
 
-    fn is_asked(&self) -> bool {
-        self.shared.is_ended()
-    }
-
-    fn must_end(&self) -> bool {
-        self.shared.is_ended()
+    fn asked_to_end(&self) -> Option<f64> {
+        self.shared.is_ended().then_some(0.0)
     }
 
     fn seconds(&self) -> f64 {
@@ -118,11 +112,7 @@ fn called(
     shared: &Shared,
 ) -> Called {
     let desk = Desktop { captured: Captured::default(), files, kept, written: Mutex::default(), shared };
-    let code = match catch_unwind(AssertUnwindSafe(|| epicyclic::call(words, &desk))) {
-        Ok(code) => code,
-        Err(payload) if payload.is::<Ended>() => INTERRUPTED,
-        Err(payload) => resume_unwind(payload),
-    };
+    let code = epicyclic::call(words, &desk);
     (code, desk.captured.into_told(), desk.written.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 

@@ -14,7 +14,7 @@ use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{Error, Mechanism, Objective, Order, Requirements, Signs, Space};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{Length, Pressure, Torque};
 use uom::si::length::millimeter;
 use uom::si::pressure::megapascal;
@@ -282,7 +282,11 @@ fn what_cannot_be_searched_is_refused() {
     // Near the ratio there are few of the same.
     wide.requirements.tolerance = 0.001;
     let mut shares = vec![];
-    let found = wide.front_watched(|share| shares.push(share)).unwrap();
+    let found = wide.front_watched(|share| {
+        shares.push(share);
+        ControlFlow::Continue(())
+    });
+    let found = found.unwrap();
     assert!(!found.entries().is_empty() && found.counts().tooth_sets as u64 > MOST_TOOTH_SETS);
     assert!(shares.is_sorted() && shares.last() == Some(&1.0));
 }

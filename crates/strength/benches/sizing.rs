@@ -14,6 +14,7 @@ use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::listed;
 use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Time, Torque};
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
@@ -92,7 +93,7 @@ fn sizing(c: &mut Criterion) {
     let mut group = c.benchmark_group("sizing");
     group.sample_size(10);
     for set in &sets {
-        let found = size(set, 5).expect("a search");
+        let found = size(set, 5, &|| ControlFlow::Continue(())).expect("a search");
         assert_eq!(found.found.len(), 5);
         println!(
             "{} designs of {} centre distances, {} rated, {} left out",
@@ -103,7 +104,7 @@ fn sizing(c: &mut Criterion) {
         );
     }
     group.bench_function("three_speeds", |b| {
-        b.iter(|| sets.each_ref().map(|set| size(black_box(set), 5)));
+        b.iter(|| sets.each_ref().map(|set| size(black_box(set), 5, &|| ControlFlow::Continue(()))));
     });
     group.finish();
 }

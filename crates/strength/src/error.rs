@@ -64,6 +64,9 @@ epicyclic_gears::words! {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
+    /// A search that whoever watches it ended.
+    #[error("the search was cancelled")]
+    Cancelled,
     /// A quantity that must be finite and above 0.
     #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
     NotPositive {
@@ -223,6 +226,7 @@ impl Error {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
+            Self::Cancelled => "cancelled",
             Self::NotPositive { .. } => "not-positive",
             Self::Negative { .. } => "negative",
             Self::OutOfRange { .. } => "out-of-range",

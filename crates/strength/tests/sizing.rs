@@ -17,10 +17,11 @@ use epicyclic_strength::rating::overload;
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::{Bearing, listed};
 use epicyclic_strength::sizing::{
-    Design, HeldShifts, Objective, Requirement, SetOverload, SetStep, Sizing, Space, size,
+    Design, Found, HeldShifts, Objective, Requirement, SetOverload, SetStep, Sizing, Space, size,
 };
 use epicyclic_strength::spectrum::{Step, rate_duty};
 use proptest::prelude::*;
+use std::ops::ControlFlow;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
 use uom::si::force::newton;
@@ -272,6 +273,11 @@ fn peak(sun_torque: f64, required_contact: f64, required_root: f64) -> SetOverlo
     SetOverload { sun_torque: Torque::new::<newton_meter>(sun_torque), required_contact, required_root }
 }
 
+/// The search that nothing ends.
+fn size_all(task: &Sizing, most: usize) -> Result<Found, epicyclic_strength::Error> {
+    size(task, most, &|| ControlFlow::Continue(()))
+}
+
 /// The found designs are those of the trial that hold, in its order.
 fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     let (space, tried) = every_design(task);
@@ -280,7 +286,7 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
         let [a, b] = [one, other].map(|tried| tried.key.0);
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(one.key.1.cmp(&other.key.1))
     });
-    let all = size(task, usize::MAX).unwrap();
+    let all = size_all(task, usize::MAX).unwrap();
     prop_assert_eq!(all.space, space);
     prop_assert_eq!(all.found.len(), held.len());
     prop_assert_eq!(all.not_reached, 0);
@@ -299,7 +305,7 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
         );
     }
     // The first alone is the first of all, and what is not reached completes the space.
-    let first = size(task, 1).unwrap();
+    let first = size_all(task, 1).unwrap();
     prop_assert_eq!(first.found.first(), all.found.first());
     prop_assert_eq!(first.left_out.total() + first.not_reached + first.found.len() as u64, space);
     prop_assert_eq!(first.nearest_miss.is_some(), held.is_empty() && !tried.is_empty());
@@ -320,12 +326,12 @@ fn an_overload_asks_for_more() {
     let with = agrees(&task).unwrap();
     let without = agrees(&hoist()).unwrap();
     assert!(10 < with && with < without, "{with} of {without}");
-    let all = size(&task, usize::MAX).unwrap();
+    let all = size_all(&task, usize::MAX).unwrap();
     assert!(all.left_out.overload > 0);
     // Of one that loads no set nothing is asked.
     task.overloads.truncate(1);
-    let idle = size(&task, 1).unwrap();
-    assert_eq!(idle, size(&hoist(), 1).unwrap());
+    let idle = size_all(&task, 1).unwrap();
+    assert_eq!(idle, size_all(&hoist(), 1).unwrap());
     assert_eq!(idle.found[0].overload, None);
 }
 
@@ -339,7 +345,7 @@ fn shifts_that_are_held_fix_the_centre_distance() {
         profile: set.gears().map(InvoluteGear::shift),
         tips: Some(set.gears().map(InvoluteGear::tip_alteration)),
     });
-    let found = size(&task, 1).unwrap();
+    let found = size_all(&task, 1).unwrap();
     let best = &found.found[0];
     assert_eq!(best.set.gears().map(InvoluteGear::shift), set.gears().map(InvoluteGear::shift));
     assert!(is_near(in_mm(best.centre_distance), in_mm(best.module) * (natural + 0.1)));
@@ -351,7 +357,7 @@ fn shifts_that_are_held_fix_the_centre_distance() {
 fn what_is_out_of_reach_has_a_nearest_miss() {
     let mut task = hoist();
     task.required_root = 9.0;
-    let found = size(&task, 1).unwrap();
+    let found = size_all(&task, 1).unwrap();
     let miss = found.nearest_miss.unwrap();
     assert!(found.found.is_empty() && found.not_reached == 0);
     assert_eq!(miss.governing.requirement, Requirement::Root);
@@ -364,7 +370,7 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
     let of = |change: &dyn Fn(&mut Sizing)| {
         let mut task = hoist();
         change(&mut task);
-        size(&task, 1).unwrap_err().to_string()
+        size_all(&task, 1).unwrap_err().to_string()
     };
     assert_eq!(of(&|task| task.space.modules.clear()), "no module to search; at least one is needed");
     assert_eq!(
@@ -400,7 +406,7 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
 /// The design of the first space in plain figures.
 #[test]
 fn a_design_names_its_figures() {
-    let found = size(&hoist(), 3).unwrap();
+    let found = size_all(&hoist(), 3).unwrap();
     let Design { bearing, planet_bore, planet_rim, governing, .. } = &found.found[0];
     let [outside, bore] = [bearing.as_ref().unwrap().outside_diameter, planet_bore.unwrap()].map(in_mm);
     assert!(is_near(outside, bore));

@@ -14,6 +14,12 @@ pub const MOST_SETS: usize = 6;
 /// without the brakes of input and output.
 pub const MOST_LINKS: usize = 11;
 
+/// The most shift elements that a gear engages.
+pub const MOST_ENGAGED: usize = 4;
+
+/// The most shift elements of a gearbox: what real ones have and two more.
+pub const MOST_ELEMENTS: usize = 8;
+
 /// A class of structures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Class {

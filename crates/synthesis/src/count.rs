@@ -12,6 +12,8 @@ use crate::class::Class;
 use crate::enumerate;
 use crate::kind::Kind;
 use crate::structure::{Link, Members};
+use crate::watch::Watch;
+use std::ops::ControlFlow;
 
 /// Counts of a class that agree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,12 +37,15 @@ pub fn enumerated(class: Class) -> Counts {
     counts
 }
 
-/// How many structures, counted one by one.
+/// How many structures, counted one by one; nothing where `ended`, which is asked now and then, ends the counting.
 #[must_use]
-pub fn structures(class: Class) -> usize {
-    let mut count = 0;
-    enumerate::for_each(class, &mut |_| count += 1);
-    count
+pub fn structures(class: Class, ended: &dyn Fn() -> bool) -> Option<usize> {
+    let (mut count, watch) = (0, Watch::new(ended));
+    let whole = enumerate::walk(class, &mut |sets| {
+        count += usize::from(sets.len() == class.sets());
+        if watch.is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    whole.is_continue().then_some(count)
 }
 
 /// How many words there are, counted one by one.

@@ -7,6 +7,7 @@
 use crate::class::Class;
 use crate::kind::Kind;
 use crate::structure::{FIRST_OTHER, INPUT, Link, Members, Names, OUTPUT, Structure, mask};
+use std::ops::ControlFlow;
 
 /// All structures of a class.
 ///
@@ -26,59 +27,114 @@ pub fn all(class: Class) -> Vec<Structure> {
 
 /// Calls `visit` with the sets of each structure of a class, in their order.
 pub fn for_each(class: Class, visit: &mut impl FnMut(&[Members])) {
-    Words { class, canonical: true, sets: Vec::new(), visit }.go(0, FIRST_OTHER);
+    let _ = walk(class, &mut |sets| {
+        if sets.len() == class.sets() {
+            visit(sets);
+        }
+        ControlFlow::Continue(())
+    });
+}
+
+/// Calls `visit` with each canonical beginning of the words of a class, the whole words among them, in their order; a break ends it.
+/// Long stretches of a class have beginnings alone, so that a search that is to end is heard there, too.
+pub fn walk(class: Class, visit: &mut impl FnMut(&[Members]) -> ControlFlow<()>) -> ControlFlow<()> {
+    go(class, true, &mut Vec::new(), (0, FIRST_OTHER), visit)
 }
 
 /// Calls `visit` with every word: every structure in every order of its sets, the other links numbered as they first
 /// occur. Orders that an automorphism makes equal are one word.
 pub fn for_each_word(class: Class, visit: &mut impl FnMut(&[Members])) {
-    Words { class, canonical: false, sets: Vec::new(), visit }.go(0, FIRST_OTHER);
+    let mut whole = |sets: &[Members]| {
+        if sets.len() == class.sets() {
+            visit(sets);
+        }
+        ControlFlow::Continue(())
+    };
+    let _ = go(class, false, &mut Vec::new(), (0, FIRST_OTHER), &mut whole);
 }
 
-struct Words<'v, V> {
+/// A structure of a class by chance, `below(n)` being a number below `n`, each as probable: set by set one of the sets that may follow. The
+/// number that comes with it is the product of how many could follow each time, of which the mean over many draws is the number of
+/// structures; a beginning that nothing can follow counts as 0 and has no structure.
+///
+/// # Source
+/// D. E. Knuth, Estimating the efficiency of backtrack programs, Mathematics of Computation 29 (1975).
+pub(crate) fn draw(class: Class, below: &mut impl FnMut(usize) -> usize) -> (f64, Option<Vec<Members>>) {
+    let (mut sets, mut open, mut weight) = (Vec::new(), (0, FIRST_OTHER), 1.0);
+    while sets.len() < class.sets() {
+        let mut following = Vec::new();
+        let _ = children(class, true, &mut sets, open, &mut |sets, open| {
+            following.extend(sets.last().map(|members| (*members, open)));
+            ControlFlow::Continue(())
+        });
+        if following.is_empty() {
+            return (0.0, None);
+        }
+        weight *= following.len() as f64;
+        let (members, after) = following[below(following.len())];
+        sets.push(members);
+        open = after;
+    }
+    if is_of(class, &sets) { (weight, Some(sets)) } else { (0.0, None) }
+}
+
+/// The links that some sets touch, as bits, and the next new link.
+type Open = (u32, Link);
+
+/// Calls `visit` with sets and all words that begin so.
+fn go(
     class: Class,
     canonical: bool,
-    sets: Vec<Members>,
-    visit: &'v mut V,
+    sets: &mut Vec<Members>,
+    open: Open,
+    visit: &mut impl FnMut(&[Members]) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    if sets.len() == class.sets() {
+        return if is_of(class, sets) { visit(sets) } else { ControlFlow::Continue(()) };
+    }
+    if !sets.is_empty() {
+        visit(sets)?;
+    }
+    children(class, canonical, sets, open, &mut |sets, open| go(class, canonical, sets, open, visit))
 }
 
-impl<V: FnMut(&[Members])> Words<'_, V> {
-    /// Adds a set to words whose sets touch `touched`, whose next new link is `next`.
-    fn go(&mut self, touched: u32, next: Link) {
-        let left = self.class.sets() - self.sets.len();
-        if left == 0 {
-            if self.class.kind() == Kind::AllSparse || is_joined(&self.sets) {
-                (self.visit)(&self.sets);
-            }
-            return;
-        }
-        let core = self.class.kind() == Kind::Core;
-        let first = u8::from(core);
-        let last = u8::try_from(self.class.links()).unwrap_or(u8::MAX);
-        for sun in first..=next.min(last) {
-            let next = next + u8::from(sun == next);
-            for ring in (first..=next.min(last)).filter(|ring| *ring != sun) {
-                let next = next + u8::from(ring == next);
-                for carrier in (first..=next.min(last)).filter(|carrier| *carrier != sun && *carrier != ring)
-                {
-                    let next = next + u8::from(carrier == next);
-                    let members = [sun, ring, carrier];
-                    let touched = touched | mask(&members);
-                    if missing(core, touched, last, next) > 3 * (left - 1) {
-                        continue;
-                    }
-                    if !stays_sparse(&self.sets, &members) {
-                        continue;
-                    }
-                    self.sets.push(members);
-                    if !self.canonical || is_canonical(&self.sets) {
-                        self.go(touched, next);
-                    }
-                    self.sets.pop();
+/// Whether as many sets as a class has are a structure of it.
+fn is_of(class: Class, sets: &[Members]) -> bool {
+    class.kind() == Kind::AllSparse || is_joined(sets)
+}
+
+/// Calls `visit` with sets and each one that may follow them.
+fn children(
+    class: Class,
+    canonical: bool,
+    sets: &mut Vec<Members>,
+    (touched, next): Open,
+    visit: &mut impl FnMut(&mut Vec<Members>, Open) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let left = class.sets() - sets.len();
+    let core = class.kind() == Kind::Core;
+    let first = u8::from(core);
+    let last = u8::try_from(class.links()).unwrap_or(u8::MAX);
+    for sun in first..=next.min(last) {
+        let next = next + u8::from(sun == next);
+        for ring in (first..=next.min(last)).filter(|ring| *ring != sun) {
+            let next = next + u8::from(ring == next);
+            for carrier in (first..=next.min(last)).filter(|carrier| *carrier != sun && *carrier != ring) {
+                let next = next + u8::from(carrier == next);
+                let members = [sun, ring, carrier];
+                let touched = touched | mask(&members);
+                if missing(core, touched, last, next) > 3 * (left - 1) || !stays_sparse(sets, &members) {
+                    continue;
                 }
+                sets.push(members);
+                if !canonical || is_canonical(sets) {
+                    visit(sets, (touched, next))?;
+                }
+                sets.pop();
             }
         }
     }
+    ControlFlow::Continue(())
 }
 
 /// How many links still need a member.

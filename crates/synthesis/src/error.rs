@@ -77,6 +77,17 @@ pub enum Error {
         /// What is wrong with it.
         why: String,
     },
+    /// A solution that its own ratios or the solver contradict: a part of a search that was changed, or a fault of this library.
+    #[error("{structure}: {why}")]
+    Contradiction {
+        /// The structure.
+        structure: String,
+        /// What contradicts what.
+        why: String,
+    },
+    /// What the solver refuses.
+    #[error(transparent)]
+    Solver(#[from] epicyclic_train::Error),
     /// Bounds of tooth numbers that nothing can keep.
     #[error(transparent)]
     Teeth(#[from] epicyclic_gears::Error),

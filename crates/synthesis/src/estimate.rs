@@ -12,14 +12,94 @@
 //! The second term supposes that functions become known as the words of a text do: their number grows with the root of its
 //! length. It is a guess, but for a share of the class that is not small against the sample, it is the lesser term. Shares that work
 //! apart each learn for themselves, so `n` of them take longer than the whole: in one of them stand `N/n` structures.
+//!
+//! The structures of five and six sets take long to count. Where they take longer than a budget, their number is estimated by draws:
+//! a draw goes from set to set, each time to one of those that may follow, and the product of how many could follow is in the mean the
+//! number of structures. The sample is then of the structures drawn, each as often as its product says.
 
+use crate::choices::choose;
 use crate::class::Class;
+use crate::count;
+use crate::enumerate;
 use crate::error::Error;
 use crate::search::Search;
 use crate::structure::Structure;
 use crate::ternary::Word;
 use crate::wish::Wish;
 use crate::work::Share;
+
+/// How many structures a class has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Size {
+    /// How many: counted, or estimated by draws.
+    pub structures: usize,
+    /// What was drawn, with the products of how many sets could follow; nothing where all were counted.
+    drawn: Vec<(f64, Structure)>,
+}
+
+impl Size {
+    /// Whether the structures were counted.
+    #[must_use]
+    pub const fn is_counted(&self) -> bool {
+        self.drawn.is_empty()
+    }
+
+    /// So many structures of those drawn, one of each choice of double-planet sets, each as often as its product says, but never twice.
+    fn spread(&self, count: usize, double_planets: usize) -> Vec<Structure> {
+        let all: f64 = self.drawn.iter().map(|(weight, _)| weight).sum();
+        let (mut reached, mut wanted) = (0.0, 0.5);
+        let mut structures = Vec::new();
+        for (weight, structure) in &self.drawn {
+            reached += weight / all * count as f64;
+            if reached <= wanted {
+                continue;
+            }
+            let choices = structure.with_double_planets(double_planets);
+            structures.extend(choices.get(structures.len() % choices.len().max(1)).cloned());
+            wanted = reached.ceil().max(wanted + 1.0);
+        }
+        structures
+    }
+}
+
+/// How many structures a class has: counted where that takes at most `budget_s` seconds of `clock`, in s, else estimated by draws for as long.
+/// Nothing where `ended` ends it, which is asked now and then.
+pub fn size(class: Class, budget_s: f64, clock: &dyn Fn() -> f64, ended: &dyn Fn() -> bool) -> Option<Size> {
+    let begun = clock();
+    if let Some(structures) = count::structures(class, &|| ended() || clock() - begun > budget_s) {
+        return Some(Size { structures, drawn: Vec::new() });
+    }
+    let begun = clock();
+    let mut state = 0;
+    let mut below = |count: usize| {
+        // SplitMix64: the same draws at each call.
+        state = u64::wrapping_add(state, 0x9e37_79b9_7f4a_7c15);
+        let mixed = (state ^ state >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((u128::from(mixed ^ mixed >> 31) * count as u128) >> 64) as usize
+    };
+    let (mut drawn, mut all, mut draws) = (Vec::new(), 0.0, 0);
+    while draws < FEWEST_DRAWS || clock() - begun < budget_s {
+        if ended() {
+            return None;
+        }
+        let (weight, sets) = enumerate::draw(class, &mut below);
+        all += weight;
+        draws += 1;
+        drawn.extend(sets.map(|sets| (weight, Structure::of_canonical_word(sets, class.links()))));
+        if draws == MOST_DRAWS {
+            break;
+        }
+    }
+    Some(Size { structures: (all / f64::from(draws)).round() as usize, drawn })
+}
+
+/// The fewest draws of an estimate, and the most.
+const FEWEST_DRAWS: u32 = 100;
+const MOST_DRAWS: u32 = 20_000;
+
+/// The most structures of a sample that are drawn.
+const MOST_SAMPLED: usize = 1000;
 
 /// A sample of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +116,8 @@ pub struct Sample {
     pub again_s: f64,
     /// Bytes of what the search learned.
     pub learned: usize,
+    /// Whether it was ended before its last structure was searched: then all times are more.
+    pub is_cut: bool,
 }
 
 impl Sample {
@@ -82,8 +164,9 @@ const FEWEST: usize = 8;
 /// How many times its budget a sample may take to have so many.
 const PATIENCE: f64 = 20.0;
 
-/// A sample of the search through a share: as many structures as `budget_s` seconds of `clock`, in s, allow, or 8 where that many are
-/// searched in twenty times as long, and at least one. It takes up to twice as long, and a structure that is begun is searched to its end.
+/// A sample of the search through a share of a class of this size: as many structures as `budget_s` seconds of `clock`, in s, allow, or 8
+/// where that many are searched in twenty times as long, and at least one. It takes up to twice as long; where `ended`, which is asked now
+/// and then, ends it, the sample is cut.
 ///
 /// # Errors
 /// As [`search`](crate::run::search).
@@ -91,16 +174,40 @@ pub fn sample(
     class: Class,
     wish: &Wish,
     share: Share,
-    budget_s: f64,
-    clock: &dyn Fn() -> f64,
+    size: &Size,
+    (budget_s, clock): (f64, &dyn Fn() -> f64),
+    ended: &dyn Fn() -> bool,
 ) -> Result<Sample, Error> {
     wish.check(class)?;
-    let (structures, class_size) = share.structures(class, wish.double_planets);
+    let cut = |structures| Sample {
+        class_size: size.structures,
+        structures,
+        sampled: 0,
+        first_s: 0.0,
+        again_s: 0.0,
+        learned: 0,
+        is_cut: true,
+    };
+    let choices = choose(class.sets(), wish.double_planets);
+    let (structures, count) = if size.is_counted() {
+        let Some((structures, _)) = share.structures(class, wish.double_planets, ended) else {
+            return Ok(cut(size.structures * choices / share.of));
+        };
+        let count = structures.len();
+        let places = spread(count);
+        (places.into_iter().map(|place| structures[place].clone()).take(MOST_SAMPLED).collect(), count)
+    } else {
+        let drawn = size.spread(MOST_SAMPLED, wish.double_planets);
+        let places = spread(drawn.len());
+        let structures: Vec<Structure> = places.into_iter().map(|place| drawn[place].clone()).collect();
+        (structures, size.structures * choices / share.of)
+    };
+    let until = (budget_s, clock, ended);
     Ok(match class.sets() {
-        1..=3 => of::<u8>(class, wish, &structures, class_size, budget_s, clock),
-        4 => of::<u16>(class, wish, &structures, class_size, budget_s, clock),
-        5 => of::<u32>(class, wish, &structures, class_size, budget_s, clock),
-        _ => of::<u64>(class, wish, &structures, class_size, budget_s, clock),
+        1..=3 => of::<u8>(class, wish, &structures, cut(count), until),
+        4 => of::<u16>(class, wish, &structures, cut(count), until),
+        5 => of::<u32>(class, wish, &structures, cut(count), until),
+        _ => of::<u64>(class, wish, &structures, cut(count), until),
     })
 }
 
@@ -108,29 +215,27 @@ fn of<W: Word>(
     class: Class,
     wish: &Wish,
     structures: &[Structure],
-    class_size: usize,
-    budget_s: f64,
-    clock: &dyn Fn() -> f64,
+    sample: Sample,
+    (budget_s, clock, ended): (f64, &dyn Fn() -> f64, &dyn Fn() -> bool),
 ) -> Sample {
     let mut search = Search::<W>::new(wish.clone(), class.links());
-    let places = spread(structures.len());
     let begun = clock();
-    let mut sampled = 0;
-    for place in &places {
-        search.structure(&structures[*place]);
+    let (mut sampled, mut is_cut) = (0, false);
+    for structure in structures {
+        is_cut = search.structure_unless(structure, ended).is_none();
         sampled += 1;
         let taken = clock() - begun;
-        if taken >= budget_s * PATIENCE || taken >= budget_s && sampled >= FEWEST {
+        if is_cut || taken >= budget_s * PATIENCE || taken >= budget_s && sampled >= FEWEST {
             break;
         }
     }
     let between = clock();
-    for place in &places[..sampled] {
-        search.structure(&structures[*place]);
-    }
-    let (first_s, again_s) = (between - begun, clock() - between);
-    let learned = search.bytes();
-    Sample { class_size, structures: structures.len(), sampled, first_s, again_s, learned }
+    let first_s = between - begun;
+    // What is cut has not learned all.
+    let is_cut =
+        is_cut || !structures[..sampled].iter().all(|one| search.structure_unless(one, ended).is_some());
+    let again_s = if is_cut { first_s } else { clock() - between };
+    Sample { sampled, first_s, again_s, learned: search.bytes(), is_cut, ..sample }
 }
 
 /// All places below a number, each once, in an order of which the first so many are spread evenly for any so many: by the rest of their
@@ -175,18 +280,46 @@ mod tests {
             ticks.set(ticks.get() + 1.0);
             ticks.get()
         };
-        let found = sample(class, &wish, Share::WHOLE, 10.0, &clock).unwrap();
+        let size = size(class, 1e9, &|| 0.0, &|| false).unwrap();
+        assert!(size.is_counted() && size.structures == 111);
+        let sample = |share, budget| sample(class, &wish, share, &size, (budget, &clock), &|| false).unwrap();
+        let found = sample(Share::WHOLE, 10.0);
         assert_eq!((found.class_size, found.structures, found.sampled), (111, 111, 10));
         assert_eq!((found.first_s, found.again_s), (11.0, 1.0));
         assert!((found.seconds() - (11.1 + 10.0 * 11.1f64.sqrt())).abs() < 1e-9);
         assert!(found.learned > 0 && found.bytes(2) > found.bytes(1));
         // A greater budget has more, and where structures take longer than its patience there are fewer.
-        assert_eq!(sample(class, &wish, Share::WHOLE, 50.0, &clock).unwrap().sampled, 50);
-        assert_eq!(sample(class, &wish, Share::WHOLE, 2.0, &clock).unwrap().sampled, FEWEST);
-        assert_eq!(sample(class, &wish, Share::WHOLE, 0.15, &clock).unwrap().sampled, 3);
+        assert_eq!(sample(Share::WHOLE, 50.0).sampled, 50);
+        assert_eq!(sample(Share::WHOLE, 2.0).sampled, FEWEST);
+        assert_eq!(sample(Share::WHOLE, 0.15).sampled, 3);
         // A share smaller than the budget is searched whole.
         let share = Share { number: 0, of: 40 };
-        assert_eq!(sample(class, &wish, share, 10.0, &clock).unwrap().sampled, 3);
+        assert_eq!(sample(share, 10.0).sampled, 3);
+    }
+
+    /// Classes that are not counted in time have as many structures by draws, within a tenth.
+    #[test]
+    fn draws_estimate_how_many_structures_there_are() {
+        for (kind, sets, links) in
+            [(Kind::Core, 3, 5), (Kind::Core, 3, 6), (Kind::AllSparse, 3, 5), (Kind::Core, 4, 7)]
+        {
+            let class = Class::new(kind, sets, links).unwrap();
+            let counted = count::structures(class, &|| false).unwrap();
+            // Time stands still after a first moment: the count is over its budget, and the draws end by their number.
+            let moments = Cell::new(0);
+            let clock = || {
+                moments.set(moments.get() + 1);
+                if moments.get() == 1 { -2.0 } else { 0.0 }
+            };
+            let drawn = size(class, 1.0, &clock, &|| false).unwrap();
+            assert!(!drawn.is_counted());
+            let off = drawn.structures as f64 / counted as f64 - 1.0;
+            assert!(off.abs() < 0.1, "{class}: {counted}, {} by draws", drawn.structures);
+            let spread = drawn.spread(100, 1);
+            assert!((50..=100).contains(&spread.len()), "{}", spread.len());
+        }
+        let class = Class::new(Kind::Core, 3, 6).unwrap();
+        assert!(size(class, 1.0, &|| 0.0, &|| true).is_none());
     }
 
     #[test]
@@ -198,6 +331,7 @@ mod tests {
             first_s: 4.0,
             again_s: 1.5,
             learned: 1,
+            is_cut: false,
         };
         for seconds in [0.5, 20.0, 900.0] {
             let shares = whole.shares(seconds);

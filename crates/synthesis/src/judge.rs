@@ -1,12 +1,13 @@
 //! What a solution is worth: shifts, efficiency by the solver, how near its ratios come.
 
+use crate::error::Error;
 use crate::gearbox::gearbox;
 use crate::motion::Element;
 use crate::refine::Refined;
 use crate::run::Found;
 use crate::sharing::Sharing;
 use crate::shifts::{exchanged, fewest};
-use crate::tolerance::CONFIRMED;
+use crate::tolerance::{CONFIRMED, WITHIN};
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::compound::CentralKind;
@@ -92,15 +93,12 @@ impl Judged {
 ///
 /// # Errors
 /// Those of [`judge`].
-///
-/// # Panics
-/// As [`judge`].
 pub fn judge_all(
     found: &[Found],
     wish: &Wish,
     mesh_efficiency: MeshEfficiency,
     judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
-) -> Result<Vec<Option<Judged>>, epicyclic_train::Error> {
+) -> Result<Vec<Option<Judged>>, Error> {
     let (ended, done) = (AtomicBool::new(false), AtomicUsize::new(0));
     let one = |found: &Found| {
         if ended.load(Ordering::Relaxed) {
@@ -122,19 +120,33 @@ pub fn judge_all(
 /// Judges a solution of a wish; the solver has to confirm each ratio.
 ///
 /// # Errors
-/// Those of the solver. None are known for solutions of a search with `k` above 1.
-///
-/// # Panics
-/// Where the solver's ratio of a gear is another than the formula's: a fault of this library.
-pub fn judge(
-    found: &Found,
-    wish: &Wish,
-    mesh_efficiency: MeshEfficiency,
-) -> Result<Judged, epicyclic_train::Error> {
+/// [`Error::Contradiction`] where a gear's ratio at the solution's `k` is beyond its bounds, shifts that have to be single are not, or the
+/// solver's ratio of a gear is another than the formula's; else those of the solver. None are known for solutions of a search with `k`
+/// above 1.
+pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Result<Judged, Error> {
     let solution = &found.solution;
+    let contradiction = |why| Error::Contradiction { structure: found.structure.to_string(), why };
     let ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
+    if ratios.len() != wish.gears.len() || solution.k.len() != wish.k.len() {
+        let (gears, sets) = (ratios.len(), solution.k.len());
+        return Err(contradiction(format!(
+            "{gears} gears of {sets} sets, where {} of {} are wanted",
+            wish.gears.len(),
+            wish.k.len()
+        )));
+    }
+    for (number, (ratio, bounds)) in (1..).zip(ratios.iter().zip(&wish.gears)) {
+        let value = ratio.value(&solution.k);
+        if !bounds.widened_by(WITHIN).contain(value) {
+            return Err(contradiction(format!(
+                "gear {number} is {value} at its ring-to-sun ratios, not within {}..{}",
+                bounds.least, bounds.most
+            )));
+        }
+    }
     let refined = wish.refine(&ratios, &solution.k, solution.equal);
-    let (engaged, multiple_shifts) = exchanges(found, wish);
+    let (engaged, multiple_shifts) = exchanges(found, wish)
+        .ok_or_else(|| contradiction("shifts that have to be single exchange several elements".into()))?;
     let elements: Vec<Element> = solution.elements.iter().map(|pairs| pairs[0]).collect();
     let gearbox = gearbox(&found.structure, &refined.k, mesh_efficiency, &elements, &engaged)?;
     let (mut solved, mut efficiencies) = (Vec::new(), Vec::new());
@@ -143,12 +155,11 @@ pub fn judge(
         let analysis = gearbox.analyze_gear(gear)?;
         let ratio = analysis.ratio().unwrap_or(f64::NAN);
         let value = formula.value(&refined.k);
-        assert!(
-            (ratio - value).abs() <= CONFIRMED * value.abs(),
-            "{}: gear {} is {value} by {formula}, {ratio} by the solver",
-            found.structure,
-            gear.name()
-        );
+        let confirmed = (ratio - value).abs() <= CONFIRMED * value.abs();
+        if !confirmed {
+            let why = format!("gear {} is {value} by {formula}, {ratio} by the solver", gear.name());
+            return Err(contradiction(why));
+        }
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
         let greatest = |speeds: &[Option<f64>]| {
@@ -216,14 +227,13 @@ fn suns_and_rings(set: &PlanetSet) -> Vec<[usize; 2]> {
 ///
 /// Forward gears stand in falling order of their ratios, and keep the single shifts of the wish; backward gears take what shares
 /// most with the first forward gear.
-fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
+fn exchanges(found: &Found, wish: &Wish) -> Option<(Vec<Vec<usize>>, usize)> {
     let gears = &found.solution.gears;
     let forward = forward(&wish.gears);
     let bits = |choice: &Vec<usize>| choice.iter().fold(0, |all, element| all | 1u64 << element);
     let choices: Vec<Vec<u64>> = gears.iter().map(|gear| gear.engaged.iter().map(bits).collect()).collect();
     let of_forward: Vec<&[u64]> = forward.iter().map(|gear| choices[*gear].as_slice()).collect();
-    let best = fewest(&of_forward, wish.rules.shifts);
-    let best = best.expect("the search takes functions alone with which the shifts of the wish are single");
+    let best = fewest(&of_forward, wish.rules.shifts)?;
     let mut chosen = vec![0; gears.len()];
     for (gear, place) in forward.iter().zip(best) {
         chosen[*gear] = place;
@@ -241,5 +251,5 @@ fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
         .filter(|pair| exchanged(engaged(&chosen, pair[0]), engaged(&chosen, pair[1])) > 1)
         .count();
     let engaged = chosen.iter().zip(gears).map(|(place, gear)| gear.engaged[*place].clone());
-    (engaged.collect(), multiple)
+    Some((engaged.collect(), multiple))
 }

@@ -99,7 +99,12 @@ fn go_on_with<W: Word + Send>(
     before: Work,
     kept: &(dyn Fn(&Work) -> ControlFlow<()> + Sync),
 ) -> Result<Work, Error> {
-    let (structures, class_size) = share.structures(class, wish.double_planets);
+    // Of many sets the structures alone take long.
+    let Some((structures, class_size)) =
+        share.structures(class, wish.double_planets, &|| kept(&before).is_break())
+    else {
+        return Ok(before);
+    };
     let work = before.on(class_size, structures.len())?;
     let left: Vec<usize> = work.left().collect();
     let next = AtomicUsize::new(0);

@@ -160,7 +160,7 @@ impl<W: Word> Search<W> {
 
     fn solutions(&mut self, structure: &Structure, watch: &Watch<'_>) -> Vec<Solution> {
         self.tally.structures += 1;
-        self.take(structure);
+        self.take(structure, watch);
         let gears = 0..self.wish.gears.len();
         if gears.clone().any(|gear| self.table.reaching(gear).is_empty()) {
             return Vec::new();
@@ -177,6 +177,9 @@ impl<W: Word> Search<W> {
         let symmetries = if candidates.is_empty() { Vec::new() } else { self.symmetries(structure) };
         let mut found = Vec::new();
         for (chosen, parts) in &candidates {
+            if watch.is_over() {
+                break;
+            }
             let least = symmetries.iter().all(|places| image(*chosen, places) >= *chosen);
             if least {
                 found.extend(self.decide(*chosen, *parts, watch));
@@ -206,7 +209,7 @@ impl<W: Word> Search<W> {
     }
 
     /// Takes up a structure: its elements, the function of each choice of them, and the lists of the gears.
-    fn take(&mut self, structure: &Structure) {
+    fn take(&mut self, structure: &Structure, watch: &Watch<'_>) {
         self.motion.take(structure, &self.pairs);
         let mut kept: Vec<usize> = Vec::new();
         self.elements.clear();
@@ -224,7 +227,7 @@ impl<W: Word> Search<W> {
             let alone = (0..kept.len()).filter(|element| !may_be(&self.elements[*element])[other]);
             alone.fold(0, |all, element| all | 1 << element)
         });
-        self.table.take(self.engaged, kept.len(), &mut self.motion, &mut self.library);
+        self.table.take(self.engaged, kept.len(), &mut self.motion, &mut self.library, watch);
     }
 
     /// Goes on from chosen elements, in those of some parts where this was not done before.

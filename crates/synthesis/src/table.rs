@@ -9,6 +9,7 @@ use crate::library::{Library, Number, USELESS};
 use crate::motion::{Motion, Speeds};
 use crate::parts::{Parts, places};
 use crate::ternary::Word;
+use crate::watch::Watch;
 use rustc_hash::FxHashMap;
 
 /// The number of a function within a structure.
@@ -77,6 +78,7 @@ impl<W: Word> Table<W> {
         elements: usize,
         motion: &mut Motion<W>,
         library: &mut Library<W>,
+        watch: &Watch<'_>,
     ) {
         self.elements = elements;
         self.by_speeds.clear();
@@ -91,6 +93,10 @@ impl<W: Word> Table<W> {
         self.having.iter_mut().for_each(Vec::clear);
         self.reaching.iter_mut().for_each(Vec::clear);
         motion.for_each_gear(&mut |first, last| {
+            // Nothing is made of a structure of which the search ends.
+            if watch.is_over() {
+                return;
+            }
             let from = first.last().map_or(0, |element| element + 1);
             let number = self.choices.number(first);
             let chosen = first.iter().fold(0u64, |chosen, element| chosen | 1 << element);

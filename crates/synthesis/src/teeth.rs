@@ -21,6 +21,7 @@ use crate::ratio::{Polynomial, Ratio};
 pub use crate::set_teeth::SetTeeth;
 use crate::sharing::Compound;
 use crate::tolerance::WIDENING;
+use crate::watch::Watch;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::Fraction;
@@ -226,7 +227,8 @@ impl Choice {
 
 /// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side by side, the best `most` of
 /// them told. Each set has its range of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from. Sets that share planets
-/// have equal teeth where they have a gear in common, and planets that fit all of them.
+/// have equal teeth where they have a gear in common, and planets that fit all of them. What is found is not complete where `ended`, which
+/// is asked now and then, ends the trial.
 ///
 /// # Panics
 /// Where there are not as many choices as ranges.
@@ -236,9 +238,8 @@ pub fn designs(
     gears: Gears,
     ranges_of_k: &[RangeInclusive<f64>],
     from: Sets,
-    alike: Alike,
-    aim: Aim,
-    most: usize,
+    (alike, aim, most): (Alike, Aim, usize),
+    ended: &dyn Fn() -> bool,
 ) -> Designs {
     let sets = ranges_of_k.len();
     assert_eq!(from.choices.len(), sets, "each set has its choice");
@@ -253,6 +254,7 @@ pub fn designs(
         most,
         sets,
         boxes: 0,
+        watch: Watch::new(ended),
         found: Designs { count: 0, complete: true, first: Vec::new() },
     };
     let functions: Vec<[Vec<f64>; 2]> = ratios
@@ -282,6 +284,7 @@ struct Search<'a> {
     most: usize,
     sets: usize,
     boxes: u64,
+    watch: Watch<'a>,
     found: Designs,
 }
 
@@ -291,7 +294,7 @@ impl<'a> Search<'a> {
         if cuboid.is_empty() {
             return self.decide(chosen);
         }
-        if self.boxes >= MOST_BOXES {
+        if self.boxes >= MOST_BOXES || self.watch.is_over() {
             self.found.complete = false;
             return;
         }
@@ -528,9 +531,8 @@ mod tests {
                 Gears::apart(&gears),
                 &ranges,
                 Sets::apart(&[&choice; 2]),
-                alike,
-                Aim::Deviation,
-                usize::MAX,
+                (alike, Aim::Deviation, usize::MAX),
+                &|| false,
             );
             let mut teeth: Vec<[SetTeeth; 2]> =
                 found.first.iter().map(|design| [design.sets[0], design.sets[1]]).collect();
@@ -599,9 +601,8 @@ mod tests {
                     Gears::apart(&gears),
                     &ranges,
                     Sets::apart(&[&choice; 2]),
-                    Alike::default(),
-                    aim,
-                    most,
+                    (Alike::default(), aim, most),
+                    &|| false,
                 )
             };
             let (all, five) = (of(usize::MAX), of(5));
@@ -624,9 +625,8 @@ mod tests {
             Gears::apart(&gears),
             &[1.4..=4.5, 1.4..=4.5],
             Sets::apart(&[&few(); 2]),
-            Alike::default(),
-            Aim::Deviation,
-            3,
+            (Alike::default(), Aim::Deviation, 3),
+            &|| false,
         );
         // Links of the four-speed: 3 is a, 4 is b, 5 is c.
         let structure: Structure = "1-a-2 b-2-c".parse().unwrap();
@@ -658,9 +658,8 @@ mod tests {
                 Gears::apart(&[bounds]),
                 &[1.4..=4.5, 1.4..=4.5],
                 Sets::apart(&[&choice; 2]),
-                Alike::default(),
-                Aim::Teeth,
-                1,
+                (Alike::default(), Aim::Teeth, 1),
+                &|| false,
             );
             let in_range = choice.between([1.4, 4.5]);
             let is_within = |one: &SetTeeth, two: &SetTeeth| {

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | `WIDENING` | the bounds of a gear and of a range that is shrunk, over them | a million times the rounding of a ratio of six sets: nothing is lost by it |
 //! | `ACCEPTED` | the bounds of a gear for a point that is found, over them | a box that several gears together shrink to one point at their bounds has its middle there but for a few `WIDENING` |
+//! | `WITHIN` | the bounds of a gear for a solution that is judged, over them | ten times `ACCEPTED`: whatever a search finds is within |
 //! | `SMALLEST` | the width of a range of `k` that is halved no more, over `k` | far above rounding, far below what teeth can realise |
 //! | `DAMPING` | what least squares add for a `k` that moves nothing | it stays where it is, the others hardly move |
 //! | `NO_WIDTH` | half the width of bounds, over the ratio | bounds without width still measure deviations |
@@ -17,6 +18,8 @@
 pub(crate) const WIDENING: f64 = 1e-9;
 /// See the table.
 pub(crate) const ACCEPTED: f64 = 1e-8;
+/// See the table.
+pub(crate) const WITHIN: f64 = 1e-7;
 /// See the table.
 pub(crate) const SMALLEST: f64 = 1e-7;
 /// See the table.

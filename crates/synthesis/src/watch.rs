@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 /// How often there is an occasion to ask for each time that is asked.
-const EVERY: u32 = 256;
+const EVERY: u32 = 64;
 
 /// Asks now and then whether a search is to end; once it is, it stays so.
 pub(crate) struct Watch<'a> {

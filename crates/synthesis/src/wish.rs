@@ -1,7 +1,7 @@
 //! What is wanted of a gearbox, and whether any can have it.
 
 use crate::choices::choose;
-use crate::class::Class;
+use crate::class::{Class, MOST_ELEMENTS};
 use crate::equal::Equal;
 use crate::error::Error;
 use crate::motion::elements;
@@ -87,6 +87,9 @@ impl Wish {
                 "{} shift elements, yet a gear of {class} engages {engaged}",
                 self.elements
             ));
+        }
+        if self.elements > MOST_ELEMENTS {
+            return fault(format!("{} shift elements: there may be {MOST_ELEMENTS} at most", self.elements));
         }
         let pairs = elements(class.links()).len();
         if self.elements > pairs {

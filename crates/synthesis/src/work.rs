@@ -6,8 +6,9 @@ use crate::error::Error;
 use crate::search::Solution;
 use crate::structure::Structure;
 use crate::tally::Tally;
+use crate::watch::Watch;
 use std::fmt;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::str::FromStr;
 
 /// A solution and its structure.
@@ -45,11 +46,24 @@ impl Share {
     pub const WHOLE: Self = Self { number: 0, of: 1 };
 
     /// Its structures in the order of their canonical words, and how many the class has. Where some sets are double-planet sets, each
-    /// structure comes once with every choice of them, and these are dealt out.
+    /// structure comes once with every choice of them, and these are dealt out. Nothing where `ended`, which is asked now and then, ends
+    /// the search for them.
     #[must_use]
-    pub fn structures(self, class: Class, double_planets: usize) -> (Vec<Structure>, usize) {
+    pub fn structures(
+        self,
+        class: Class,
+        double_planets: usize,
+        ended: &dyn Fn() -> bool,
+    ) -> Option<(Vec<Structure>, usize)> {
         let (mut structures, mut count, mut dealt) = (Vec::new(), 0, 0);
-        enumerate::for_each(class, &mut |sets| {
+        let watch = Watch::new(ended);
+        let whole = enumerate::walk(class, &mut |sets| {
+            if watch.is_over() {
+                return ControlFlow::Break(());
+            }
+            if sets.len() < class.sets() {
+                return ControlFlow::Continue(());
+            }
             count += 1;
             let mut deal = |structure: &mut dyn FnMut() -> Structure| {
                 if dealt % self.of.max(1) == self.number {
@@ -65,8 +79,9 @@ impl Share {
                     deal(&mut || tagged.clone());
                 }
             }
+            ControlFlow::Continue(())
         });
-        (structures, count)
+        whole.is_continue().then_some((structures, count))
     }
 
     /// The place among all that are dealt out of the structure at a place of the share, both from 0.
@@ -118,6 +133,19 @@ impl Work {
         self.class_size > 0 && self.done_count() == self.structures
     }
 
+    /// Whether what is done is ranges as it says, within the share, and what was found is of structures that were searched.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)
+            && self.done.iter().all(|range| range.start < range.end);
+        let within = self.done.last().is_none_or(|range| range.end <= self.structures);
+        let is_done = |place: usize| {
+            let at = self.done.partition_point(|range| range.end <= place);
+            self.done.get(at).is_some_and(|range| range.contains(&place))
+        };
+        ordered && within && self.found.iter().all(|(place, _)| is_done(*place))
+    }
+
     /// How far the search is.
     #[must_use]
     pub fn progress(&self) -> Progress {
@@ -133,10 +161,7 @@ impl Work {
         if self == Self::default() {
             (self.class_size, self.structures) = (class_size, structures);
         }
-        let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)
-            && self.done.iter().all(|range| range.start < range.end);
-        let within = self.done.last().is_none_or(|range| range.end <= structures);
-        if (self.class_size, self.structures) == (class_size, structures) && ordered && within {
+        if (self.class_size, self.structures) == (class_size, structures) && self.is_sound() {
             Ok(self)
         } else {
             Err(Error::OtherWork { given: self.structures, structures })

@@ -32,8 +32,10 @@ use crate::error::Error;
 use epicyclic_synthesis::gearbox::element_name;
 use epicyclic_synthesis::motion::{Element, Motion, Speeds, elements};
 use epicyclic_synthesis::ratio::{Polynomial, Ratio};
-use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
+use epicyclic_synthesis::work::Share;
+use epicyclic_synthesis::{Class, Kind, Structure};
 use std::collections::{HashMap, HashSet};
+use std::ops::ControlFlow;
 
 /// The tables as Parquet, and their numbers of rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -70,22 +72,34 @@ pub fn classes() -> Result<[Class; 5], epicyclic_synthesis::Error> {
     ])
 }
 
-/// The atlas of some classes of at most three sets.
+/// The atlas of some classes of at most three sets, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can cause.
-pub fn atlas(classes: &[Class], version: &str) -> Result<Atlas, Error> {
+/// [`Error::Cancelled`]; [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can cause.
+pub fn atlas(
+    classes: &[Class],
+    version: &str,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Atlas, Error> {
     let mut rows = Rows::default();
     for class in classes {
         if class.sets() > MOST_SETS {
             return Err(Error::Sets { sets: class.sets(), most: MOST_SETS });
         }
-        let core: HashSet<Structure> = Class::new(Kind::Core, class.sets(), class.links())
-            .map(|class| enumerate::all(class).into_iter().collect())
-            .unwrap_or_default();
+        let all = |class: Class| {
+            let structures = Share::WHOLE.structures(class, 0, &|| goes_on().is_break());
+            structures.map(|(structures, _)| structures).ok_or(Error::Cancelled)
+        };
+        let core: HashSet<Structure> = match Class::new(Kind::Core, class.sets(), class.links()) {
+            Ok(class) => all(class)?.into_iter().collect(),
+            Err(_) => HashSet::new(),
+        };
         let pairs = elements(class.links());
         let mut motion = Motion::new(class.links() - class.sets());
-        for structure in enumerate::all(*class) {
+        for structure in all(*class)? {
+            if goes_on().is_break() {
+                return Err(Error::Cancelled);
+            }
             rows.add(*class, &structure, core.contains(&structure), &pairs, &mut motion);
         }
     }

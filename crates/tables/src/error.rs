@@ -9,6 +9,9 @@ pub enum Error {
     /// What the reader or writer of Parquet refuses.
     #[error("Parquet: {0}")]
     Parquet(#[from] ParquetError),
+    /// A table that whoever waits for it ended.
+    #[error("the table was cancelled")]
+    Cancelled,
     /// More sets than the atlas has.
     #[error("{sets} planet sets: the atlas has at most {most}")]
     Sets {
@@ -20,6 +23,15 @@ pub enum Error {
     /// A table that is not part of a search, or not as it was written.
     #[error("{0}")]
     NoPart(String),
+    /// A table that is not as it was written.
+    #[error("damaged: its checksum is not that of its bytes; copy it again, or search its share anew")]
+    Damaged,
+    /// A table without a checksum.
+    #[error(
+        "no part of a search with a checksum: it is another file, is damaged, or was written by an earlier version of the program; search \
+         its share anew"
+    )]
+    Unsealed,
     /// Parts of different versions of the program.
     #[error("{file} is of version {given}, not {version}: all parts have to be of one version")]
     Version {

@@ -13,5 +13,6 @@ mod columns;
 mod error;
 pub mod merge;
 pub mod part;
+mod seal;
 
 pub use error::Error;

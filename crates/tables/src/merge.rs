@@ -86,6 +86,11 @@ fn together(parts: &[&(String, Part)], search: usize) -> Result<Answer, Error> {
             let at = work.progress();
             return Err(Error::Incomplete { file: file.clone(), done: at.done, structures: at.of });
         }
+        if work.class_size != class_size || !work.is_sound() {
+            return Err(Error::NoPart(format!(
+                "{file} contradicts itself or another part; search its share anew"
+            )));
+        }
         tally += work.tally;
         found.extend(work.found.iter().map(|(place, found)| (part.share.place_in_class(*place), found)));
     }

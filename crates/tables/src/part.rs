@@ -12,11 +12,12 @@
 //! | `coefficients` | list of int64 | the same as bits, four words a gear: where a coefficient of the numerator is 1, where −1, and so of the denominator |
 //! | `engaged` | list of text | the elements that each gear engages, every choice: `b 1-c or b a-c` |
 //!
-//! The file's metadata holds the version of the program, the share, and for each search what was asked, exactly, which structures
+//! The file's metadata holds a checksum of the whole file (`epicyclic.checksum`), the version of the program, the share, and for each search what was asked, exactly, which structures
 //! were searched, and the counts. Work that is not complete is written alike, and gone on with from there.
 
 use crate::columns::{Column, Read, write};
 use crate::error::Error;
+use crate::seal;
 use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::asked::Asked;
 use epicyclic_synthesis::equal::Equal;
@@ -62,6 +63,7 @@ impl Part {
     /// [`Error::Parquet`], which memory alone can cause.
     pub fn to_parquet(&self) -> Result<Vec<u8>, Error> {
         let mut told = vec![
+            (seal::KEY.to_owned(), seal::OPEN.to_owned()),
             (VERSION.to_owned(), self.version.clone()),
             (SHARE.to_owned(), self.share.to_string()),
             (SEARCHES.to_owned(), self.searches.len().to_string()),
@@ -83,14 +85,18 @@ impl Part {
             .zip(&self.searches)
             .flat_map(|(number, (_, work))| work.found.iter().map(move |found| (number, found)))
             .collect();
-        write("part", &columns(&rows), &told)
+        let mut bytes = write("part", &columns(&rows), &told)?;
+        seal::seal(&mut bytes)?;
+        Ok(bytes)
     }
 
     /// From Parquet.
     ///
     /// # Errors
-    /// [`Error::Parquet`] for what is no Parquet, [`Error::NoPart`] for a table of something else or one that was changed.
+    /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before anything of it is read;
+    /// [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with such a checksum.
     pub fn from_parquet(bytes: Vec<u8>) -> Result<Self, Error> {
+        seal::check(&bytes)?;
         let table = Read::new(bytes)?;
         let fault = |what: &str| Error::NoPart(format!("not part of a search: no {what} in its metadata"));
         let version = table.told(VERSION).ok_or_else(|| fault(VERSION))?.to_owned();
@@ -126,7 +132,10 @@ impl Part {
         }
         for (place, row) in table.rows.iter().enumerate() {
             let damaged = || Error::NoPart(format!("damaged: row {} is no solution", place + 1));
-            let number = usize::try_from(row.get_int(0)?).ok().and_then(|number| number.checked_sub(1));
+            let number = (row.len() == COLUMNS).then(|| row.get_int(0)).transpose()?;
+            let number = number
+                .and_then(|number| usize::try_from(number).ok())
+                .and_then(|number| number.checked_sub(1));
             let (_, work) = number.and_then(|number| searches.get_mut(number)).ok_or_else(damaged)?;
             work.found.push(solution(row).ok_or_else(damaged)?);
         }
@@ -135,6 +144,9 @@ impl Part {
 }
 
 const ASKED: &str = "asked.";
+
+/// Columns of a part.
+const COLUMNS: usize = 9;
 
 fn key(search: usize, name: &str) -> String {
     format!("epicyclic.{search}.{name}")
@@ -148,7 +160,7 @@ fn ranges(text: &str) -> Option<Vec<Range<usize>>> {
     text.split_whitespace().map(range).collect()
 }
 
-fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 9] {
+fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); COLUMNS] {
     fn all<T>(rows: &[(usize, &(usize, Found))], of: impl Fn(&Found) -> T) -> Vec<T> {
         rows.iter().map(|(_, (_, found))| of(found)).collect()
     }
@@ -190,6 +202,9 @@ fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 9] {
 
 /// A row as a solution.
 fn solution(row: &Row) -> Option<(usize, Found)> {
+    if row.len() != COLUMNS {
+        return None;
+    }
     let list = |column: usize| Some(row.get_list(column).ok()?.elements());
     let texts = |column: usize| {
         let text = |field: &Field| if let Field::Str(text) = field { Some(text.clone()) } else { None };

@@ -13,7 +13,10 @@ use std::sync::OnceLock;
 
 fn the_atlas() -> &'static Atlas {
     static ATLAS: OnceLock<Atlas> = OnceLock::new();
-    ATLAS.get_or_init(|| atlas(&classes().expect("classes"), "0.0.1").expect("an atlas"))
+    ATLAS.get_or_init(|| {
+        atlas(&classes().expect("classes"), "0.0.1", &|| std::ops::ControlFlow::Continue(()))
+            .expect("an atlas")
+    })
 }
 
 fn rows(table: &Table) -> Vec<Row> {
@@ -225,7 +228,13 @@ fn given(sets: &str) -> Vec<[Link; 3]> {
 #[test]
 fn the_bytes_are_the_same_each_time() {
     let class = [Class::new(Kind::AllSparse, 2, 5).expect("a class")];
-    let [one, other] = [(), ()].map(|()| atlas(&class, "0.0.1").expect("an atlas"));
+    let [one, other] =
+        [(), ()].map(|()| atlas(&class, "0.0.1", &|| std::ops::ControlFlow::Continue(())).expect("an atlas"));
     assert_eq!(one, other);
-    assert!(atlas(&[Class::new(Kind::Core, 4, 9).expect("a class")], "0.0.1").is_err());
+    assert!(
+        atlas(&[Class::new(Kind::Core, 4, 9).expect("a class")], "0.0.1", &|| {
+            std::ops::ControlFlow::Continue(())
+        })
+        .is_err()
+    );
 }

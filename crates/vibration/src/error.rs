@@ -4,6 +4,9 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
+    /// A sweep that whoever waits for it ended.
+    #[error("the calculation was cancelled")]
+    Cancelled,
     /// A quantity that must be finite and above 0.
     #[error("{field} is {value} {unit}; it must be finite and above 0")]
     NotPositive {
@@ -186,6 +189,7 @@ impl Error {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
+            Self::Cancelled => "cancelled",
             Self::NotPositive { .. } => "not-positive",
             Self::Negative { .. } => "negative",
             Self::OutOfRange { .. } => "out-of-range",

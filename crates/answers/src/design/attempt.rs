@@ -16,6 +16,7 @@ use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_formats::{Document, Physical};
 use epicyclic_selection::{Mechanism, Space};
 use epicyclic_train::Gear;
+use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// Parts of the tolerance within which all deviations count as equal, the least first: only where no design of a class has sizes, the
@@ -59,7 +60,9 @@ impl Attempt {
                 }
                 listed += 1;
                 if wanted.tooth_design.is_none_or(|wanted| wanted == listed) {
-                    tried.push(Tried::of((&found, place), listed, speeds, wanted, (torque, speed))?);
+                    let goes_on = || watch(teeth::At { share: 1.0, searched: None });
+                    let of_input = (torque, speed);
+                    tried.push(Tried::of((&found, place), listed, speeds, wanted, of_input, &goes_on)?);
                 }
             }
             let is_found = |one: &Tried| wanted.tooth_design.is_some() || one.is_whole();
@@ -140,11 +143,12 @@ impl Tried {
         speeds: Vec<ReachedSpeed>,
         wanted: &Wanted,
         (torque, speed): (Torque, AngularVelocity),
+        goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Self, Error> {
         let (design, saved) = found.saved_design(place)?;
         let file = loaded(&saved, wanted, torque, speed)?;
         let document = Document::parse_one(MAKING, file.as_bytes())?;
-        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size)?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
         let mut tried = Self { taken: TeethTaken::of(&design, listed), speeds, file, size };
         tried.taken.mass_kg = tried.mass_kg();
         Ok(tried)

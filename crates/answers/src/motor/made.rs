@@ -199,7 +199,7 @@ impl Inputs {
         let turbulent =
             turbulent.map(|law| TurbulentLaw { factor: law.factor.get(), exponent: law.exponent.get() });
         let friction = groups.friction.map(|range| {
-            let ends = range.within(0.0..=1.0).map_err(|why| refused("friction", why.to_string()))?;
+            let ends = range.closed(0.0..=1.0).map_err(|why| refused("friction", why.to_string()))?;
             Ok::<_, Error>(FrictionRange::new(*ends.start(), *ends.end())?)
         });
         let dead = groups.ports.as_ref().and_then(|ports| ports.dead_volume);

@@ -17,6 +17,7 @@ use epicyclic_train::set::{Gearing, SetKind, SetSpec};
 use epicyclic_train::{Analysis, Gearbox, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// Places in a range of `k`, at most and at least.
 const PLACES: [u32; 2] = [60, 12];
@@ -98,7 +99,7 @@ pub struct Shown<'g> {
     pub layout: Option<Box<Layout>>,
 }
 
-/// The chapters of a gearbox with the input as asked, and the results that their pictures show.
+/// The chapters of a gearbox with the input as asked, and the results that their pictures show, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
 /// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`], [`sheet::chapter`] and [`vibration::chapter`].
@@ -106,6 +107,7 @@ pub fn answer<'g>(
     subject: &'g Subject<'_>,
     input: Input,
     wanted: &Wanted,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(GearboxReport, Shown<'g>), Error> {
     let gearbox = &subject.gearbox;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
@@ -124,7 +126,7 @@ pub fn answer<'g>(
         strength: strength::chapters(subject, input)?,
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
-        vibration: vibration::chapter(subject, wanted)?,
+        vibration: vibration::chapter(subject, wanted, goes_on)?,
         conflict,
         over_k: over_k(gearbox),
     };

@@ -221,8 +221,8 @@ pub struct At {
     pub searched: Option<Searched>,
 }
 
-/// Told how far a search is, from any thread.
-pub type Watch<'a> = dyn Fn(At) + Sync + 'a;
+/// Told how far a search is, from any thread; a break ends the search.
+pub type Watch<'a> = dyn Fn(At) -> ControlFlow<()> + Sync + 'a;
 
 /// What a search found, before the designs are measured in full.
 #[derive(Debug)]
@@ -561,8 +561,7 @@ fn of_two(
     };
     // What is tried once for all structures is tried once more for each by itself.
     let told = |share: f64, progress: Progress| {
-        watch(At { share: share.min(1.0), searched: Some(Searched::of(progress.counts)) });
-        ControlFlow::Continue(())
+        watch(At { share: share.min(1.0), searched: Some(Searched::of(progress.counts)) })
     };
     let share = |progress: Progress| progress.done as f64 / progress.of.max(1) as f64;
     let watch = |progress: Progress| told(0.5 * share(progress), progress);
@@ -670,7 +669,7 @@ mod tests {
 
     #[test]
     fn the_largest_ring_of_a_design_is_its_size() {
-        let found = answer(&wanted(&[1.465, 2.56]), &|_| ()).unwrap();
+        let found = answer(&wanted(&[1.465, 2.56]), &|_| ControlFlow::Continue(())).unwrap();
         assert!(found.shown > 0);
         for design in &found.designs {
             let largest = design.tooth_numbers.iter().map(|set| set.size).fold(0.0, f64::max);
@@ -688,11 +687,12 @@ mod tests {
     fn limits_of_the_module_hold_for_what_is_told() {
         let module = Length::new::<millimeter>(3.2);
         let limits = SizeLimits { least_module: Some(module), ..SizeLimits::default() };
-        let found = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ()).unwrap();
+        let found =
+            answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ControlFlow::Continue(())).unwrap();
         let told = found.designs.iter().flat_map(|design| &design.tooth_numbers);
         assert!(told.clone().count() > 0 && told.clone().all(|set| set.module_m.unwrap() >= 3.2e-3));
         let limits = SizeLimits { greatest_module: Some(module / 2.0), ..limits };
-        let refused = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ());
+        let refused = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ControlFlow::Continue(()));
         assert!(matches!(refused, Err(Error::ModuleRange { .. })));
     }
 
@@ -703,21 +703,24 @@ mod tests {
             let mut few = wanted(ratios);
             few.limits = SizeLimits::default();
             few.most = MOST_DESIGNS;
-            let whole = search(&few, &|_| ()).unwrap();
+            let whole = search(&few, &|_| ControlFlow::Continue(())).unwrap();
             let text = to_json(&whole.answer().unwrap()).unwrap();
             assert!(whole.shown() > 1 && whole.shown() < MOST_DESIGNS, "{}", whole.shown());
             let all = Wanted { most: usize::MAX, ..few.clone() };
-            let found = search(&all, &|_| ()).unwrap();
+            let found = search(&all, &|_| ControlFlow::Continue(())).unwrap();
             let (mut bytes, last) = (vec![], std::cell::Cell::new(0.0));
             write_json(&found.streamed(&|share| last.set(share)).unwrap(), &mut bytes).unwrap();
             assert!(String::from_utf8(bytes).unwrap() == text && last.get() == 1.0);
-            assert!(matches!(answer(&all, &|_| ()), Err(Error::TooManyDesigns { .. })));
+            assert!(matches!(
+                answer(&all, &|_| ControlFlow::Continue(())),
+                Err(Error::TooManyDesigns { .. })
+            ));
         }
     }
 
     #[test]
     fn one_ratio_is_a_matter_of_one_set() {
-        let found = answer(&wanted(&[3.9375]), &|_| ()).unwrap();
+        let found = answer(&wanted(&[3.9375]), &|_| ControlFlow::Continue(())).unwrap();
         assert!(found.shown == 3 && found.searched.structures == 6, "{:?}", found.searched);
         for design in &found.designs {
             let [teeth] = design.tooth_numbers[..] else { panic!("{design:?}") };

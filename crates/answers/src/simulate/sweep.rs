@@ -1,6 +1,6 @@
 //! A scenario with other values of one key.
 
-use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer, threads};
+use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, threads};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{changed, path_of, read_changed};
@@ -108,12 +108,18 @@ pub fn sweep(
     let scenario = files.first().map(|(_, file)| file.scenario.clone()).unwrap_or_default();
     let done = AtomicUsize::new(0);
     let runs = threads::map(&files, |(value, file)| {
-        if !goes_on(done.load(Ordering::Relaxed) as f64 / files.len() as f64) {
+        let goes_on = || goes_on(done.load(Ordering::Relaxed) as f64 / files.len() as f64);
+        let mut is_whole = goes_on();
+        if !is_whole {
             return None;
         }
-        let run = SweptRun::of(*value, file, answer(document, file, beside));
+        let simulation = answer_watched(document, file, beside, |_| {
+            is_whole = goes_on();
+            is_whole
+        });
+        let run = SweptRun::of(*value, file, simulation);
         done.fetch_add(1, Ordering::Relaxed);
-        Some(run)
+        is_whole.then_some(run)
     });
     let runs: Vec<SweptRun> = runs.into_iter().flatten().collect();
     let mut warnings = vec![];

@@ -19,6 +19,7 @@ pub(super) fn keep(
     selection: &[usize],
     left_out: &mut LeftOuts,
     judged: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
+    rated: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vec<Kept>, Error> {
     if wanted.drawable {
         let mut drawable = Vec::new();
@@ -34,7 +35,7 @@ pub(super) fn keep(
     let mut kept = Vec::new();
     let judgements = judge_all(&found, wish, wanted.efficiency, judged)?;
     for (found, judged) in found.into_iter().zip(judgements) {
-        let Some(judged) = judged else {
+        let Some(judged) = judged.filter(|_| rated().is_continue()) else {
             left_out.add(Reason::Unjudged, 1);
             continue;
         };

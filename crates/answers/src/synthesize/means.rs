@@ -20,6 +20,16 @@ pub trait Means<E>: Sync {
         ControlFlow::Continue(())
     }
 
+    /// Whether solutions that were judged are rated, too; a break leaves out the others and ends the search.
+    fn rated(&self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// Whether the search is asked to end: then no tooth numbers are looked for.
+    fn ended(&self) -> bool {
+        false
+    }
+
     /// All that was found so far was left out, so that larger classes follow, if there are any.
     fn nothing_kept(&mut self, searching: &Searching, left_out: &[LeftOut]) {
         let _ = (searching, left_out);

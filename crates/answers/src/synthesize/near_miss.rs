@@ -36,11 +36,16 @@ const NEAREST: usize = 100;
 /// The smallest class of fewer sets than those found that has the ratios within a wider tolerance: five times the wanted one, at most
 /// 10 %. Of that class, among the hundred gearboxes nearest to the ratios, the gearbox of use with the least deviation.
 ///
-/// Classes that take longer than a second to search again are left out.
+/// Classes that take longer than a second to search again are left out, and none is told where `goes_on`, which is asked now and then,
+/// breaks.
 ///
 /// # Errors
 /// As [`solve`], but for classes that there are not.
-pub fn near_miss(wanted: &Wanted, answer: &Synthesis) -> Result<Option<NearMiss>, Error> {
+pub fn near_miss(
+    wanted: &Wanted,
+    answer: &Synthesis,
+    goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Option<NearMiss>, Error> {
     let fewer = match answer.solutions.first() {
         Some(found) => found.sets.len().saturating_sub(1),
         None => *wanted.sets.end(),
@@ -62,9 +67,10 @@ pub fn near_miss(wanted: &Wanted, answer: &Synthesis) -> Result<Option<NearMiss>
         usable: None,
         ..wanted.clone()
     };
-    let (found, kept) = match solve(&wider, &|_, _| ControlFlow::Continue(())) {
+    let (found, kept) = match solve(&wider, &|_, _| goes_on()) {
         // So few sets have no such numbers of links or elements.
         Err(Error::Synthesis(_)) => return Ok(None),
+        Ok((found, _)) if !found.complete => return Ok(None),
         found => found?,
     };
     // What is of no use is no hint either.

@@ -123,10 +123,8 @@ impl Teeth {
     /// Those of a solution, gears side by side by their places among its gears, with these ranges of each set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
     ///
     /// # Errors
-    /// Those of the solver; none are known for tooth numbers of a search.
-    ///
-    /// # Panics
-    /// Where the solver's fraction of a ratio is another than the search's: a fault of this library.
+    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) where the solver's fraction of a ratio is another than the search's; else
+    /// those of the solver. None are known for tooth numbers of a search.
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],
@@ -134,6 +132,7 @@ impl Teeth {
         k: &[RangeInclusive<f64>],
         choices: &Choices,
         teeth: &TeethWanted,
+        ended: &dyn Fn() -> bool,
     ) -> Result<(Self, Vec<Design>), Error> {
         let structure = &kept.found.structure;
         let solution = &kept.found.solution;
@@ -146,7 +145,7 @@ impl Teeth {
         let wanted = Gears { bounds: &bounds, side_by_side };
         let compounds = &kept.judged.sharing.compounds;
         let sets = Sets { choices: &choices, compounds, bounds: Some(&teeth.bounds) };
-        let mut all = designs(&ratios, wanted, k, sets, teeth.alike, teeth.aim, teeth.most);
+        let mut all = designs(&ratios, wanted, k, sets, (teeth.alike, teeth.aim, teeth.most), ended);
         all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
         let told = all.first.iter().map(|design| TeethOfSets::of(kept, design, gears));
         let choices = told.collect::<Result<_, _>>()?;
@@ -166,12 +165,12 @@ impl TeethOfSets {
         for (gear, ratio) in gearbox.gears().iter().zip(&design.ratios) {
             let analysis = gearbox.analyze_gear(gear)?;
             let by_solver = analysis.exact_ratio();
-            assert!(
-                by_solver.as_ref() == Some(ratio),
-                "{}: gear {} is {ratio}, {by_solver:?} by the solver",
-                kept.found.structure,
-                gear.name()
-            );
+            if by_solver.as_ref() != Some(ratio) {
+                let structure = kept.found.structure.to_string();
+                let why =
+                    format!("gear {} is {ratio} by its teeth, {by_solver:?} by the solver", gear.name());
+                return Err(epicyclic_synthesis::Error::Contradiction { structure, why }.into());
+            }
             greatest_planet_speed = greatest_planet_speed.max(planet_speed(&analysis));
         }
         Ok(Self {

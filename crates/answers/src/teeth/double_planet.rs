@@ -8,6 +8,7 @@ use epicyclic_formats::Physical;
 use epicyclic_gears::double_planet::DoublePlanetCandidate;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// Double-planet sets that give a ratio, the most exact first: each pair of sun and ring once, since the ratio does not depend on the
 /// planets between them.
@@ -69,11 +70,11 @@ impl Answer for DoublePlanetTeeth {
     const NAME: &'static str = "teeth-double-planet";
 }
 
-/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1.
+/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
-pub fn answer(wanted: &Wanted, done: impl FnMut(f64)) -> Result<DoublePlanetTeeth, Error> {
+pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<DoublePlanetTeeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
     let found = bounds.double_planets_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found.found > MOST_SETS as u64 {

@@ -16,7 +16,7 @@ use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_train::set::{SetSpec, Shifts};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// What is wanted of the shifts.
 #[derive(Debug, Clone, PartialEq)]
@@ -202,11 +202,15 @@ impl Answer for ShiftedTeeth {
     const NAME: &'static str = "teeth-shifted";
 }
 
-/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1.
+/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be; [`Error::TooMany`].
-pub fn answer(wanted: &Wanted, shifts: &WantedShifts, done: impl FnMut(f64)) -> Result<ShiftedTeeth, Error> {
+pub fn answer(
+    wanted: &Wanted,
+    shifts: &WantedShifts,
+    done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<ShiftedTeeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
     let search = shifts.within(bounds).within(bounds);
     let (found, first) = search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;

@@ -9,6 +9,7 @@ use crate::tolerance::MET;
 use epicyclic_formats::Physical;
 use epicyclic_vibration::{Centripetal, Error};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 use uom::si::f64::AngularVelocity;
 
 /// Steps of the false position; some eight are usual.
@@ -18,7 +19,9 @@ const STEPS: u32 = 100;
 type Label = (u32, ModeKind);
 
 /// The frequencies over the speeds.
-pub(super) struct Branches {
+pub(super) struct Branches<'a> {
+    /// Asked before each of them.
+    goes_on: &'a dyn Fn() -> ControlFlow<()>,
     /// Speed of the carrier over that of the input.
     carrier: f64,
     labels: Vec<Label>,
@@ -26,14 +29,19 @@ pub(super) struct Branches {
     places: Vec<(f64, Vec<f64>)>,
 }
 
-impl Branches {
+impl<'a> Branches<'a> {
     /// At these speeds of the input, rad/s.
-    pub(super) fn new(found: &Found, carrier: f64, speeds: &[f64]) -> Result<Self, Error> {
+    pub(super) fn new(
+        found: &Found,
+        carrier: f64,
+        speeds: &[f64],
+        goes_on: &'a dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
         let mut labels: Vec<Label> = vec![];
         for (index, group) in found.groups.iter().enumerate() {
             labels.extend(group.shapes.iter().map(|_| (number(index), ModeKind::of(group.kind))));
         }
-        let mut all = Self { carrier, labels, places: vec![] };
+        let mut all = Self { goes_on, carrier, labels, places: vec![] };
         for &speed in speeds {
             let at = all.at(found, speed)?;
             all.places.push((speed, at));
@@ -41,8 +49,14 @@ impl Branches {
         Ok(all)
     }
 
+    /// Refuses to go on where whoever waits ended it.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        if (self.goes_on)().is_break() { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
     /// Frequencies at a speed of the input, Hz, in the order of the labels.
     fn at(&self, found: &Found, speed: f64) -> Result<Vec<f64>, Error> {
+        self.check()?;
         let turning = AngularVelocity::from_si(self.carrier * speed);
         if self.carrier == 0.0 {
             return Ok(found

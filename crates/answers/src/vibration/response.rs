@@ -42,7 +42,7 @@ pub(super) struct Excited<'a> {
     pub(super) sun_drives: bool,
     /// Speed of the carrier over that of the input, seen from the side from which the torque on the sun is positive; 0 without gyroscopic effect.
     pub(super) frame: f64,
-    pub(super) branches: &'a Branches,
+    pub(super) branches: &'a Branches<'a>,
     pub(super) excitation: &'a Excitation,
 }
 
@@ -97,6 +97,7 @@ impl Excited<'_> {
         let springs: Vec<SpringId> = found.model.springs().collect();
         // The greatest amplitudes of the meshes with sun and ring at a speed of the input.
         let forces = |speed: f64| -> Result<[f64; 2], Refusal> {
+            self.branches.check()?;
             let omega = AngularVelocity::from_si(order.of_input * speed);
             let response = if self.frame == 0.0 {
                 found.model.response(modes, &displacements, omega, zeta)?

@@ -16,7 +16,6 @@ use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::Quantity as Of;
 use epicyclic_hydromotor::search::forms::{FlankOrder, FormSearch, FormSpace};
-use std::ops::ControlFlow;
 use uom::si::f64::{Angle, Pressure, Ratio};
 
 /// Points that are judged in a second, about.
@@ -189,15 +188,14 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let searched = answers::motor_forms::search(&wanted, &|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
         if at.pass == 0 {
-            shown.at(SHARE_OF_MOTORS * share);
+            shown.at(SHARE_OF_MOTORS * share)
         } else {
             let points = at.of as f64 * forms as f64;
             shown.size(points, POINTS_IN_A_SECOND, || {
                 format!("{} motors, {forms} tooth forms, {points:.1e} points", at.of)
             });
-            shown.at(SHARE_OF_MOTORS + (1.0 - SHARE_OF_MOTORS) * share);
+            shown.at(SHARE_OF_MOTORS + (1.0 - SHARE_OF_MOTORS) * share)
         }
-        ControlFlow::Continue(())
     });
     drop(shown);
     let searched = searched.map_err(refuse)?;

@@ -106,9 +106,9 @@ pub(super) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
             shown.size(places, PLACES_IN_A_SECOND, || {
                 format!("{} sets of lobes and teeth, {places:.1e} places at least", at.of)
             });
-            shown.at(share);
+            shown.at(share)
         } else {
-            shown.at_pass(at.pass, share);
+            shown.at_pass(at.pass, share)
         }
     });
     drop(shown);

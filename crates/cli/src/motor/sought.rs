@@ -201,7 +201,7 @@ fn within(
     span: Span<u32>,
     usual: std::ops::RangeInclusive<u32>,
 ) -> Result<std::ops::RangeInclusive<u32>, Failure> {
-    span.within(usual).map_err(|error| Failure::Range { option, error })
+    span.closed(usual).map_err(|error| Failure::Range { option, error })
 }
 
 /// Where the answer and drawings go.

@@ -140,8 +140,8 @@ impl Desk for Ending {
     fn message(&self, text: &str) {
         self.0.message(text);
     }
-    fn must_end(&self) -> bool {
-        true
+    fn asked_to_end(&self) -> Option<f64> {
+        Some(0.0)
     }
     fn seconds(&self) -> f64 {
         self.0.seconds()
@@ -151,6 +151,8 @@ impl Desk for Ending {
 #[test]
 fn a_search_ends_at_once_where_its_desk_says_so() {
     let words = ["motor", "search", "--displacement", "250 cm3/rev"];
-    let ended = std::panic::catch_unwind(|| call(words, &Ending(Captured::default()))).unwrap_err();
-    assert!(ended.is::<epicyclic::Ended>());
+    let desk = Ending(Captured::default());
+    assert_eq!(call(words, &desk), epicyclic::INTERRUPTED);
+    let told = desk.0.into_told();
+    assert!(told.answer.is_empty() && told.messages == [format!("error: {}", epicyclic::NOTHING_TO_SHOW)]);
 }

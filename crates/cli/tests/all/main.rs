@@ -7,6 +7,7 @@ mod cli;
 mod common;
 mod design;
 mod draw;
+mod endings;
 mod every_input;
 mod files;
 mod gearboxes;

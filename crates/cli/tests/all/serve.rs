@@ -155,6 +155,47 @@ fn a_browser_is_opened_but_where_none_is_wanted() {
     }
 }
 
+/// Clients that announce what does not come, do not read, or do not end their heads keep nobody waiting.
+#[test]
+fn a_client_that_stalls_keeps_nobody_waiting() {
+    let folder = app();
+    fs::write(folder.path().join("large.bin"), vec![7; 32 << 20]).unwrap();
+    let serving = Serving::new(&folder, &[]);
+    let host = format!("Host: 127.0.0.1:{}\r\n", serving.port);
+    let connect = |sent: &str| {
+        let mut stream = TcpStream::connect(("127.0.0.1", serving.port)).unwrap();
+        stream.write_all(sent.as_bytes()).unwrap();
+        stream
+    };
+    let mut stalled = vec![];
+    for _ in 0..5 {
+        stalled.push(connect(""));
+        stalled.push(connect(&format!("POST / HTTP/1.1\r\n{host}Content-Length: 100000\r\n\r\nabc")));
+        stalled.push(connect(&format!("GET /large.bin HTTP/1.1\r\n{host}\r\n")));
+        stalled.push(connect(&format!("GET / HTTP/1.1\r\n{host}X: ")));
+    }
+    let begun = Instant::now();
+    assert_eq!(serving.got("/").0, 200);
+    assert!(begun.elapsed() < Duration::from_secs(4), "{:?}", begun.elapsed());
+    let status = |mut stream: TcpStream| {
+        let mut reply = vec![];
+        let _ = stream.read_to_end(&mut reply);
+        text(&reply).split(' ').nth(1).map(str::to_owned)
+    };
+    let announced = connect(&format!("GET / HTTP/1.1\r\n{host}Content-Length: 100000\r\n\r\nabc"));
+    assert_eq!(status(announced).as_deref(), Some("413"));
+    let endless = connect(&format!("GET / HTTP/1.1\r\n{host}X: {}", "x".repeat(20_000)));
+    assert_eq!(status(endless).as_deref(), Some("431"));
+    assert_eq!(status(connect("nonsense\r\n\r\n")).as_deref(), Some("400"));
+    // What does not come is not waited for for ever.
+    let begun = Instant::now();
+    assert_eq!(status(stalled.swap_remove(0)).as_deref(), Some("408"));
+    assert!(begun.elapsed() < Duration::from_secs(30), "{:?}", begun.elapsed());
+    drop(stalled);
+    let whole = serving.got("/large.bin");
+    assert_eq!((whole.0, whole.2.len()), (200, 32 << 20));
+}
+
 #[test]
 fn what_cannot_be_served_is_refused() {
     let (folder, empty) = (app(), tempdir().unwrap());

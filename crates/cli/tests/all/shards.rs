@@ -100,7 +100,7 @@ fn parts_that_do_not_fit_together_are_refused() {
             "1.parquet is of another search: its gears: 3.02841..3.08959",
         ),
         (FOUR_SPEED, "1.parquet 2.parquet none.parquet", "none.parquet: cannot be read"),
-        (FOUR_SPEED, "1.parquet text 3.parquet", "text: cannot be read: Parquet"),
+        (FOUR_SPEED, "1.parquet text 3.parquet", "text: cannot be read: no part of a search with a checksum"),
     ] {
         let parts: Vec<&str> = ["--merge"].into_iter().chain(parts.split(' ')).collect();
         let output = run(folder, &question, &parts);
@@ -227,9 +227,47 @@ fn ctrl_c_tells_what_was_found_and_that_it_is_not_all() {
         last = format!("{:?} {}{shown}", output.status.code(), told(&output));
         if output.status.code() == Some(130) && !shown.is_empty() {
             assert!(shown.contains(" found before the search was ended"), "{shown}");
-            assert!(told(&output).contains("error: the search was ended before it was complete"));
+            assert!(
+                told(&output).contains("error: interrupted: the search was ended before it was complete")
+            );
             return;
         }
     }
     panic!("{last}");
+}
+
+/// Bits of a part and of work in progress that are not as they were written, files that have no end, and outputs that take no file.
+#[test]
+fn what_is_no_part_or_no_longer_one_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let shard = ["--shard", "1/1", "-o", "part.parquet"];
+    assert!(run(folder, &FOUR_SPEED, &shard).status.success());
+    let part = fs::read(folder.join("part.parquet")).unwrap();
+    let told_of = |more: &[&str], code: i32| {
+        let output = run(folder, &FOUR_SPEED, more);
+        assert_eq!(output.status.code(), Some(code), "{more:?}: {}", told(&output));
+        told(&output)
+    };
+    for place in [5, part.len() / 3, part.len() / 2, part.len() - 200, part.len() - 6] {
+        let mut changed = part.clone();
+        changed[place] ^= 4;
+        for name in ["changed.parquet", "other.parquet.progress"] {
+            fs::write(folder.join(name), &changed).unwrap();
+        }
+        assert!(told_of(&["--merge", "changed.parquet"], 3).contains("checksum"), "{place}");
+        assert!(told_of(&["--shard", "1/1", "-o", "other.parquet"], 3).contains("checksum"), "{place}");
+        assert_eq!(fs::read(folder.join("other.parquet.progress")).unwrap(), changed, "it stays");
+        assert!(!folder.join("other.parquet").exists());
+    }
+    fs::write(folder.join("text.parquet"), "no part").unwrap();
+    assert!(told_of(&["--merge", "text.parquet"], 3).contains("with a checksum"));
+    for device in ["/dev/zero", "/dev/full", "/dev/null", "/dev/stdout"] {
+        if Path::new(device).exists() {
+            let no_file = "a part is a file, no device, pipe or folder";
+            assert!(told_of(&["--merge", "part.parquet", device], 3).contains(no_file), "{device}");
+            assert!(told_of(&["--shard", "1/2", "-o", device], 3).contains(no_file), "{device}");
+        }
+    }
+    assert!(told_of(&["--merge", "."], 3).contains("a part is a file"));
 }

@@ -62,7 +62,7 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
                 wanted.ratio,
                 MODE,
                 wanted.tolerance,
-                |_| {},
+                |_| std::ops::ControlFlow::Continue(()),
                 |near| {
                     let nearer = |best: &Near| {
                         let by_error = near.ratio_error.abs().total_cmp(&best.ratio_error.abs());

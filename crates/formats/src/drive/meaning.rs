@@ -119,7 +119,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
     }
     let mut bounds = default_bounds(rack);
     let range = |span: Option<Span<u32>>, usual: &RangeInclusive<u32>, path| {
-        let range = span.map_or(Ok(usual.clone()), |span| span.within(usual.clone()));
+        let range = span.map_or(Ok(usual.clone()), |span| span.closed(usual.clone()));
         let range = range.map_err(|error| Misfit::new(path, "range", error))?;
         if *range.start() == 0 { Err(Misfit::of_gear(path, &GearError::NoTeeth)) } else { Ok(range) }
     };
@@ -127,7 +127,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
     bounds.planet = range(file.planet, &bounds.planet, "teeth.planet")?;
     bounds.ring = range(file.ring, &bounds.ring, "teeth.ring")?;
     if let Some(planets) = file.planets {
-        let range = planets.within(bounds.planets.clone());
+        let range = planets.closed(bounds.planets.clone());
         bounds.planets = range.map_err(|error| Misfit::new("teeth.planets", "range", error))?;
     }
     (bounds.tip_gap, bounds.placement) = (tip_gap, placement);

@@ -16,7 +16,7 @@ use crate::spacing::PlanetSpacing;
 use crate::synthesis::{Bounds, Placement, Search, ToothNumbers};
 use crate::units::radians;
 use crate::{Error, ToothCount};
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
 pub const MOST_OFFSET: i32 = 9;
@@ -100,7 +100,7 @@ impl Shifted {
 
 impl ShiftedSearch {
     /// How many sets there are for a ratio, and the first `most` of them: the most exact first, equally exact ones by the size of the offset,
-    /// ring, sun and number of planets. `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    /// ring, sun and number of planets. `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::involute::closing::Closing;
@@ -112,7 +112,7 @@ impl ShiftedSearch {
     /// let search = ShiftedSearch { bounds, offsets: -3..=3, closing: Closing::default() };
     /// let mode = Mode::new(Member::Sun, Member::Carrier)?;
     /// // i = 1 + 93/18: 18/36/93 and its neighbours.
-    /// let (found, sets) = search.first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| {})?;
+    /// let (found, sets) = search.first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| std::ops::ControlFlow::Continue(()))?;
     /// let planets: Vec<u32> = sets.iter().map(|set| set.teeth.planet.get()).collect();
     /// assert_eq!((found, planets), (4, vec![37, 38, 36, 39]));
     /// # Ok(())
@@ -120,7 +120,7 @@ impl ShiftedSearch {
     /// ```
     ///
     /// # Errors
-    /// As [`Bounds::for_ratio`]; [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of
+    /// As [`Bounds::for_ratio`]; [`Error::Cancelled`]; [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of
     /// [`Profile::check`](super::Profile::check).
     pub fn first_for_ratio(
         &self,
@@ -128,7 +128,7 @@ impl ShiftedSearch {
         mode: Mode,
         tolerance: f64,
         most: usize,
-        mut done: impl FnMut(f64),
+        mut done: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<(u64, Vec<Shifted>), Error> {
         self.check()?;
         let mut search = Search::new(wanted, tolerance)?;
@@ -164,7 +164,9 @@ impl ShiftedSearch {
                 });
                 Ok(())
             })?;
-            done(f64::from(sun - first + 1) / f64::from(last - first + 1));
+            if done(f64::from(sun - first + 1) / f64::from(last - first + 1)).is_break() {
+                return Err(Error::Cancelled);
+            }
         }
         if found == 0 {
             let nearest = search.nearest();
@@ -313,8 +315,9 @@ mod tests {
     fn bad_searches_are_refused() {
         let search =
             |offsets| ShiftedSearch { bounds: Bounds::default(), offsets, closing: Closing::default() };
-        let refused =
-            |search: ShiftedSearch| search.first_for_ratio(6.0, mode(), 0.01, 1, |_| {}).unwrap_err();
+        let refused = |search: ShiftedSearch| {
+            search.first_for_ratio(6.0, mode(), 0.01, 1, |_| ControlFlow::Continue(())).unwrap_err()
+        };
         assert_eq!(
             refused(search(-12..=3)).to_string(),
             "ring offsets from -12 to 3: write the smaller first, from -9 to 9"
@@ -344,7 +347,7 @@ mod tests {
             };
             let search = ShiftedSearch { bounds: bounds.clone(), offsets: low..=low + more, closing: Closing::default() };
             let wanted = 2.0 + 2.0 * f64::from(planet) / f64::from(sun);
-            let found = search.first_for_ratio(wanted, mode(), 0.05, usize::MAX, |_| {});
+            let found = search.first_for_ratio(wanted, mode(), 0.05, usize::MAX, |_| ControlFlow::Continue(()));
             let mut by_trial = vec![];
             for sun in bounds.sun.clone() {
                 for planet in bounds.planet.clone() {

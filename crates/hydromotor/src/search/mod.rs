@@ -86,8 +86,8 @@ mod point;
 mod requirements;
 
 use crate::quantity::{Choice, Quantity};
-use std::ops::RangeInclusive;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::{ControlFlow, RangeInclusive};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::Error;
 use crate::checks::{Subject, ToothHeights, finite_heights};
@@ -288,16 +288,16 @@ struct Place {
 /// How far a search has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added.
+    /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added; of forms 1 is the last.
     pub pass: u32,
-    /// Sets of lobes and teeth, after pass 0 intervals of families, that are done in this pass.
+    /// Sets of lobes and teeth, after pass 0 intervals of families or motors, that are done in this pass.
     pub done: usize,
     /// Of so many.
     pub of: usize,
 }
 
-/// Called from any thread, at the begin of a pass and whenever a part of it is done.
-pub type Watch<'a> = dyn Fn(Progress) + Sync + 'a;
+/// Called from any thread, at the begin of a pass and whenever a part of it is done; [`ControlFlow::Break`] cancels.
+pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 impl MotorSearch {
     /// With default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
@@ -323,13 +323,13 @@ impl MotorSearch {
     /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round,
     /// [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
     pub fn front(&self) -> Result<Found, Error> {
-        self.front_watched(&|_| ())
+        self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
     /// The same, watched.
     ///
     /// # Errors
-    /// As [`front`](Self::front).
+    /// As [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let yardstick = self.yardstick()?;
         let sets = self.bounds.count()?;
@@ -341,8 +341,8 @@ impl MotorSearch {
         funnel.sets = numbers.len();
         numbers.retain(|&numbers| self.limits.allow(numbers));
         funnel.outside_limits = funnel.sets - numbers.len();
-        let pass = Pass::new(0, numbers.len(), watch);
-        let per_set = map(&numbers, |&numbers| pass.part(branches(&yardstick, numbers, self.points)));
+        let pass = Pass::new(0, numbers.len(), watch)?;
+        let per_set = pass.each(&numbers, |&numbers| branches(&yardstick, numbers, self.points))?;
         funnel.without_family = per_set.iter().filter(|branches| branches.is_empty()).count();
         let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
         funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
@@ -354,10 +354,10 @@ impl MotorSearch {
         if let Some(slack) = half {
             for number in 1.. {
                 let cover = Cover::new(values);
-                let pass = Pass::new(number, branches.len(), watch);
+                let pass = Pass::new(number, branches.len(), watch)?;
                 let refined =
-                    map_mut(&mut branches, |branch| pass.part(branch.refine(&yardstick, &cover, slack)));
-                let added: usize = refined.into_iter().sum();
+                    map_mut(&mut branches, |branch| pass.part(|| branch.refine(&yardstick, &cover, slack)));
+                let added: usize = pass.all(refined)?.into_iter().sum();
                 values = judged_front(&yardstick, &mut branches);
                 if added == 0 {
                     break;
@@ -442,25 +442,51 @@ impl MotorSearch {
     }
 }
 
-/// A pass that counts its parts.
+/// A pass that counts its parts, and ends where it is cancelled.
 struct Pass<'a> {
     pass: u32,
     done: AtomicUsize,
     of: usize,
+    cancelled: AtomicBool,
     watch: &'a Watch<'a>,
 }
 
 impl<'a> Pass<'a> {
-    fn new(pass: u32, of: usize, watch: &'a Watch) -> Self {
-        watch(Progress { pass, done: 0, of });
-        Self { pass, done: AtomicUsize::new(0), of, watch }
+    fn new(pass: u32, of: usize, watch: &'a Watch) -> Result<Self, Error> {
+        if watch(Progress { pass, done: 0, of }).is_break() {
+            return Err(Error::Cancelled);
+        }
+        Ok(Self { pass, done: AtomicUsize::new(0), of, cancelled: AtomicBool::new(false), watch })
     }
 
-    /// A part that is done.
-    fn part<T>(&self, result: T) -> T {
+    /// The answer to each item, unless the watch breaks.
+    fn each<T: Sync, R: Send>(
+        &self,
+        items: &[T],
+        work: impl Fn(&T) -> R + Sync + Send,
+    ) -> Result<Vec<R>, Error> {
+        self.all(map(items, |item| self.part(|| work(item))))
+    }
+
+    /// A part; nothing once the watch breaks.
+    fn part<T>(&self, work: impl FnOnce() -> T) -> Option<T> {
+        if self.cancelled.load(Ordering::Relaxed) {
+            return None;
+        }
+        let result = work();
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        (self.watch)(Progress { pass: self.pass, done, of: self.of });
-        result
+        if (self.watch)(Progress { pass: self.pass, done, of: self.of }).is_break() {
+            self.cancelled.store(true, Ordering::Relaxed);
+        }
+        Some(result)
+    }
+
+    /// All parts, unless the watch broke.
+    fn all<T>(&self, parts: Vec<Option<T>>) -> Result<Vec<T>, Error> {
+        if self.cancelled.load(Ordering::Relaxed) {
+            return Err(Error::Cancelled);
+        }
+        Ok(parts.into_iter().flatten().collect())
     }
 }
 

@@ -30,7 +30,7 @@ use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
 use epicyclic_schemes::structures::{Role, SetRoles};
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
 
 /// A search over the teeth of one set.
@@ -108,6 +108,9 @@ struct Measured {
 /// From so many designs on those that others dominate are left out before all are there.
 const MANY: usize = 1 << 20;
 
+/// Sets of tooth numbers after which whoever watches a search is asked.
+const LEVELS: u32 = 256;
+
 impl OneSetSearch {
     /// All six ways, default tooth bounds and order, no limits of size.
     #[must_use]
@@ -130,21 +133,21 @@ impl OneSetSearch {
     /// Invalid bounds, limits and ratios, [`Error::OneRatio`] unless one ratio is wanted, [`Error::SizeWithoutTorque`],
     /// [`Error::NoObjectiveOfTeeth`], [`Error::TooManyNear`].
     pub fn front(&self) -> Result<OneSetFound, Error> {
-        self.front_watched(|_| {})
+        self.front_watched(|_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
     ///
     /// # Errors
     /// As [`front`](Self::front).
-    pub fn front_watched(&self, done: impl FnMut(f64)) -> Result<OneSetFound, Error> {
+    pub fn front_watched(&self, mut done: impl FnMut(f64) -> ControlFlow<()>) -> Result<OneSetFound, Error> {
         self.requirements.check()?;
         check_order(self.order)?;
         let Requirements { limits, rating, .. } = &self.requirements;
         let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, rating)?;
         let allowed = Allowed::new(&self.requirements);
         let ways = self.ways()?;
-        let (near, tooth_sets) = self.near(&ways, &allowed, done)?;
+        let (near, tooth_sets) = self.near(&ways, &allowed, &mut done)?;
         let (levels, near) = levels(near, limits, rating, self.shift.as_ref())?;
         let mut counts = Counts {
             tooth_sets,
@@ -160,6 +163,9 @@ impl OneSetSearch {
         for (place, way) in (0_u32..).zip(&ways) {
             let before = counts.tried;
             for (of_level, level) in (0_u32..).zip(&levels) {
+                if of_level % LEVELS == 0 && done(1.0).is_break() {
+                    return Err(Error::Cancelled);
+                }
                 if !way.is_near(level.teeth, &allowed) {
                     continue;
                 }
@@ -213,7 +219,7 @@ impl OneSetSearch {
         &self,
         ways: &[Way],
         allowed: &Allowed,
-        done: impl FnMut(f64),
+        done: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<(Vec<ToothNumbers>, usize), Error> {
         let k = &self.requirements.limits.ring_to_sun;
         if let Some(shift) = &self.shift {

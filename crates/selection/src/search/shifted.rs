@@ -15,6 +15,7 @@ use crate::threads::map;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use std::ops::ControlFlow;
 
 /// Suns that are closed before it is told how far the search is.
 const SUNS: usize = 16;
@@ -25,7 +26,7 @@ const SUNS: usize = 16;
 /// Those of [`Bounds`] and [`shifted`]; [`Error::TooManyToothSets`], before anything is made.
 pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<ToothNumbers>, Error> {
     if let Some(shift) = shift {
-        return shifted(bounds, shift, |_| {});
+        return shifted(bounds, shift, |_| ControlFlow::Continue(()));
     }
     let counted = bounds.count()?;
     if counted > MOST_TOOTH_SETS {
@@ -34,7 +35,7 @@ pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<T
     Ok(bounds.tooth_numbers()?)
 }
 
-/// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone through.
+/// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends it.
 ///
 /// # Errors
 /// Those of [`ShiftedSearch::check`](epicyclic_gears::involute::search::ShiftedSearch::check); [`Error::TooManyToothSets`] by what would be
@@ -42,7 +43,7 @@ pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<T
 pub(super) fn shifted(
     bounds: &Bounds,
     shift: &ProfileShift,
-    mut done: impl FnMut(f64),
+    mut done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Vec<ToothNumbers>, Error> {
     let search = shift.within(bounds);
     let space = search.space()?;
@@ -56,7 +57,9 @@ pub(super) fn shifted(
         for of_sun in map(some, |sun| search.of_sun(*sun, |_, _| true)) {
             found.extend(of_sun?);
         }
-        done(((place + 1) * SUNS).min(suns.len()) as f64 / suns.len() as f64);
+        if done(((place + 1) * SUNS).min(suns.len()) as f64 / suns.len() as f64).is_break() {
+            return Err(Error::Cancelled);
+        }
     }
     Ok(found)
 }

@@ -12,6 +12,7 @@ use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
 use std::f64::consts::FRAC_PI_4;
+use std::ops::ControlFlow;
 
 /// A module, a number of planets, a centre distance, and the gears there; lengths in mm.
 #[derive(Debug, Clone)]
@@ -156,6 +157,7 @@ pub(super) fn geometries(
     modules_mm: &[f64],
     others: u64,
     left_out: &mut LeftOut,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(Vec<Geometry>, u64, u64), Error> {
     let natural = natural_centre_distance(task.teeth, *task.profiles.shared())?;
     let [sun, _, ring] = task.teeth;
@@ -177,6 +179,9 @@ pub(super) fn geometries(
                 continue;
             }
             for centre in wanted {
+                if goes_on().is_break() {
+                    return Err(Error::Cancelled);
+                }
                 calculated += 1;
                 let found = match centre {
                     None => match held(task, planets) {

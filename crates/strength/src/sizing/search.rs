@@ -16,18 +16,19 @@ use crate::{Error, Quantity};
 use epicyclic_gears::quantity::SimpleGear;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
+use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
 
 /// Below this rim over tooth height a rim weakens the root ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
-/// The best `most` designs of the space.
+/// The best `most` designs of the space, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// [`Error::NothingToSearch`] for a space without modules, face widths, planets or centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`],
+/// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`],
 /// [`Error::Negative`] and [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard holds
 /// for, which are left out and counted; those of [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
-pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
+pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
     check(task)?;
     let modules_mm = sorted(&task.space.modules);
     let widths_mm = sorted(&task.space.face_widths);
@@ -38,7 +39,7 @@ pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
     };
     let mut left_out = LeftOut::default();
     let others = (widths_mm.len() * choices.len()) as u64;
-    let (geometries, space, calculated) = geometries(task, &modules_mm, others, &mut left_out)?;
+    let (geometries, space, calculated) = geometries(task, &modules_mm, others, &mut left_out, goes_on)?;
     if space == 0 {
         return Err(Error::NothingToSearch { quantity: Quantity::CentreDistance });
     }
@@ -61,6 +62,9 @@ pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
     let (mut found, mut nearest): (Vec<Design>, Option<Design>) = (vec![], None);
     while found.len() < most {
         let Some(Reverse(next)) = heap.pop() else { break };
+        if goes_on().is_break() {
+            return Err(Error::Cancelled);
+        }
         if let Some(design) = search.judged(&next)? {
             if design.governing.value >= design.governing.required {
                 found.push(design);

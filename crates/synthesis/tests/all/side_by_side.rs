@@ -169,9 +169,8 @@ fn tooth_numbers_keep_the_order_of_gears_side_by_side() {
             gears,
             &wish.k,
             Sets::apart(&[&choice, &choice]),
-            Alike::default(),
-            Aim::Deviation,
-            5,
+            (Alike::default(), Aim::Deviation, 5),
+            &|| false,
         );
         assert!(by_search.complete);
         let mut by_trial = 0;

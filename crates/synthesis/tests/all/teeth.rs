@@ -42,9 +42,8 @@ fn all(found: &Found, wish: &Wish, choices: &[&Choice]) -> Designs {
         Gears::apart(&wish.gears),
         &wish.k,
         Sets::apart(choices),
-        Alike::default(),
-        Aim::Deviation,
-        usize::MAX,
+        (Alike::default(), Aim::Deviation, usize::MAX),
+        &|| false,
     )
 }
 
@@ -122,7 +121,8 @@ fn a_6hp_has_tooth_numbers() {
     };
     let ratios: Vec<_> = real.solution.gears.iter().map(|gear| gear.ratio).collect();
     let gears = Gears::apart(&wish.gears);
-    let designs = designs(&ratios, gears, &wish.k, sets, Alike::default(), Aim::Deviation, usize::MAX);
+    let designs =
+        designs(&ratios, gears, &wish.k, sets, (Alike::default(), Aim::Deviation, usize::MAX), &|| false);
     assert!(designs.complete && designs.count > 10, "{}", designs.count);
     for design in designs.first.iter().take(50) {
         let [front, large, small] = design.sets[..] else { panic!("three sets") };
@@ -167,9 +167,8 @@ fn sets_of_two_kinds_with_equal_teeth_are_not_alike() {
             Gears::apart(&wish.gears),
             &wish.k,
             Sets::apart(&[&simple, &double]),
-            alike,
-            Aim::Teeth,
-            3,
+            (alike, Aim::Teeth, 3),
+            &|| false,
         )
         .count
     };

@@ -3,7 +3,7 @@
 //! | module | is |
 //! |---|---|
 //! | [`terminal`] | a terminal and the disk |
-//! | [`interrupt`] | Ctrl-C |
+//! | [`interrupt`] | Ctrl-C and SIGTERM |
 //! | [`standard_output`] | whether standard output takes an answer |
 
 mod interrupt;

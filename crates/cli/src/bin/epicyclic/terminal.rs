@@ -1,6 +1,6 @@
 //! A terminal and the disk, or what a shell puts in a terminal's place.
 
-use crate::interrupt::{WIDTH, hear, is_asked, line_stands, search_hears};
+use crate::interrupt::{WIDTH, answers, asked, hear, line_stands, search_hears};
 use crate::standard_output;
 use epicyclic::desk::{Content, Desk, NotWritten, Source, Text, disk};
 use std::io::{self, BufWriter, IsTerminal as _, Write as _, stderr};
@@ -14,7 +14,9 @@ pub(crate) struct Terminal {
 }
 
 impl Terminal {
+    /// From here signals are heard.
     pub(crate) fn new() -> Self {
+        hear();
         Self { begun: Instant::now() }
     }
 }
@@ -36,7 +38,6 @@ impl Desk for Terminal {
     }
 
     fn write(&self, files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten> {
-        hear();
         let named = files.iter().map(|(file, _)| file.as_path());
         for file in named.chain(streamed.as_ref().map(|(file, _)| *file)) {
             if standard_output::is_name(file) {
@@ -56,9 +57,12 @@ impl Desk for Terminal {
 
     fn answer(&self, source: &mut Source) -> io::Result<()> {
         standard_output::check()?;
+        answers(false);
         let mut out = BufWriter::new(io::stdout().lock());
         source(&mut out)?;
-        out.flush()
+        let done = out.flush();
+        answers(true);
+        done
     }
 
     /// Nothing can be done where that fails.
@@ -89,8 +93,6 @@ impl Desk for Terminal {
     fn shows_progress(&self) -> bool {
         let shows = stderr().is_terminal();
         if shows {
-            // Whoever ends it is not left with the line.
-            hear();
             line_stands(true);
         }
         shows
@@ -108,8 +110,8 @@ impl Desk for Terminal {
         search_hears(hears);
     }
 
-    fn is_asked(&self) -> bool {
-        is_asked()
+    fn asked_to_end(&self) -> Option<f64> {
+        asked()
     }
 
     fn seconds(&self) -> f64 {

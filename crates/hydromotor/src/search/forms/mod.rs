@@ -63,16 +63,14 @@ mod space;
 mod trial;
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::point::Yardstick;
 use super::requirements::{Requirements, Sizing, positive};
-use super::{Limits, MOST_POINTS, MOST_SETS};
+use super::{Limits, MOST_POINTS, MOST_SETS, Pass, Watch};
 use crate::Error;
 use crate::checks::ToothHeights;
 use crate::numbers::{Bounds, MotorNumbers};
 use crate::quantity::{Choice, Quantity};
-use crate::threads::map;
 use cover::{Cover, Value};
 use shape::shapes;
 use trial::{Forms, Tried, tried};
@@ -159,20 +157,6 @@ pub struct FormSearch {
     pub resolution: Option<f64>,
 }
 
-/// How far a search has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// The pass: 0 finds the motors of each set, 1 tries forms on them.
-    pub pass: u32,
-    /// Sets, in pass 1 motors, that are done in this pass.
-    pub done: usize,
-    /// Of so many.
-    pub of: usize,
-}
-
-/// Called before a pass, and from any thread whenever a part of it is done; [`ControlFlow::Break`] cancels.
-pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
-
 /// Motors that are tried without knowledge of each other.
 const BATCH: usize = 256;
 
@@ -206,7 +190,7 @@ impl FormSearch {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched.
+    /// The same, watched: pass 0 finds the motors of each set, pass 1 tries forms on them.
     ///
     /// # Errors
     /// As [`front`](Self::front), and [`Error::Cancelled`].
@@ -346,47 +330,6 @@ fn promising(values: &[Value]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|&one, &other| shares[other].total_cmp(&shares[one]).then(one.cmp(&other)));
     order
-}
-
-/// A pass that counts its parts, and ends where it is cancelled.
-struct Pass<'a> {
-    pass: u32,
-    done: AtomicUsize,
-    of: usize,
-    cancelled: AtomicBool,
-    watch: &'a Watch<'a>,
-}
-
-impl<'a> Pass<'a> {
-    fn new(pass: u32, of: usize, watch: &'a Watch) -> Result<Self, Error> {
-        if watch(Progress { pass, done: 0, of }).is_break() {
-            return Err(Error::Cancelled);
-        }
-        Ok(Self { pass, done: AtomicUsize::new(0), of, cancelled: AtomicBool::new(false), watch })
-    }
-
-    /// The answer to each item; the rest is left once the watch breaks.
-    fn each<T: Sync, R: Send>(
-        &self,
-        items: &[T],
-        work: impl Fn(&T) -> R + Sync + Send,
-    ) -> Result<Vec<R>, Error> {
-        let answers = map(items, |item| {
-            if self.cancelled.load(Ordering::Relaxed) {
-                return None;
-            }
-            let answer = work(item);
-            let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-            if (self.watch)(Progress { pass: self.pass, done, of: self.of }).is_break() {
-                self.cancelled.store(true, Ordering::Relaxed);
-            }
-            Some(answer)
-        });
-        if self.cancelled.load(Ordering::Relaxed) {
-            return Err(Error::Cancelled);
-        }
-        Ok(answers.into_iter().flatten().collect())
-    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::profile::limits::{Limit, LimitKind};
 use crate::profile::{Crest, Profile, ToothForm};
-use crate::search::{Size, SizeLimits};
+use crate::search::{Progress, Size, SizeLimits};
 use crate::second_harmonic;
 use crate::units::angle_of_degrees;
 use uom::si::angle::radian;
