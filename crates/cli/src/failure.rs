@@ -8,7 +8,6 @@
 //! | 3 | a file or stream that cannot be read or written |
 //! | 130 | asked to end: Ctrl-C, or SIGTERM |
 
-use crate::desk::Call;
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::refused::{Place, Refused};
 use epicyclic_formats::gearbox::gear_place;
@@ -16,6 +15,7 @@ use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Document, Path, Problem, motor};
 use epicyclic_views::drawability;
 use std::io;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 /// Nothing meets the requirements.
@@ -175,10 +175,10 @@ pub(crate) enum Failure {
 
 impl Failure {
     /// The same, unless the call was asked to end: whatever a search says that was broken off, it was for that.
-    pub(crate) fn of_a_call_asked_to_end(self, call: &Call<'_>) -> Self {
+    pub(crate) fn unless_asked_to_end(self, goes_on: ControlFlow<()>) -> Self {
         match self {
             Self::Interrupted(_) | Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) => self,
-            _ if call.goes_on().is_continue() => self,
+            _ if goes_on.is_continue() => self,
             _ => Self::Interrupted(NOTHING_TO_SHOW.to_owned()),
         }
     }

@@ -205,7 +205,7 @@ fn end(call: &Call<'_>, done: Result<(), failure::Failure>, is_json: bool) -> u8
     match done {
         Ok(()) => 0,
         Err(failure) => {
-            let failure = failure.of_a_call_asked_to_end(call);
+            let failure = failure.unless_asked_to_end(call.goes_on());
             if is_json {
                 output::in_place_of_an_answer(call, &failure.as_answer());
             } else if !call.has_answered() {

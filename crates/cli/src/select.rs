@@ -15,7 +15,7 @@ use crate::ratios::PlainRatios;
 use crate::teeth::IN_A_SECOND;
 use epicyclic_answers::Error;
 use epicyclic_answers::answer::write_json;
-use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
+use epicyclic_answers::select::duty::{Duty, Load};
 use epicyclic_answers::select::page::drawn;
 use epicyclic_answers::select::saved::Saved;
 use epicyclic_answers::select::teeth::{self, MOST_DESIGNS, Searched, SizeLimits};
@@ -29,6 +29,7 @@ use epicyclic_views::page;
 use epicyclic_views::select::teeth::csv;
 use epicyclic_views::select::ways_out;
 use nothing::{nothing_found, with_teeth_more};
+use refused::refuse;
 pub(crate) use refused::refuse_selection;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -576,44 +577,4 @@ fn rating(args: &Args, duty: &Duty) -> Result<Rating, Failure> {
         mesh_load_factors,
         planets: size.planets,
     })
-}
-
-/// The option that a refusal speaks of.
-fn refuse(args: &Args, error: Error) -> Failure {
-    let option = |option, message: String| Failure::Option { option, message };
-    match error {
-        Error::Selection(error) => refuse_selection(error),
-        Error::Duty(problem) => refuse_duty(args, problem),
-        Error::TooManyDesigns { .. } => {
-            let message = format!(
-                "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
-            );
-            option("--limit", message)
-        }
-        Error::ModuleRange { .. } => option("--least-module", error.to_string()),
-        error => error.into(),
-    }
-}
-
-fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
-    const DUE: &str = "a finite quantity above 0 is due";
-    let duty = &args.duty;
-    let (option, written) = match problem {
-        DutyProblem::NotPositive { quantity: DutyQuantity::InputSpeed } => {
-            ("--input", duty.input.map(|speed| speed.to_string()))
-        }
-        DutyProblem::NotPositive { quantity: DutyQuantity::Torque } => {
-            ("--torque", duty.torque.map(|torque| torque.to_string()))
-        }
-        DutyProblem::NotPositive { quantity: DutyQuantity::Power } => {
-            ("--power", duty.power.map(|power| power.to_string()))
-        }
-        DutyProblem::TorqueOfPower { torque_n_m } => {
-            let written = duty.power.zip(duty.input);
-            ("--power", written.map(|(power, speed)| format!("{power} at {speed}, {torque_n_m} N·m")))
-        }
-        DutyProblem::PowerWithoutSpeed => return Error::Duty(problem).into(),
-    };
-    let message = written.map_or_else(|| DUE.to_owned(), |written| format!("{written}: {DUE}"));
-    Failure::Option { option, message }
 }

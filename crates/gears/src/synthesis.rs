@@ -21,8 +21,8 @@
 //! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
 //! and the factor is an integer that shares no divisor with `N`.
 
-use crate::error::RatioLeftOut;
 use crate::involute::check::Check;
+use crate::involute::left_out::RatioLeftOut;
 use crate::involute::plain;
 use crate::mesh::{TipCircle, coaxial_ring};
 use crate::quantity::SimpleGear;
@@ -370,7 +370,7 @@ impl Bounds {
             last = Some((gears, miss));
             if let Some(check) = miss {
                 if search.is_near(ratio) {
-                    RatioLeftOut::add(&mut left_out, gears, check);
+                    RatioLeftOut::add(&mut left_out, gears.map(ToothCount::get), check);
                 }
             } else if let Some(ratio_error) = search.take(ratio) {
                 found += 1;

@@ -101,7 +101,7 @@ pub fn moving(designed: &Designed, frames: u32) -> Result<Moving, Error> {
         let satellites = motor.satellites(rotation)?.into_iter();
         let chambers = all.iter().map(|chamber| {
             Ok(MovingChamber {
-                state: super::state_of(chamber, &all),
+                state: super::bodies::state_of(chamber, &all),
                 area_m2: si(chamber.area),
                 outline_m: points(&motor.chamber_outline(rotation, chamber.index, SIDES)?),
             })

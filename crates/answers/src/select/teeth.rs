@@ -1,5 +1,7 @@
 //! The choice of a gearbox over all tooth numbers of its one set, or of both.
 
+mod streamed;
+
 use super::candidate::{BrakedGear, Candidate, Objectives, Ranked};
 use super::decisive;
 use super::duty::Duty;
@@ -20,12 +22,12 @@ use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Directions, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::ser::{Error as _, SerializeSeq as _};
-use serde::{Serialize, Serializer};
-use std::borrow::Cow;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use streamed::Designs;
+pub use streamed::Streamed;
 use uom::si::f64::{Length, Velocity};
 
 /// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
@@ -430,53 +432,6 @@ impl<'a> Searches<'a> {
         let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
         Ok((Design { tooth_numbers, others: first.others, candidate: of }, candidate))
     }
-}
-
-/// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
-#[derive(Serialize)]
-pub struct Streamed<'a> {
-    speeds: Vec<ReachedSpeed>,
-    required: Required,
-    size_limits: RequiredSize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    profile_shift: Option<RequiredShifts>,
-    searched: Searched,
-    shown: usize,
-    designs: Designs<'a>,
-    best_of_structures: Vec<BestOfStructure>,
-}
-
-struct Designs<'a> {
-    of: &'a Searches<'a>,
-    told: &'a dyn Fn(f64),
-}
-
-impl Serialize for Designs<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let count = self.of.shown();
-        let mut list = serializer.serialize_seq(Some(count))?;
-        for (place, design) in self.of.designs().enumerate() {
-            let design = design.map_err(S::Error::custom)?;
-            finite::check(&design).map_err(S::Error::custom)?;
-            list.serialize_element(&design)?;
-            (self.told)((place + 1) as f64 / count as f64);
-        }
-        list.end()
-    }
-}
-
-impl JsonSchema for Streamed<'_> {
-    fn schema_name() -> Cow<'static, str> {
-        SelectTeeth::schema_name()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        SelectTeeth::json_schema(generator)
-    }
-}
-
-impl Answer for Streamed<'_> {
-    const NAME: &'static str = SelectTeeth::NAME;
 }
 
 /// The first design of an entry of the front.

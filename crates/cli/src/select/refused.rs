@@ -1,6 +1,9 @@
 //! The option that a refusal of a selection speaks of.
 
+use super::Args;
 use crate::failure::Failure;
+use epicyclic_answers::Error;
+use epicyclic_answers::select::duty::{DutyProblem, DutyQuantity};
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 
 /// The option that it speaks of.
@@ -40,4 +43,44 @@ pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
         _ => return Failure::Selection(error),
     };
     Failure::Option { option, message: error.to_string() }
+}
+
+/// The option that a refusal speaks of.
+pub(super) fn refuse(args: &Args, error: Error) -> Failure {
+    let option = |option, message: String| Failure::Option { option, message };
+    match error {
+        Error::Selection(error) => refuse_selection(error),
+        Error::Duty(problem) => refuse_duty(args, problem),
+        Error::TooManyDesigns { .. } => {
+            let message = format!(
+                "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
+            );
+            option("--limit", message)
+        }
+        Error::ModuleRange { .. } => option("--least-module", error.to_string()),
+        error => error.into(),
+    }
+}
+
+fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
+    const DUE: &str = "a finite quantity above 0 is due";
+    let duty = &args.duty;
+    let (option, written) = match problem {
+        DutyProblem::NotPositive { quantity: DutyQuantity::InputSpeed } => {
+            ("--input", duty.input.map(|speed| speed.to_string()))
+        }
+        DutyProblem::NotPositive { quantity: DutyQuantity::Torque } => {
+            ("--torque", duty.torque.map(|torque| torque.to_string()))
+        }
+        DutyProblem::NotPositive { quantity: DutyQuantity::Power } => {
+            ("--power", duty.power.map(|power| power.to_string()))
+        }
+        DutyProblem::TorqueOfPower { torque_n_m } => {
+            let written = duty.power.zip(duty.input);
+            ("--power", written.map(|(power, speed)| format!("{power} at {speed}, {torque_n_m} N·m")))
+        }
+        DutyProblem::PowerWithoutSpeed => return Error::Duty(problem).into(),
+    };
+    let message = written.map_or_else(|| DUE.to_owned(), |written| format!("{written}: {DUE}"));
+    Failure::Option { option, message }
 }

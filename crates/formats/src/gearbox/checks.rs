@@ -1,7 +1,7 @@
-//! Checks of names and tooth counts before a gearbox is built of them.
+//! Checks of names, numbers and tooth counts before a gearbox is built of them.
 
 use super::DescriptionError;
-use crate::Path;
+use crate::{Number, Path};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::Named;
 use std::collections::BTreeSet;
@@ -27,4 +27,17 @@ pub(super) fn counts(set: &str, key: &str, teeth: &[u32]) -> Result<Vec<ToothCou
         })
     };
     teeth.iter().enumerate().map(count).collect()
+}
+
+/// The values of a key of a set, one for each of these gears or meshes.
+pub(super) fn numbers<const N: usize>(
+    set: &str,
+    key: &'static str,
+    of: &'static str,
+    values: &[Number],
+) -> Result<[f64; N], DescriptionError> {
+    let wrong =
+        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
+    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
+    Ok(values.map(Number::get))
 }

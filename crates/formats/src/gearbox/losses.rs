@@ -1,6 +1,6 @@
 //! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
 
-use super::set::numbers;
+use super::checks::numbers;
 use super::{DescriptionError, GearboxFile, SetEntry};
 use crate::{Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;

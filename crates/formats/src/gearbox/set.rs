@@ -1,6 +1,6 @@
 //! A set with two central gears, as its entry describes it.
 
-use super::checks::counts;
+use super::checks::{counts, numbers};
 use super::losses::losses;
 use super::spacing::spaced;
 use super::{DescriptionError, SetEntry};
@@ -75,17 +75,4 @@ impl SetEntry {
         }
         Ok(spec)
     }
-}
-
-/// The values of a key of a set, one for each of these gears or meshes.
-pub(super) fn numbers<const N: usize>(
-    set: &str,
-    key: &'static str,
-    of: &'static str,
-    values: &[Number],
-) -> Result<[f64; N], DescriptionError> {
-    let wrong =
-        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
-    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
-    Ok(values.map(Number::get))
 }

@@ -14,12 +14,13 @@
 //! # Source
 //! Derived from the meshing of tool and gear; the form circles of the NREL reference wind gearbox are met to their printed digits.
 
+use super::fault::ToolFault;
 use super::fillet::{Cutter, Fillet, Point};
 use super::flank::Flank;
 use super::function::{angle_of_involute, involute};
 use super::profile::Profile;
 use super::tips::Tips;
-use super::tool::{Shaper, Tool, ToolFault};
+use super::tool::{Shaper, Tool};
 use crate::tolerance::TOUCH;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -2,10 +2,11 @@
 
 use super::cut::Cut;
 use super::fault::ShiftFault;
+use super::fault::ToolFault;
 use super::flank::Flank;
 use super::function::angle_of_involute;
 use super::profile::Profile;
-use super::tool::{Shaper, Tool, ToolFault};
+use super::tool::{Shaper, Tool};
 use crate::gear_kind::GearKind;
 use crate::units::radians;
 use crate::{Error, ToothCount};

@@ -31,9 +31,11 @@
 //! | [`gear`] | one gear: circles, thickness, undercut, span and ball measures |
 //! | [`pair`] | two gears in mesh: working angle, centre distance, contact ratio, sliding, backlash |
 //! | [`profile`] | basic rack, helix and tool of a gear |
-//! | [`tool`] | hob, shaper, form tool: what cuts a gear, and why it does not |
-//! | [`fault`] | why a shift gives no gear |
+//! | [`tool`] | hob, shaper, form tool: what cuts a gear |
+//! | [`fault`] | why a shift gives no gear, and why a tool cuts none |
 //! | [`check`] | what is checked of a set: rule, value, limit, severity, remedy |
+//! | [`checks`] | the checks of a gear and of a mesh, and their limits |
+//! | [`left_out`] | how many sets of a ratio a check leaves out |
 //! | [`interference`] | whether an internal pair turns, and can be put together |
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
@@ -51,6 +53,7 @@
 //! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
 pub mod check;
+pub mod checks;
 pub mod closing;
 pub mod curve;
 mod cut;
@@ -61,6 +64,7 @@ mod flank;
 pub mod function;
 pub mod gear;
 pub mod interference;
+pub mod left_out;
 pub mod outline;
 pub mod pair;
 pub mod placed;

@@ -4,7 +4,8 @@
 //! such gears turn, and are marked. Nor are tips of planets that reach into the fillets of a ring by a small
 //! shaper, which a larger shaper or shorter tips avoid.
 
-use super::check::{Check, Limits, Place, Rule, SetMesh, Severity, gear_checks, mesh_checks};
+use super::check::{Check, Place, Rule, SetMesh, Severity};
+use super::checks::{Limits, gear_checks, mesh_checks};
 use super::{InvoluteGear, Pair, Profile};
 use crate::gear_kind::GearKind;
 use crate::quantity::SimpleGear;

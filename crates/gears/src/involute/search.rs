@@ -9,7 +9,7 @@
 use super::check::{Check, Rule};
 use super::closing::Closing;
 use super::family::{Choice, natural_centre_distance};
-use crate::error::RatioLeftOut;
+use super::left_out::RatioLeftOut;
 use crate::mesh::coaxial_ring;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
@@ -150,7 +150,7 @@ impl ShiftedSearch {
                     let choice = match choice {
                         Ok(choice) => choice,
                         Err(check) if search.is_near(ratio) => {
-                            return RatioLeftOut::add(&mut left_out, gears, check);
+                            return RatioLeftOut::add(&mut left_out, gears.map(ToothCount::get), check);
                         }
                         Err(_) => return,
                     };

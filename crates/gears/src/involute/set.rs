@@ -20,8 +20,9 @@
 //!
 //! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter the ring radially is a remark, unless the limits ask for it.
 
-pub use super::check::Limits;
-use super::check::{Check, Place, Rule, SetMesh, Severity, gear_checks, mesh_checks};
+use super::check::{Check, Place, Rule, SetMesh, Severity};
+pub use super::checks::Limits;
+use super::checks::{gear_checks, mesh_checks};
 use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::Error;

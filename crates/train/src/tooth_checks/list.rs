@@ -8,9 +8,8 @@ use crate::set::SetKind;
 use crate::tolerance::PRINTED_SHIFTS;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::{
-    Check, Limits, Place as SimplePlace, Rule, Severity, gear_checks, mesh_checks,
-};
+use epicyclic_gears::involute::check::{Check, Place as SimplePlace, Rule, Severity};
+use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
