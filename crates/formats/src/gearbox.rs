@@ -728,7 +728,7 @@ mod tests {
         };
         let degrees = |set: &PlanetSet| -> Vec<f64> {
             let angles = set.planet_angles().unwrap();
-            angles.iter().map(|angle| angle.get::<uom::si::angle::degree>()).collect()
+            angles.iter().map(uom::si::f64::Angle::get::<uom::si::angle::degree>).collect()
         };
         let near = |found: &[f64], expected: &[f64]| {
             found.len() == expected.len()

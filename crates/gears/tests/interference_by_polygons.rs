@@ -27,7 +27,7 @@ fn deepest(set: &PlanetSet) -> Option<f64> {
     let ring = ToothCurve::new(*ring).ok()?;
     let a = set.centre_distance();
     let [z1, z2] = [&planet, &ring].map(|curve| curve.gear().teeth().as_f64());
-    let [of_planet, of_ring] = [&planet, &ring].map(|curve| curve.half(1e-3).unwrap());
+    let [of_planet, of_ring] = [&planet, &ring].map(|curve| curve.half(1e-3).expect("a curve"));
     let inside = |curve: &ToothCurve, radius: f64, angle: f64| {
         let pitch = TAU / curve.gear().teeth().as_f64();
         let from_tooth = (angle - (angle / pitch).round() * pitch).abs();
@@ -42,10 +42,10 @@ fn deepest(set: &PlanetSet) -> Option<f64> {
                 let turned = turn1 + TAU * f64::from(tooth) / z1;
                 for point in &of_planet {
                     let angle = turned + side * point.angle;
-                    let (x, y) = (point.radius * angle.cos() + a, point.radius * angle.sin());
-                    let radius = x.hypot(y);
+                    let (x, y) = (point.radius * libm::cos(angle) + a, point.radius * libm::sin(angle));
+                    let radius = libm::hypot(x, y);
                     if radius > ring.tip_radius() {
-                        deepest = deepest.max(inside(&ring, radius, y.atan2(x) - turn2));
+                        deepest = deepest.max(inside(&ring, radius, libm::atan2(y, x) - turn2));
                     }
                 }
             }
@@ -53,10 +53,10 @@ fn deepest(set: &PlanetSet) -> Option<f64> {
                 let turned = turn2 + TAU * f64::from(tooth) / z2;
                 for point in &of_ring {
                     let angle = turned + side * point.angle;
-                    let (x, y) = (point.radius * angle.cos() - a, point.radius * angle.sin());
-                    let radius = x.hypot(y);
+                    let (x, y) = (point.radius * libm::cos(angle) - a, point.radius * libm::sin(angle));
+                    let radius = libm::hypot(x, y);
                     if radius < planet.tip_radius() {
-                        deepest = deepest.max(inside(&planet, radius, y.atan2(x) - turn1));
+                        deepest = deepest.max(inside(&planet, radius, libm::atan2(y, x) - turn1));
                     }
                 }
             }
@@ -93,12 +93,12 @@ fn interferes(set: &PlanetSet) -> Option<bool> {
 }
 
 fn tool(cutter: u32, tip_radius: f64) -> Tool {
-    let teeth = ToothCount::new(cutter).unwrap();
+    let teeth = ToothCount::new(cutter).expect("teeth");
     Tool::Shaper(Shaper { addendum: Some(1.25), tip_radius, ..Shaper::of_teeth(teeth) })
 }
 
 fn set(teeth: [u32; 3], shift: f64, ring: Tool) -> Option<PlanetSet> {
-    let [sun, planet, internal] = teeth.map(|teeth| ToothCount::new(teeth).unwrap());
+    let [sun, planet, internal] = teeth.map(|teeth| ToothCount::new(teeth).expect("teeth"));
     let gear = |kind, teeth, shift| InvoluteGear::new(kind, teeth, Profile::default(), shift).ok();
     let gears = [
         gear(GearKind::External, sun, -shift)?,
@@ -129,7 +129,7 @@ proptest! {
     #[test]
     fn sets_that_close_do_not_collide(sun in 12..40_u32, planet in 14..45_u32, offset in -4..=4_i32) {
         let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };
-        let teeth = [sun, planet, ring].map(|teeth| ToothCount::new(teeth).unwrap());
+        let teeth = [sun, planet, ring].map(|teeth| ToothCount::new(teeth).expect("teeth"));
         let Ok(choice) = Closing::default().close(teeth) else { return Ok(()) };
         let Some(deepest) = deepest(&choice.set) else { panic!("a set that no tool cuts was offered") };
         prop_assert!(deepest < ROUNDING, "{deepest} modules deep: {:?}", choice.set);

@@ -7,11 +7,11 @@ use std::path::Path;
 fn answer(folder: &Path, args: &[&str]) -> Value {
     let done = output(folder, &[args, &["--format", "json"][..]].concat());
     assert!(done.status.success(), "{args:?} {done:?}");
-    serde_json::from_slice(&done.stdout).unwrap()
+    serde_json::from_slice(&done.stdout).expect("an answer in JSON")
 }
 
 fn list<'a>(of: &'a Value, key: &str) -> &'a Vec<Value> {
-    of[key].as_array().unwrap_or_else(|| panic!("{key} of {of}"))
+    of[key].as_array().expect("a list")
 }
 
 /// 1-2-a b-2-a*, brakes a and b, at k 2.2 and 2.8 has the ratios −k₁ and (k₁ + k₂)/(k₂ − 1) = 5/1.8.

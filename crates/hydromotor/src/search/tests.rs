@@ -233,7 +233,7 @@ fn the_front_of_what_can_be_made_is_that_of_trial() {
         let metre = Length::new::<meter>(1.0);
         let motor = Motor::of_two_arcs(tried.numbers, metre, metre * tried.l).unwrap();
         let profile = crate::profile::Profile::new(&motor, form);
-        profile.is_ok_and(|profile| profile.limits().iter().all(|limit| limit.holds()))
+        profile.is_ok_and(|profile| profile.limits().iter().all(crate::profile::limits::Limit::holds))
             && crate::ports::PortPlate::of_ideal_holes(&motor, 0.95).and_then(|plate| plate.timing()).is_ok()
     };
     let (all, _) = trial(&search, 16);

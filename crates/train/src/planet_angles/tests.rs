@@ -78,12 +78,12 @@ proptest! {
         prop_assume!(angles.len() > 1);
         let set = built(simple(sun, ring).spaced(at(&angles))).unwrap();
         let radius = f64::from(sun + planet) / 2.0;
-        let centre = |angle: f64| (radius * angle.to_radians().cos(), radius * angle.to_radians().sin());
+        let centre = |angle: f64| (radius * libm::cos(angle.to_radians()), radius * libm::sin(angle.to_radians()));
         let mut nearest = f64::INFINITY;
         for (place, one) in angles.iter().enumerate() {
             for other in &angles[..place] {
                 let ((x, y), (u, v)) = (centre(*one), centre(*other));
-                nearest = nearest.min((x - u).hypot(y - v));
+                nearest = nearest.min(libm::hypot(x - u, y - v));
             }
         }
         prop_assume!((nearest - f64::from(planet + 2)).abs() > 1e-6);
