@@ -228,16 +228,19 @@ mod tests {
         assert_eq!(first.gear.back_driving_efficiency, None);
         let clutch = &first.one_way_clutches[0];
         assert_eq!((clutch.engine_braking, &clutch.beside[..]), (Some(false), &["LR".to_owned()][..]));
-        let told: Vec<&str> = first.warnings.iter().map(|warning| warning.name).collect();
-        assert_eq!(told, ["one-way-clutch"]);
+        let told = |warnings: &[crate::Warning]| -> Vec<&'static str> {
+            let names = warnings.iter().map(|warning| warning.name);
+            names.filter(|name| *name != "teeth").collect()
+        };
+        assert_eq!(told(&first.warnings), ["one-way-clutch"]);
         let low = gear::answer(&subject, "1 low", braked).unwrap();
-        assert!(low.warnings.is_empty() && low.torques.unwrap().at_load.is_some());
+        assert!(told(&low.warnings).is_empty() && low.torques.unwrap().at_load.is_some());
         let all = overview::answer(&subject, braked, None).unwrap();
         let taken: Vec<bool> = all.gears.iter().map(|gear| gear.output_torque_n_m.is_some()).collect();
         assert_eq!(taken, [false, true, true, true, true, true]);
-        assert_eq!(all.warnings.len(), 1);
+        assert_eq!(told(&all.warnings), ["one-way-clutch"]);
         let power = Input { load: Some(InputLoad::Torque(Torque::new::<newton_meter>(100.0))), ..braked };
-        assert!(gear::answer(&subject, "1", power).unwrap().warnings.is_empty());
+        assert!(told(&gear::answer(&subject, "1", power).unwrap().warnings).is_empty());
     }
 
     #[test]

@@ -152,7 +152,7 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
                 "the output turns against the direction asked for in gear {}",
                 reversed.join(" and ")
             );
-            design.warnings.insert(0, Warning { name: "output_reversed", message });
+            design.warnings.insert(0, Warning { name: "output-reversed", message });
         }
         (design.teeth, design.sizes, design.file, design.speeds) = (Some(teeth), sizes, file, speeds);
     }

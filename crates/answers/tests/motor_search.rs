@@ -20,7 +20,7 @@ const PRACTICE: [&str; 5] = [
 
 /// The motor of a file, with ports added.
 fn read(saved: &str) -> Result<Motor, Error> {
-    let text = format!("{saved}ports: {{ part: 0.95 }}\n");
+    let text = format!("{saved}ports: {{ part: 0.9 }}\n");
     let document = Document::parse_one("saved.yaml", text.as_bytes()).unwrap();
     let (_, designed) = motor::of_file(&document)?;
     motor::answer(&designed)

@@ -76,7 +76,7 @@ impl TeethOptions {
             return Ok(None);
         }
         let usual = Bounds::default();
-        let planets = self.planet_count.within(usual.planets);
+        let planets = self.planet_count.closed(usual.planets);
         let wanted = TeethWanted {
             bounds: Bounds {
                 sun: options::of_wheel("--sun", self.sun, usual.sun)?,

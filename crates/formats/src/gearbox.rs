@@ -152,6 +152,8 @@ pub enum DescriptionError {
     Tools {
         /// The set.
         set: String,
+        /// Way from the set to what is wrong; of it as much counts as the file has.
+        at: Path,
         /// Why.
         source: ToolMisfit,
     },
@@ -544,7 +546,7 @@ impl GearboxFile {
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
         for set in &self.sets {
-            builder = builder.set(self.with_friction(set, set.spec()?)?);
+            builder = builder.set(self.with_friction(set, self.with_tools(set, set.spec()?)?)?);
         }
         for set in &self.compound_sets {
             builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);

@@ -64,6 +64,9 @@ pub enum Floating {
 /// Mesh load factors `K_γ` of 3, 4, 5, 6 and 7 planets with one floating member.
 const SHARING: [f64; 5] = [1.10, 1.25, 1.35, 1.44, 1.47];
 
+/// The most planets of which [`load_sharing`] knows a factor.
+pub const MOST_SHARING: u32 = SHARING.len() as u32 + 2;
+
 /// Factor of [`SHARING`] without a floating member.
 const RIGID: f64 = 1.15;
 

@@ -16,7 +16,7 @@
 use crate::compound::CentralKind;
 use crate::planet_set::{GearOf, PlanetSet};
 use crate::spacing::Spacing;
-use crate::tolerance::{APART, AT_POSITION};
+use crate::tolerance::{APART, AT_ANGLE, AT_POSITION};
 use crate::units::{angle as angle_of, radians};
 use crate::{Error, SpacingFault};
 use epicyclic_gears::spacing::PlanetSpacing;
@@ -192,7 +192,8 @@ impl At {
     }
 
     fn is_there(&self) -> bool {
-        (self.place - self.place.round()).abs() <= AT_POSITION
+        let away = (self.place - self.place.round()).abs();
+        away <= AT_POSITION && TAU * away / self.positions <= AT_ANGLE
     }
 
     fn nearest_rad(&self) -> f64 {

@@ -17,6 +17,7 @@
 //! | `PRINTED_SHIFTS` | the overlap of flanks, in modules | two shifts of four decimals |
 //! | `TOUCH` | the overlap of two circles, in modules | rounding of a sine times a centre distance |
 //! | `AT_POSITION` | the distance of a planet from an assembly position, over that of two such positions | angles in degrees with two digits, of some hundred teeth |
+//! | `AT_ANGLE` | the same distance, rad | angles in degrees with one digit; few positions are far apart |
 //! | `APART` | the angle between two planets, in turns | angles in degrees with six digits |
 //! | `NO_TORQUE` | the torque of a carrier, over the largest of its set | torques with losses are known to 1e-11; less says nothing of the pins |
 //!
@@ -80,6 +81,9 @@ pub(crate) const TOUCH: f64 = 1e-9;
 
 /// A planet is at an assembly position within this part of the way to the next.
 pub(crate) const AT_POSITION: f64 = 0.02;
+
+/// And no farther from it than this angle.
+pub(crate) const AT_ANGLE: f64 = 1e-3;
 
 /// Planets nearer to each other, in turns, are at one angle.
 pub(crate) const APART: f64 = 1e-9;

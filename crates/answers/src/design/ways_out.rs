@@ -11,6 +11,7 @@ use crate::select::teeth::Watch;
 use crate::select::{self, Relaxation, RelaxedCriterion};
 use crate::size;
 use epicyclic_selection::Space;
+use epicyclic_strength::load::MOST_SHARING;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -218,7 +219,7 @@ impl Search<'_> {
     /// With more sizes, where there are tooth numbers.
     fn of_sizes(&self, has_teeth: bool) -> Result<Vec<WayOut>, Error> {
         let (own, usual) = (&self.wanted.size, size::Wanted::default());
-        let most = 8;
+        let most = MOST_SHARING;
         let planets =
             RelaxedLimit { greatest: Some(f64::from(most)), ..RelaxedLimit::lifted(Limit::Planets) };
         let all = [

@@ -91,7 +91,7 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
             assert!(!reversed || options.contains(&"--may-reverse".to_owned()), "{line:?}");
             let warned = found["warnings"].as_array().unwrap().iter();
             assert_eq!(
-                warned.filter(|warning| warning["name"] == "output_reversed").count(),
+                warned.filter(|warning| warning["name"] == "output-reversed").count(),
                 usize::from(reversed)
             );
         }

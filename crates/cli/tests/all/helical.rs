@@ -296,7 +296,7 @@ fn helical_sets_are_sized_as_they_are_rated() {
         fs::write(folder.path().join("box.yaml"), text).unwrap();
         run(&["size", "box.yaml", "--save", "sized.yaml"])["sets"][0]["found"][0].clone()
     };
-    assert_ne!(best(&spur)["centre_distance_m"], best(&helical)["centre_distance_m"]);
+    assert_ne!(best(&spur)["mass_kg"], best(&helical)["mass_kg"]);
     let best = best(&helical);
     assert!(fs::read_to_string(folder.path().join("sized.yaml")).unwrap().contains("helix_angle: 12 deg"));
     let rated = run(&["strength", "sized.yaml"]);

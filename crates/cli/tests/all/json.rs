@@ -104,6 +104,35 @@ const RUNS: &[(&str, &[&str])] = &[
     ("size", &["size", "travel-drive-duty.yaml", "--modules", "1 mm", "--no-bearings"]),
     (
         "design",
+        &["design", "--speeds=0.63 m/s, 1.0 m/s, 1.6 m/s", "--power=55 kW", "--input=1480 rpm", "--tries=1"],
+    ),
+    (
+        "design",
+        &[
+            "design",
+            "--speeds=0.63 m/s, 1.0 m/s, 1.6 m/s",
+            "--power=55 kW",
+            "--input=1480 rpm",
+            "--planet-speed=3.1",
+            "--modules=2.5 mm",
+            "--face-widths=20 mm, 25 mm",
+            "--tries=1",
+            "--may-reverse",
+        ],
+    ),
+    (
+        "design",
+        &[
+            "design",
+            "--ratios=3.9375",
+            "--least-efficiency=0.98",
+            "--power=75 kW",
+            "--input=1475 rpm",
+            "--tries=1",
+        ],
+    ),
+    (
+        "design",
         &[
             "design",
             "--speeds",
@@ -114,6 +143,7 @@ const RUNS: &[(&str, &[&str])] = &[
             "--input",
             "1475 rpm",
             "--overload=2",
+            "--may-reverse",
             "--tries",
             "2",
         ],
@@ -123,7 +153,7 @@ const RUNS: &[(&str, &[&str])] = &[
         &[
             "design",
             "--ratios",
-            "2.5",
+            "3.5",
             "--power",
             "75 kW",
             "--input",
@@ -156,7 +186,7 @@ const RUNS: &[(&str, &[&str])] = &[
         &[
             "design",
             "--ratios",
-            "2.5",
+            "3.5",
             "--power",
             "75 kW",
             "--input",
@@ -173,7 +203,7 @@ const RUNS: &[(&str, &[&str])] = &[
         &[
             "design",
             "--ratios",
-            "2.5",
+            "3.5",
             "--power",
             "75 kW",
             "--input",
@@ -611,7 +641,7 @@ const RUNS: &[(&str, &[&str])] = &[
             "0.02",
         ],
     ),
-    ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "13", "--module", "1 mm"]),
+    ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "26", "--module", "1 mm"]),
     (
         "motor",
         &[

@@ -391,10 +391,10 @@ fn the_end_of_a_name_says_the_format_or_is_refused() {
 /// A list in CSV has no place for warnings: they are told beside it.
 #[test]
 fn warnings_of_a_list_in_csv_are_told() {
-    let file = examples().join("scheme-ii-3.yaml");
+    let file = examples().join("ravigneaux.yaml");
     let done = output(here().path(), &["analyze", file.to_str().unwrap(), "--format", "csv"]);
     assert!(
-        done.status.success() && text(&done.stderr).contains("warning: in gear slow a planet"),
+        done.status.success() && text(&done.stderr).contains("warning: set `set`: the tips of the ring"),
         "{done:?}"
     );
 }

@@ -240,7 +240,10 @@ fn wrong_types_are_told_in_plain_words() {
             "given: {power: 1 W, arms: [1]}",
             "wrong-length | c.yaml:1:27: given.arms: 1 entries where exactly 2 are due",
         ),
-        ("given: {power: 1 W, odd: 4}", "refused | c.yaml:1:26: given.odd: 4 is even; write an odd number"),
+        (
+            "given: {power: 1 W, odd: 4}",
+            "invalid-value | c.yaml:1:26: given.odd: 4 is even; write an odd number",
+        ),
         (
             "given: {power: 1 W, scheme: [i]}",
             "wrong-type | c.yaml:1:29: given.scheme: a sequence where a name, or a map with one name as its key is due",

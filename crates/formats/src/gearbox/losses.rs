@@ -28,7 +28,7 @@ impl GearboxFile {
         let rack = self.rack().map_err(DescriptionError::Rack)?;
         match spec.friction_losses(&rack, friction) {
             Some(losses) => {
-                let at = Path::root().key("friction");
+                let at = Path::root();
                 let losses = losses.map_err(|source| DescriptionError::Set { set: set(), at, source })?;
                 Ok(spec.with_loss(losses))
             }

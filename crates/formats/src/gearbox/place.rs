@@ -1,6 +1,6 @@
 //! Where in a file of a gearbox the fault is that an error names.
 
-use super::{DescriptionError, ToolMisfit};
+use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
@@ -77,14 +77,11 @@ impl File<'_> {
                 },
             ),
             E::ToolsOfKind { set } => self.key(self.set(set), "tools"),
-            E::Tools { set, source } => {
-                let path = ["tools", "strength"].iter().fold(self.set(set), |path, key| self.key(path, key));
-                let keys = if matches!(source, ToolMisfit::Invalid(_)) {
-                    ["ring", "shaper"]
-                } else {
-                    ["ring", "ring"]
+            E::Tools { set, at, .. } => {
+                let there = |path, step: &Segment| {
+                    if let Segment::Key(key) = step { self.key(path, key) } else { path }
                 };
-                keys.iter().fold(path, |path, key| self.key(path, key))
+                at.segments().iter().fold(self.set(set), there)
             }
             E::HelixAngle { set } => self.key(self.set(set), "helix_angle"),
             E::Shifts { set } => self.first_key(self.set(set), &["profile_shifts", "tip_alterations"]),
@@ -372,7 +369,9 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     match error {
         E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes", "friction"],
         E::NoTeeth => &["teeth"],
-        E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts"],
+        E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts", "teeth"],
+        E::ShiftOutOfRange { .. } | E::ShiftSumOutOfRange { .. } => &["profile_shifts", "tools", "teeth"],
+        E::Uncut { .. } => &["tools", "strength", "teeth"],
         E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
             Quantity::Module => &["module"],
             Quantity::HelixAngle => &["helix_angle"],

@@ -46,10 +46,7 @@ impl SetEntry {
         if self.profile_shifts.is_some() || self.tip_alterations.is_some() {
             spec = self.with_shifts(spec)?;
         }
-        if self.tools.is_some() && spec.kind != SetKind::Simple {
-            return Err(DescriptionError::ToolsOfKind { set: set() });
-        }
-        self.with_helix_angle(spec.cut(self.cutting()?))
+        self.with_helix_angle(spec)
     }
 
     fn with_shifts(&self, spec: SetSpec) -> Result<SetSpec, DescriptionError> {

@@ -1,11 +1,13 @@
 //! What a gearbox file says of how the gears of a simple set are cut.
 
-use super::{DescriptionError, SetEntry, ShaperEntry};
-use crate::Number;
+use super::{DescriptionError, GearboxFile, SetEntry, ShaperEntry};
+use crate::{Number, Path};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Iso53};
 use epicyclic_gears::involute::tool::{Shaper, Tool};
+use epicyclic_gears::{Error, Quantity};
+use epicyclic_train::set::{SetKind, SetSpec};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -38,7 +40,7 @@ pub struct ToolEntry {
     /// Root fillet radius `ρ_fP*` of the basic rack, in modules. Default 0.38.
     #[serde(default)]
     pub fillet: Option<Number>,
-    /// Protuberance `p_r*` of the hob, normal to its flank, in modules. Default 0.
+    /// Protuberance `p_r*` of the hob that cuts it, normal to its flank, in modules. Default 0.
     #[serde(default)]
     pub protuberance: Option<Number>,
     /// Stock `q*` that the hob leaves on the flanks for finishing, in modules. Default 0.
@@ -119,13 +121,19 @@ impl ShaperEntry {
 }
 
 impl ToolEntry {
-    fn cutting(&self) -> Result<Cutting, ToolMisfit> {
+    fn cutting(&self, kind: GearKind) -> Result<Cutting, ToolMisfit> {
         let of_profile = self.profile.map(|profile| Cutting::from(Iso53::from(profile)));
         if of_profile.is_some() && (self.dedendum.is_some() || self.fillet.is_some()) {
             return Err(ToolMisfit::Twice("profile", "dedendum and fillet"));
         }
         if self.shaper.is_some() && self.form_fillet.is_some() {
             return Err(ToolMisfit::Twice("shaper", "form_fillet"));
+        }
+        let is_hobbed = kind == GearKind::External && self.shaper.is_none() && self.form_fillet.is_none();
+        for (key, value) in [("protuberance", self.protuberance), ("stock", self.stock)] {
+            if !is_hobbed && value.is_some() {
+                return Err(ToolMisfit::OfHob(key));
+            }
         }
         let tool = match (&self.shaper, self.form_fillet) {
             (Some(shaper), _) => Some(shaper.tool()?),
@@ -150,35 +158,87 @@ pub enum ToolMisfit {
     /// Two keys for one thing.
     #[error("`{0}` and `{1}` say the same: keep one of them")]
     Twice(&'static str, &'static str),
+    /// What a hob alone has, of a gear that none cuts.
+    #[error("`{0}` is of a hob, and none cuts this gear: leave it out")]
+    OfHob(&'static str),
     /// An invalid tool.
     #[error("{0}")]
     Invalid(#[from] epicyclic_gears::Error),
 }
 
-impl SetEntry {
-    /// How sun, planets and ring are cut.
-    pub(super) fn cutting(&self) -> Result<[Cutting; 3], DescriptionError> {
-        let tools = self.tools.clone().unwrap_or_default();
-        let shaper = self.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
-        let refuse = |source| DescriptionError::Tools { set: self.id.clone(), source };
-        let own =
-            |entry: &Option<ToolEntry>| entry.as_ref().map_or(Ok(Cutting::default()), ToolEntry::cutting);
-        let [sun, planet, ring] = [&tools.sun, &tools.planet, &tools.ring].map(own);
-        let ring = match (shaper, &tools.ring) {
-            // The corners of the shaper are the fillet of the standard's rack, whatever cuts the teeth.
-            (Some(shaper), Some(_)) => {
-                let fillet = shaper.fillet.map(Number::get);
-                ring.map(|ring| Cutting { fillet: fillet.or(ring.fillet), ..ring })
-            }
-            (Some(shaper), None) => shaper.cutting().map_err(ToolMisfit::Invalid),
-            (None, _) => ring,
-        };
-        let cutting = [sun.map_err(refuse)?, planet.map_err(refuse)?, ring.map_err(refuse)?];
-        let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
-        for (cutting, kind) in cutting.iter().zip(kinds) {
-            let check = cutting.tool.map_or(Ok(()), |tool| tool.check(kind));
-            check.map_err(|source| refuse(ToolMisfit::Invalid(source)))?;
+impl GearboxFile {
+    /// A set with how its gears are cut.
+    pub(super) fn with_tools(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
+        let shaper = entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
+        if entry.tools.is_none() && shaper.is_none() {
+            return Ok(spec);
         }
-        Ok(cutting)
+        if entry.tools.is_some() && spec.kind != SetKind::Simple {
+            return Err(DescriptionError::ToolsOfKind { set: entry.id.clone() });
+        }
+        let tools = entry.tools.clone().unwrap_or_default();
+        let of_tools = |gear: &str| Path::root().key("tools").key(gear);
+        let of_shaper = || Path::root().key("strength").key("shaper");
+        let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
+        let refuse = |way: &Path, source: ToolMisfit| {
+            let at = source.keys().iter().fold(way.clone(), |way, key| way.key(*key));
+            DescriptionError::Tools { set: entry.id.clone(), at, source }
+        };
+        let own = |gear: &Option<ToolEntry>, kind, way: Path| {
+            let cutting = gear.as_ref().map_or(Ok(Cutting::default()), |gear| gear.cutting(kind));
+            cutting.map_err(|why| refuse(&way, why)).map(|cutting| (cutting, way))
+        };
+        let sun = own(&tools.sun, kinds[0], of_tools("sun"))?;
+        let planet = own(&tools.planet, kinds[1], of_tools("planet"))?;
+        let ring = match (shaper, &tools.ring) {
+            (Some(shaper), None) => {
+                let cutting = shaper.cutting().map_err(|why| refuse(&of_shaper(), why.into()))?;
+                (cutting, of_shaper())
+            }
+            (shaper, _) => {
+                let (ring, way) = own(&tools.ring, kinds[2], of_tools("ring"))?;
+                // The corners of the shaper are the fillet of the standard's rack, whatever cuts the teeth.
+                let fillet = shaper.and_then(|shaper| shaper.fillet).map(Number::get);
+                let way = if fillet.is_some() && ring.fillet.is_none() { of_shaper() } else { way };
+                (Cutting { fillet: fillet.or(ring.fillet), ..ring }, way)
+            }
+        };
+        let all = [sun, planet, ring];
+        let rack = self.rack().map_err(DescriptionError::Rack)?;
+        let spec = spec.cut([all[0].0, all[1].0, all[2].0]);
+        for ((cutting, way), (profile, kind)) in all.iter().zip(spec.profiles(&rack).0.iter().zip(kinds)) {
+            let check = profile.check().and_then(|()| cutting.tool.map_or(Ok(()), |tool| tool.check(kind)));
+            check.map_err(|source| refuse(way, source.into()))?;
+        }
+        Ok(spec)
+    }
+}
+
+impl ToolMisfit {
+    /// The keys below a gear's tools, or below the shaper of its strength, that may hold what is wrong.
+    fn keys(&self) -> &'static [&'static str] {
+        let error = match self {
+            Self::Invalid(error) => error,
+            Self::OfHob("stock") => return &["stock"],
+            Self::OfHob(_) => return &["protuberance"],
+            Self::Twice(..) => return &[],
+        };
+        match error {
+            Error::NoTeeth => &["shaper", "teeth"],
+            Error::OutOfRange { quantity, .. }
+            | Error::Negative { quantity, .. }
+            | Error::NotPositive { quantity, .. } => match quantity {
+                Quantity::RootFillet => &["profile", "fillet"],
+                Quantity::Protuberance => &["protuberance"],
+                Quantity::Stock => &["stock"],
+                Quantity::ClearanceCoefficient => &["dedendum"],
+                Quantity::FormFillet => &["form_fillet"],
+                Quantity::ShaperTipRadius => &["shaper", "tip_radius", "fillet"],
+                Quantity::ShaperShift => &["shaper", "shift"],
+                Quantity::ShaperAddendum => &["shaper", "addendum"],
+                _ => &[],
+            },
+            _ => &[],
+        }
     }
 }

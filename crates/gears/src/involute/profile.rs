@@ -108,14 +108,15 @@ impl Cutting {
             clearance: self.dedendum.map_or(set.rack.clearance, |dedendum| dedendum - set.rack.addendum),
             ..set.rack
         };
-        Profile {
+        let cut = Profile {
             rack,
-            fillet: self.fillet.unwrap_or(set.fillet),
             protuberance: self.protuberance,
             stock: self.stock,
             tool: self.tool.or(set.tool),
             ..set
-        }
+        };
+        // A usual fillet gives way to a deeper rack, a stated one does not.
+        Profile { fillet: self.fillet.unwrap_or_else(|| set.fillet.min(cut.most_fillet()).max(0.0)), ..cut }
     }
 }
 

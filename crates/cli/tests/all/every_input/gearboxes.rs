@@ -308,26 +308,272 @@ const GEARBOX: &[Key] = &[
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
     key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
     key("sets.strength.root_roughness", "root_roughness: [16 µm", "root_roughness: [12 µm", STRENGTH),
-    key("sets.strength.shaper.teeth", "shaper: { teeth: 30", "shaper: { teeth: 25", STRENGTH),
-    key("sets.strength.shaper.shift", "teeth: 30, shift: 0,", "teeth: 30, shift: 0.1,", STRENGTH),
-    key("sets.strength.shaper.fillet", "fillet: 0.3 ", "fillet: 0.25 ", STRENGTH),
+    key("sets.strength.shaper.teeth", "      shaper: { teeth: 30", "      shaper: { teeth: 25", STRENGTH),
+    key("sets.strength.shaper.shift", "shift: 0, fillet", "shift: 0.1, fillet", STRENGTH),
+    key("sets.strength.shaper.fillet", "shift: 0, fillet: 0.3 ", "shift: 0, fillet: 0.25 ", STRENGTH),
     Key {
         path: "sets.strength.shaper.addendum",
-        first: &[("fillet: 0.3 }", "fillet: 0.3, addendum: 1.25 }")],
-        from: "addendum: 1.25 }",
-        to: "addendum: 1.3 }",
+        first: &[
+            ("      ring: { shaper:", "      # { shaper:"),
+            ("shift: 0, fillet: 0.3 }", "shift: 0, fillet: 0.3, addendum: 1.25 }"),
+        ],
+        from: "fillet: 0.3, addendum: 1.25 }",
+        to: "fillet: 0.3, addendum: 1.3 }",
         look: SHEET,
     },
-    key("sets.tools.sun.profile", "profile: A", "profile: D", SHEET),
-    key("sets.tools.planet.dedendum", "dedendum: 1.25", "dedendum: 1.3", SHEET),
-    key("sets.tools.planet.fillet", "fillet: 0.38", "fillet: 0.35", SHEET),
-    key("sets.tools.planet.protuberance", "protuberance: 0", "protuberance: 0.1", SHEET),
-    key("sets.tools.planet.stock", "stock: 0 }", "stock: 0.05 }", SHEET),
-    key("sets.tools.planet.form_fillet", "form_fillet: 0.3", "form_fillet: 0.2", SHEET),
-    key("sets.tools.ring.shaper.teeth", "shaper: { teeth: 25", "shaper: { teeth: 24", SHEET),
-    key("sets.tools.ring.shaper.shift", "shift: 0.1, addendum", "shift: 0.05, addendum", SHEET),
-    key("sets.tools.ring.shaper.addendum", "addendum: 1.25, tip", "addendum: 1.2, tip", SHEET),
-    key("sets.tools.ring.shaper.tip_radius", "tip_radius: 0.2", "tip_radius: 0.25", SHEET),
+    Key {
+        path: "sets.tools.sun.profile",
+        first: &[("sun: { profile: A, form_fillet: 0.3 }", "sun: { profile: A }")],
+        from: "sun: { profile: A",
+        to: "sun: { profile: D",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.dedendum",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+        )],
+        from: "sun: { dedendum: 1.25",
+        to: "sun: { dedendum: 1.3",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.fillet",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+        )],
+        from: "sun: { dedendum: 1.25, fillet: 0.38",
+        to: "sun: { dedendum: 1.25, fillet: 0.35",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.protuberance",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+        )],
+        from: "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0",
+        to: "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0.1",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.stock",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+        )],
+        from: "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0",
+        to: "sun: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0.05",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.form_fillet",
+        first: &[("sun: { profile: A, form_fillet: 0.3 }", "sun: { form_fillet: 0.3 }")],
+        from: "sun: { form_fillet: 0.3",
+        to: "sun: { form_fillet: 0.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.shaper.teeth",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "sun: { shaper: { teeth: 30",
+        to: "sun: { shaper: { teeth: 29",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.shaper.shift",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "sun: { shaper: { teeth: 30, shift: 0",
+        to: "sun: { shaper: { teeth: 30, shift: 0.05",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.shaper.addendum",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25",
+        to: "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.sun.shaper.tip_radius",
+        first: &[(
+            "sun: { profile: A, form_fillet: 0.3 }",
+            "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3",
+        to: "sun: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.25",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.profile",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { profile: A }",
+        )],
+        from: "planet: { profile: A",
+        to: "planet: { profile: D",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.dedendum",
+        first: &[],
+        from: "planet: { dedendum: 1.25",
+        to: "planet: { dedendum: 1.3",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.fillet",
+        first: &[],
+        from: "planet: { dedendum: 1.25, fillet: 0.38",
+        to: "planet: { dedendum: 1.25, fillet: 0.35",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.protuberance",
+        first: &[],
+        from: "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0",
+        to: "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0.1",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.stock",
+        first: &[],
+        from: "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0",
+        to: "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0.05",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.form_fillet",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { form_fillet: 0.3 }",
+        )],
+        from: "planet: { form_fillet: 0.3",
+        to: "planet: { form_fillet: 0.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.shaper.teeth",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "planet: { shaper: { teeth: 30",
+        to: "planet: { shaper: { teeth: 29",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.shaper.shift",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "planet: { shaper: { teeth: 30, shift: 0",
+        to: "planet: { shaper: { teeth: 30, shift: 0.05",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.shaper.addendum",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25",
+        to: "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.planet.shaper.tip_radius",
+        first: &[(
+            "planet: { dedendum: 1.25, fillet: 0.38, protuberance: 0, stock: 0 }",
+            "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+        )],
+        from: "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3",
+        to: "planet: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.25",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.profile",
+        first: &[(
+            "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+            "ring: { profile: A }",
+        )],
+        from: "ring: { profile: A",
+        to: "ring: { profile: D",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.dedendum",
+        first: &[(
+            "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+            "ring: { dedendum: 1.25 }",
+        )],
+        from: "ring: { dedendum: 1.25",
+        to: "ring: { dedendum: 1.3",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.fillet",
+        first: &[
+            (
+                "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+                "ring: { fillet: 0.38 }",
+            ),
+            ("shift: 0, fillet: 0.3 }", "shift: 0 }"),
+        ],
+        from: "ring: { fillet: 0.38",
+        to: "ring: { fillet: 0.35",
+        look: STRENGTH,
+    },
+    Key {
+        path: "sets.tools.ring.form_fillet",
+        first: &[(
+            "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3 } }",
+            "ring: { form_fillet: 0.3 }",
+        )],
+        from: "ring: { form_fillet: 0.3",
+        to: "ring: { form_fillet: 0.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.shaper.teeth",
+        first: &[],
+        from: "ring: { shaper: { teeth: 30",
+        to: "ring: { shaper: { teeth: 29",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.shaper.shift",
+        first: &[],
+        from: "ring: { shaper: { teeth: 30, shift: 0",
+        to: "ring: { shaper: { teeth: 30, shift: 0.05",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.shaper.addendum",
+        first: &[],
+        from: "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25",
+        to: "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.2",
+        look: SHEET,
+    },
+    Key {
+        path: "sets.tools.ring.shaper.tip_radius",
+        first: &[],
+        from: "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.3",
+        to: "ring: { shaper: { teeth: 30, shift: 0, addendum: 1.25, tip_radius: 0.25",
+        look: SHEET,
+    },
     key("sets.strength.planet_rim", "planet_rim: 9 mm", "planet_rim: 8 mm", STRENGTH),
     key("sets.strength.ring_rim", "ring_rim: 10 mm", "ring_rim: 9 mm", STRENGTH),
     key("sets.strength.factors", "K_A: 1.25, K_H", "K_A: 1.5, K_H", STRENGTH),
@@ -347,7 +593,12 @@ const GEARBOX: &[Key] = &[
     key("sets.strength.accuracy.blank_factor", "blank_factor: 0.95", "blank_factor: 0.9", STRENGTH),
     Key {
         path: "sets.strength.accuracy_grade",
-        first: &[("addendum: 1 #", "addendum: 1.25 #")],
+        first: &[
+            ("addendum: 1 #", "addendum: 1.25 #"),
+            ("profile: A", "dedendum: 1.5, fillet: 0.2"),
+            ("dedendum: 1.25, fillet: 0.38", "dedendum: 1.5, fillet: 0.2"),
+            ("shift: 0, fillet: 0.3", "shift: 0, fillet: 0.1"),
+        ],
         from: "accuracy_grade: 5",
         to: "accuracy_grade: 4",
         look: STRENGTH,
@@ -437,7 +688,13 @@ const GEARBOX: &[Key] = &[
     key("clutches.links", "links: [turbine, small_sun]", "links: [turbine, large_sun]", OVERVIEW),
     key("clutches.one_way", "one_way: [carrier, ground]", "one_way: [ground, carrier]", &["--gear", "D1"]),
     key("density", "density: 7850 kg/m3", "density: 7800 kg/m3", FIRST),
-    key("pressure_angle", "pressure_angle: 20 deg", "pressure_angle: 25 deg", OVERVIEW),
+    Key {
+        path: "pressure_angle",
+        first: &[("profile: A", "profile: C"), ("fillet: 0.38", "fillet: 0.3")],
+        from: "pressure_angle: 20 deg",
+        to: "pressure_angle: 25 deg",
+        look: OVERVIEW,
+    },
     key("addendum", "addendum: 1 ", "addendum: 0.8 ", OVERVIEW),
     key("grounds", "grounds: [drum]", "grounds: []", OVERVIEW),
     key("ties", "ties: [[ring, shaft]]", "ties: []", OVERVIEW),
@@ -702,6 +959,14 @@ fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
     }
     let mut tried = paths(keys);
     tried.extend(notes.iter().map(|(path, ..)| (*path).to_owned()));
+    if of == "gearbox" {
+        for key in ["protuberance", "stock"] {
+            let file = replaced(file, "ring: { shaper", &format!("ring: {{ {key}: 0, shaper"));
+            let told = seen(folder.path(), &file, OVERVIEW).unwrap_err();
+            assert!(told.contains(&format!("sets[3].tools.ring.{key}: ")), "{told}");
+            tried.insert(format!("sets.tools.ring.{key}"));
+        }
+    }
     assert_eq!(tried, schema(of));
 }
 

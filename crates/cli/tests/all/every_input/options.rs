@@ -364,7 +364,7 @@ design: --ratios 3.5 --power 75kW --input 1475rpm --modules '2.5 mm, 3 mm' --fac
   --ring-offset 1..2
   --bearing-type any
   --tries 1
-  --sun 46..52
+  --sun 40..50
   --planet 40..42
   --ring 130..140
   --basis wind-stage.yaml
