@@ -203,7 +203,7 @@ fn a_file_with_the_teeth_of_a_double_planet_set_is_read_back() {
             let planets = analysis.sets().iter().flat_map(|set| &set.planets);
             fastest = planets.fold(fastest, |all, planet| all.max(planet.unwrap().relative.abs()));
         }
-        assert_eq!(told.greatest_planet_speed, fastest);
+        assert!((told.greatest_planet_speed / fastest - 1.0).abs() < 1e-12, "{fastest}");
         for (set, teeth) in solution.sets.iter().zip(&told.sets) {
             assert_eq!(set.is_double_planet, teeth.outer_planet.is_some());
         }

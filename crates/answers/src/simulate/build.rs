@@ -27,6 +27,9 @@ pub(super) struct Sampling {
 impl Scenario<'_> {
     pub(super) fn built(&self) -> Result<Built, Error> {
         let mechanism = self.mechanism()?;
+        for (place, entry) in self.file.elements.iter().enumerate() {
+            self.shift_element(place, entry)?;
+        }
         let program = Program::of(self)?;
         let mut model = Model::new(mechanism);
         let mut elements = self.one_way_clutches(&model);
@@ -227,6 +230,18 @@ impl Scenario<'_> {
         }
     }
 
+    /// The brake or clutch that an entry names.
+    fn shift_element(&self, place: usize, entry: &ElementEntry) -> Result<&ShiftElement, Error> {
+        let slips = || self.subject.gearbox.shift_elements().iter().filter(|one| !one.is_one_way());
+        slips().find(|one| one.id() == entry.id).ok_or_else(|| {
+            let names: Vec<&str> = slips().map(ShiftElement::id).collect();
+            let message =
+                format!("no brake or clutch is called {}: there are {}", entry.id, names.join(", "));
+            let path = root("elements").index(place).key("id");
+            refused(self.document, &path, &Named("no-shift-element", message))
+        })
+    }
+
     fn element(
         &self,
         model: &mut Model,
@@ -234,16 +249,9 @@ impl Scenario<'_> {
         place: usize,
         entry: &ElementEntry,
     ) -> Result<Element, Error> {
-        let (document, gearbox) = (self.document, &self.subject.gearbox);
+        let document = self.document;
         let path = root("elements").index(place);
-        let found = gearbox.shift_elements().iter().find(|one| one.id() == entry.id && !one.is_one_way());
-        let Some(found) = found else {
-            let names = gearbox.shift_elements().iter().filter(|one| !one.is_one_way());
-            let names: Vec<&str> = names.map(ShiftElement::id).collect();
-            let message =
-                format!("no brake or clutch is called {}: there are {}", entry.id, names.join(", "));
-            return Err(refused(document, &path.key("id"), &Named("no-shift-element", message)));
-        };
+        let found = self.shift_element(place, entry)?;
         if self.file.engaged.contains(&entry.id) {
             let message = format!("{} is in `engaged`, where it never slips", entry.id);
             return Err(refused(document, &path.key("id"), &Named("engaged-twice", message)));
@@ -264,7 +272,7 @@ impl Scenario<'_> {
         if conductance < 0.0 {
             return Err(refused(document, &path.key("conductance"), &AT_LEAST_0));
         }
-        let links = found.links().map(|link| gearbox.link_name(link).to_owned());
+        let links = found.links().map(|link| self.subject.gearbox.link_name(link).to_owned());
         let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure, &entry.dog) {
             (None, None, None, Some(dog)) => {
                 self.add_dog(model, &path, entry, dog)?;
