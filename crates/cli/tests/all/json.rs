@@ -815,6 +815,7 @@ const RUNS: &[(&str, &[&str])] = &[
             "35 deg",
             "--addendum",
             "1.2",
+            "--any-teeth",
         ],
     ),
     (

@@ -326,7 +326,7 @@ fn wishes_that_nothing_can_have_are_refused() {
         (Wish { elements: 0, gears: vec![around(2.5, 0.01)], ..usual.clone() }, "engages 1"),
         (Wish { k: vec![3.0..=2.0; 2], ..usual.clone() }, "range is empty"),
         (Wish { k: vec![1.4..=4.5; 3], ..usual.clone() }, "3 ranges of k for 2 planet sets"),
-        (Wish { elements: 20, ..usual.clone() }, "pairs of links"),
+        (Wish { elements: 20, ..usual.clone() }, "there may be 8 at most"),
         (
             Wish { rules: Rules { direct: true, ..Rules::default() }, ..usual.clone() },
             "no gear may have the ratio 1",

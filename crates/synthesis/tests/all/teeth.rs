@@ -15,6 +15,7 @@ use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::Gearbox;
 use epicyclic_train::planet_set::Description;
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
 const SIX_HP: [f64; 7] = [4.171, 2.340, 1.521, 1.143, 0.867, 0.691, -3.403];
@@ -148,8 +149,9 @@ fn a_6hp_has_tooth_numbers() {
             assert!(planet_speed(&without_teeth) <= 1.1 * planet_speed(&analysis));
         }
         let all = gearbox.set_checks(&BasicRack::default(), |_| vec![]).checks;
-        let mut missed = all.iter().filter(|check| check.miss.is_some() && check.severity > Severity::Remark);
-        assert!(missed.all(|check| check.rule == "undercut"), "{all:?}");
+        let missed = all.iter().filter(|check| check.miss.is_some() && check.severity > Severity::Remark);
+        let missed: BTreeSet<&str> = missed.map(|check| check.rule).collect();
+        assert!(missed.is_subset(&BTreeSet::from(["undercut", "full-tips"])), "{missed:?}");
     }
 }
 
