@@ -6,7 +6,8 @@ use epicyclic_gears::synthesis::Bounds;
 
 fn main() -> Result<(), epicyclic_answers::Error> {
     let mode = Mode::new(Member::Sun, Member::Carrier)?;
-    let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1 };
+    let wanted =
+        teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1, checked: 1 };
     println!("{}", to_json(&teeth::answer(&wanted, |_| std::ops::ControlFlow::Continue(()))?)?);
     Ok(())
 }

@@ -4,6 +4,7 @@ use crate::analyze::elements::ShiftElement;
 use crate::analyze::records::Kind;
 use crate::drawability::Conflict;
 use crate::motor::Numbers;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, units};
 use epicyclic_formats::Physical as _;
 use epicyclic_train::Gearbox;
@@ -34,6 +35,8 @@ pub struct Drawing {
     pub conflict: Option<Conflict>,
     /// Files that are written.
     pub files: Vec<File>,
+    /// The checks of the teeth that a view of teeth shows; `null` of others.
+    pub tooth_checks: Option<ToothChecks>,
 }
 
 /// What is drawn.

@@ -112,7 +112,8 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
             }
         }
     }
-    let tooth_checks = ToothChecks::of(subject, |of| sets.iter().any(|set: &SetSheet| set.set == of));
+    let tooth_checks =
+        ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
     let warnings = tooth_checks.warnings().collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };

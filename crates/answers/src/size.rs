@@ -8,7 +8,7 @@ mod saved;
 
 use crate::analyze::warnings::tilting;
 use crate::fault::Named;
-use crate::gearbox::{Subject, alone};
+use crate::gearbox::{Choice, Subject, alone, one};
 use crate::strength::Asked;
 use crate::strength::duty::{WorkedStep, steps};
 use crate::strength::load::felt;
@@ -17,6 +17,7 @@ use crate::strength::place::{Fault, refused};
 use crate::strength::prepared::{SetToSize, sets_to_size};
 use crate::strength::records::{NotRated, Reason, Required};
 use crate::teeth::shifted::ShiftAim;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
@@ -166,6 +167,8 @@ pub struct Size {
     pub sets: Vec<SizedSet>,
     /// Sets that are not sized.
     pub not_sized: Vec<NotSized>,
+    /// The checks of the teeth of the sets with their best sizes.
+    pub tooth_checks: ToothChecks,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -231,6 +234,11 @@ pub fn answer(
     if sets.is_empty() {
         return Err(Error::NothingToSize { sets: not_sized.iter().map(NotSized::told).collect() });
     }
+    let sized = Document::parse_one(SIZED, saved::written(subject.document, &sets)?.as_bytes())?;
+    let has_size = |of: &str| sets.iter().any(|set| set.set == of && !set.found.is_empty());
+    let tooth_checks = ToothChecks::of(one(&sized, &Choice::default())?.tooth_checks(), has_size);
+    let warnings = sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical));
+    let warnings = warnings.chain(tooth_checks.warnings()).collect();
     Ok(Size {
         gearbox: subject.gearbox.name().to_owned(),
         edition: Edition::default().to_string(),
@@ -242,11 +250,15 @@ pub fn answer(
         sought: Sought::of(wanted),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
-        warnings: sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical)).collect(),
         sets,
         not_sized,
+        tooth_checks,
+        warnings,
     })
 }
+
+/// What a fault calls the file with the sizes.
+const SIZED: &str = "the gearbox with its sizes";
 
 /// The duty as a set feels it; `None` where no torques follow.
 fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>> {

@@ -277,7 +277,9 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let helical = sets.iter().filter(|set| set.is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
-    let tooth_checks = ToothChecks::of(subject, |of| sets.iter().any(|set| set.id == of));
+    let is_asked =
+        |of: &str| sets.iter().any(|set| set.id == of) || not_rated.iter().any(|row| row.set == of);
+    let tooth_checks = ToothChecks::of(subject.tooth_checks(), is_asked);
     let warnings = safeties
         .below(required)
         .into_iter()

@@ -4,18 +4,22 @@
 //! |---|---|
 //! | [`double_planet`] | the same of a double-planet set |
 //! | [`shifted`] | the same of simple sets with profile shift |
-//! | [`saved`] | a set as a gearbox |
+//! | `gearbox` | a set as a gearbox |
 
 pub mod double_planet;
-pub mod saved;
+mod gearbox;
 pub mod shifted;
 
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, Candidate};
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::{SetKind, SetSpec};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -36,6 +40,8 @@ pub struct Wanted {
     pub bounds: Bounds,
     /// How many of the sets are told.
     pub most: usize,
+    /// Number of the set whose checks are told, from 1; the first where there are fewer.
+    pub checked: usize,
 }
 
 /// Sets of tooth numbers that give a ratio, the most exact first.
@@ -54,6 +60,8 @@ pub struct Teeth {
     pub shown: usize,
     /// These.
     pub tooth_numbers: Vec<ToothNumbers>,
+    /// The checks of the teeth of one of them, the first unless another is asked for.
+    pub tooth_checks: ToothChecks,
 }
 
 /// Tooth numbers of a simple set, and what follows from them.
@@ -97,7 +105,7 @@ impl Answer for Teeth {
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
 pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
+    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let found = bounds.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found.found > MOST_SETS as u64 {
         return Err(Error::TooMany { found: found.found, most: MOST_SETS });
@@ -109,8 +117,29 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
         tolerance,
         found: found.found,
         shown: tooth_numbers.len(),
+        tooth_checks: wanted.checks(&tooth_numbers, ToothNumbers::gearbox)?,
         tooth_numbers,
     })
+}
+
+impl Wanted {
+    fn checks<Set>(
+        &self,
+        sets: &[Set],
+        gearbox: fn(&Set, &Self) -> Result<Gearbox, Error>,
+    ) -> Result<ToothChecks, Error> {
+        let number = if (1..=sets.len()).contains(&self.checked) { self.checked } else { 1 };
+        let Some(set) = sets.get(number - 1) else { return Ok(ToothChecks::default()) };
+        let mut all =
+            ToothChecks::of(gearbox(set, self)?.set_checks(&self.bounds.rack, |_| vec![]), |_| true);
+        // The only set of its gearbox has the number that the list gives it.
+        all.checks.iter_mut().for_each(|check| check.set = number.to_string());
+        Ok(all)
+    }
+
+    fn built(&self, set: SetSpec) -> Result<Gearbox, Error> {
+        gearbox::built(self.mode, self.ratio, self.bounds.placement, set)
+    }
 }
 
 /// So many sets in series have a ratio that one has not within the same bounds.
@@ -165,6 +194,16 @@ pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
 }
 
 impl ToothNumbers {
+    /// The set as a gearbox without losses: its links are its members, and the one at rest is the housing.
+    ///
+    /// # Errors
+    /// None of a set that [`answer`] tells.
+    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
+        let members = gearbox::members(wanted.mode);
+        let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
+        wanted.built(set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets))
+    }
+
     fn of(found: &Candidate) -> Self {
         let imbalance = found.spacing.imbalance();
         Self {
@@ -191,7 +230,7 @@ mod tests {
 
     fn wanted(ratio: f64, mode: [Member; 2], bounds: Bounds) -> Wanted {
         let mode = Mode::new(mode[0], mode[1]).unwrap();
-        Wanted { ratio, mode, tolerance: 0.01, bounds, most: 1 }
+        Wanted { ratio, mode, tolerance: 0.01, bounds, most: 1, checked: 1 }
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! The checks of the teeth of a gearbox: what was checked, what could not be for want of which key, what does not hold.
 
 use crate::Warning;
-use crate::gearbox::Subject;
 use epicyclic_gears::involute::check::Severity as CheckSeverity;
 use epicyclic_train::tooth_checks::{SetCheck, SetChecks, Subject as CheckSubject};
 use schemars::JsonSchema;
@@ -100,10 +99,9 @@ impl ToothCheck {
 }
 
 impl ToothChecks {
-    /// Those of a gearbox, of one set of it where that is chosen.
+    /// Those of the sets that are wanted.
     #[must_use]
-    pub(crate) fn of(subject: &Subject<'_>, is_wanted: impl Fn(&str) -> bool) -> Self {
-        let SetChecks { checks, not_checked } = subject.tooth_checks();
+    pub fn of(SetChecks { checks, not_checked }: SetChecks, is_wanted: impl Fn(&str) -> bool) -> Self {
         let checks: Vec<ToothCheck> =
             checks.into_iter().filter(|check| is_wanted(&check.set)).map(ToothCheck::of).collect();
         let not_checked = not_checked.into_iter().filter(|of| is_wanted(&of.set));
@@ -115,7 +113,7 @@ impl ToothChecks {
     }
 
     /// What is missed but for remarks.
-    pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
+    pub fn warnings(&self) -> impl Iterator<Item = Warning> {
         let missed = self.checks.iter().filter(|check| check.severity != Severity::Remark);
         missed.filter_map(|check| {
             let message = format!("set `{}`: {}", check.set, check.message.as_ref()?);

@@ -15,6 +15,7 @@ use epicyclic_answers::draw as answers;
 use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::motor::of_file;
+use epicyclic_answers::tooth_checks::ToothChecks;
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
@@ -233,6 +234,11 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     drawing_file::check_dpi(args.dpi, files.iter().map(|(_, format)| *format))?;
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
     files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
+    if args.format == Format::Text {
+        for warning in drawing.tooth_checks.iter().flat_map(ToothChecks::warnings) {
+            call.complain(&format!("warning: {}", warning.message));
+        }
+    }
     if files.is_empty() && args.format == Format::Text {
         return call.say(&(svg::write(&scene).map_err(|error| placed(error.into()))? + "\n"));
     }
@@ -265,6 +271,7 @@ fn drawing(args: &Args, subject: answers::Subject, view: View, gear: Option<&str
         sheet: None,
         conflict: None,
         files: vec![],
+        tooth_checks: None,
     }
 }
 
@@ -304,7 +311,8 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
 fn of_gearbox(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Result<Picture, Failure> {
     consistent(args)?;
     let subject = subject::read(call, args, document)?;
-    let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), args.gear.as_deref());
+    let mut drawing =
+        drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), args.gear.as_deref());
     let scene = match (args.view, document) {
         (Some(View::Map), Some(document)) => map(args, document),
         (Some(View::Map), None) => {
@@ -313,7 +321,11 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Resu
         }
         _ => scene(args, &subject),
     };
-    Ok(Picture { drawing, scene, base: subject.base })
+    if args.view == Some(View::Teeth) {
+        drawing.tooth_checks.clone_from(&subject.tooth_checks);
+    }
+    let base = if scene.is_err() { subject.of_fault(args.view) } else { subject.base };
+    Ok(Picture { drawing, scene, base })
 }
 
 /// Refuses options that say nothing for the view.

@@ -7,7 +7,7 @@ use crate::output::{Format, OutputArgs};
 use crate::profile_shift::ShiftOptions;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
-use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, shifted, stages};
+use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, shifted, stages};
 use epicyclic_formats::gearbox::written;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
@@ -105,7 +105,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
-    /// With --save: the set with this number in place of the most exact.
+    /// With --save: the set with this number in place of the most exact; the checks told are of its teeth.
     #[arg(long, value_name = "N", requires = "save", default_value = "1")]
     nth: usize,
 
@@ -144,6 +144,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         tolerance: args.tolerance.0.si(),
         bounds,
         most: limit.max(nth),
+        checked: args.nth,
     };
     let shown = Progress::new(call);
     let parts = wanted.bounds.space(args.double_planet).map_err(refuse)? as f64;
@@ -157,7 +158,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let found = shifted::answer(&wanted, &shifts, |share| shown.at(share)).map_err(refuse_answer)?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| saved::shifted(&wanted, set)).transpose()?;
+        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
         let files = save(args, &wanted, chosen, found.found)?;
         let mut told = found;
         told.tooth_numbers.truncate(limit);
@@ -168,7 +169,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let found = double_planet::answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| saved::double_planet(&wanted, set)).transpose()?;
+        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
         let files = save(args, &wanted, chosen, found.found)?;
         let mut told = found;
         told.tooth_numbers.truncate(limit);
@@ -179,7 +180,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let found = answer(&wanted, |share| shown.at(share)).map_err(|error| refuse_one(error, &wanted))?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| saved::simple(&wanted, set)).transpose()?;
+        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
         let files = save(args, &wanted, chosen, found.found)?;
         let mut told = found;
         told.tooth_numbers.truncate(limit);

@@ -25,7 +25,7 @@
 //! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at [given angles](crate::planet_angles). Two planets in mesh stand apart by the angle of
 //! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it does not mesh with. Gears
 //! that do not mesh may lie beside each other along the axis, as the short planets and the large sun of a Ravigneaux
-//! set do; that they must is only a [note](ToothWarning::is_note).
+//! set do; that they must is a remark.
 //!
 //! # Assembly
 //! Moved from one place to the next a planet, or tree of planets in mesh, finds every central gear turned by `z_c/N`

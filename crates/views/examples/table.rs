@@ -7,7 +7,8 @@ use epicyclic_views::AsReport;
 
 fn main() -> Result<(), epicyclic_answers::Error> {
     let mode = Mode::new(Member::Sun, Member::Carrier)?;
-    let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 3 };
+    let wanted =
+        teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 3, checked: 1 };
     println!("{}", teeth::answer(&wanted, |_| std::ops::ControlFlow::Continue(()))?.report().table(80));
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! Sizes of sets as tables.
 
-use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{column, optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use crate::units::hours;
+use crate::{AsReport, tooth_checks};
 use epicyclic_answers::size::Size;
 use epicyclic_answers::size::records::{
     HeldKey, LeftOut, Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
@@ -24,6 +24,8 @@ impl AsReport for Size {
             }),
             Some(Part::Records(left_out(&self.sets))),
             (!self.not_sized.is_empty()).then(|| Part::Records(not_sized(&self.not_sized))),
+            tooth_checks::has_any(&self.tooth_checks)
+                .then(|| Part::Records(tooth_checks::table(&self.tooth_checks))),
         ];
         let what = match (self.mass_kg, self.minimise) {
             (None, _) => "not every set has a size that meets the requirements.".to_owned(),

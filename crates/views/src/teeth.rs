@@ -3,11 +3,12 @@
 mod double_planet;
 pub(crate) mod shifted;
 
-use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::{AsReport, tooth_checks};
 use epicyclic_answers::shared::Motion;
 use epicyclic_answers::teeth::{Teeth, ToothNumbers};
+use epicyclic_answers::tooth_checks::ToothChecks;
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
@@ -15,13 +16,17 @@ impl AsReport for Teeth {
     fn report(&self) -> Report {
         Report {
             title: Some(title(self.ratio, self.mode, self.tolerance)),
-            parts: vec![
-                Part::Records(sets(self)),
-                Part::Text(Text::paragraph(count(self.found, self.shown))),
-            ],
+            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
             warnings: None,
         }
     }
+}
+
+/// The sets, what does not hold of one of them, and how many there are.
+fn parts(sets: Records, checks: &ToothChecks, count: String) -> Vec<Part> {
+    let checks = tooth_checks::has_any(checks).then(|| Part::Records(tooth_checks::table(checks)));
+    let parts = [Some(Part::Records(sets)), checks, Some(Part::Text(Text::paragraph(count)))];
+    parts.into_iter().flatten().collect()
 }
 
 /// What is wanted.

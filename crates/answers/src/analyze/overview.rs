@@ -134,7 +134,7 @@ pub fn answer(
         one_way_clutches: analyses.iter().flat_map(|gear| one_way_clutches(gearbox, gear)).collect(),
         planets: planets::OverGears::all(gearbox, &worked, &bearings),
         planet_bearings: bearings,
-        tooth_checks: ToothChecks::of(subject, |_| true),
+        tooth_checks: ToothChecks::of(subject.tooth_checks(), |_| true),
         warnings: all,
         gears,
     })

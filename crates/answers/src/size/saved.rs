@@ -1,7 +1,7 @@
 //! The gearbox file with the sizes found in it.
 
 use super::Size;
-use super::records::{SizedBearing, SizedDesign};
+use super::records::{SizedBearing, SizedDesign, SizedSet};
 use crate::Error;
 use epicyclic_formats::Document;
 use epicyclic_formats::quantity::format::trimmed;
@@ -18,22 +18,35 @@ const DIGITS: usize = 14;
 /// # Errors
 /// [`Error::NoSize`] for a set without one; [`Error::Json`] for a file that cannot be written.
 pub fn saved(document: &Document, size: &Size) -> Result<String, Error> {
-    let mut file = document.value().clone();
+    if let Some(set) = size.sets.iter().find(|set| set.found.is_empty()) {
+        return Err(Error::NoSize { set: set.set.clone() });
+    }
     let mut comment =
         format!("# {}: the best sizes of {} designs.\n", size.gearbox.escape_default(), size.designs);
-    for set in &size.sets {
-        let best = set.found.first().ok_or_else(|| Error::NoSize { set: set.set.clone() })?;
+    for (set, best) in best(&size.sets) {
         if let Some(name) = best.bearing.as_ref().and_then(|bearing| bearing.designation.as_ref()) {
             comment += &format!("# Set {}: bearing {}.\n", set.set.escape_default(), name.escape_default());
         }
+    }
+    Ok(comment + &written(document, &size.sets)?)
+}
+
+/// The sets that have designs, with their best ones.
+fn best(sets: &[SizedSet]) -> impl Iterator<Item = (&SizedSet, &SizedDesign)> {
+    sets.iter().filter_map(|set| Some((set, set.found.first()?)))
+}
+
+/// The file with the best design of each set that has one.
+pub(super) fn written(document: &Document, sets: &[SizedSet]) -> Result<String, Error> {
+    let mut file = document.value().clone();
+    for (set, best) in best(sets) {
         let entries = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
         let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
         if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
             write(entry, set.teeth[1], best)?;
         }
     }
-    let text = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
-    Ok(comment + &text)
+    to_string(&file).map_err(|error| Error::Json(error.to_string()))
 }
 
 fn millimetres(metres: f64) -> Value {

@@ -1,11 +1,15 @@
 //! Tooth numbers of a double-planet set for a ratio.
 
-use super::{MOST_SETS, Wanted};
+use super::{MOST_SETS, Wanted, gearbox};
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetCandidate;
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::{SetKind, SetSpec};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -27,6 +31,8 @@ pub struct DoublePlanetTeeth {
     pub shown: usize,
     /// These.
     pub tooth_numbers: Vec<DoublePlanetNumbers>,
+    /// The checks of the teeth of one of them, the first unless another is asked for.
+    pub tooth_checks: ToothChecks,
 }
 
 /// Tooth numbers of a double-planet set, and what follows from them.
@@ -75,7 +81,7 @@ impl Answer for DoublePlanetTeeth {
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
 pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<DoublePlanetTeeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
+    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let found = bounds.double_planets_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found.found > MOST_SETS as u64 {
         return Err(Error::TooMany { found: found.found, most: MOST_SETS });
@@ -87,11 +93,23 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
         tolerance,
         found: found.found,
         shown: tooth_numbers.len(),
+        tooth_checks: wanted.checks(&tooth_numbers, DoublePlanetNumbers::gearbox)?,
         tooth_numbers,
     })
 }
 
 impl DoublePlanetNumbers {
+    /// The set as a gearbox without losses.
+    ///
+    /// # Errors
+    /// None of a set that [`answer`] tells.
+    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
+        let members = gearbox::members(wanted.mode);
+        let set = SetSpec::teeth(gearbox::NAME, SetKind::DoublePlanet, members, self.sun, self.ring)?;
+        let [inner, outer] = [self.inner_planet, self.outer_planet].map(ToothCount::new);
+        wanted.built(set.planet_teeth(inner?, Some(outer?)).planet_count(self.pairs))
+    }
+
     fn of(found: &DoublePlanetCandidate) -> Self {
         let imbalance = found.spacing.imbalance();
         Self {

@@ -1,11 +1,13 @@
 //! Tooth numbers of a simple set with profile shift for a ratio.
 
-use super::{MOST_SETS, Wanted};
+use super::{MOST_SETS, Wanted, gearbox};
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::{ROUNDED, rounded};
 use crate::tool::CuttingTool;
+use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::profile::Cutting;
@@ -13,7 +15,8 @@ use epicyclic_gears::involute::search::{ProfileShift, Shifted};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_train::set::{SetSpec, Shifts};
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
@@ -150,6 +153,8 @@ pub struct ShiftedTeeth {
     pub shown: usize,
     /// These.
     pub tooth_numbers: Vec<ShiftedNumbers>,
+    /// The checks of the teeth of one of them, the first unless another is asked for.
+    pub tooth_checks: ToothChecks,
 }
 
 /// Tooth numbers of a simple set with its profile shifts, and what follows from them; lengths in modules.
@@ -211,7 +216,7 @@ pub fn answer(
     shifts: &WantedShifts,
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<ShiftedTeeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
+    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let search = shifts.within(bounds).within(bounds);
     let (found, first) = search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found > MOST_SETS as u64 {
@@ -226,11 +231,25 @@ pub fn answer(
         least_tip_thickness_in_modules: shifts.tip_thickness,
         found,
         shown: tooth_numbers.len(),
+        tooth_checks: wanted.checks(&tooth_numbers, ShiftedNumbers::gearbox)?,
         tooth_numbers,
     })
 }
 
 impl ShiftedNumbers {
+    /// The set as a gearbox without losses, with its shifts, tip alterations and tools.
+    ///
+    /// # Errors
+    /// None of a set that [`answer`] tells.
+    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
+        let members = gearbox::members(wanted.mode);
+        let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
+        let set = set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets);
+        let hob = Cutting::default();
+        let shifts = Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) };
+        wanted.built(set.shifted(shifts).cut([hob, hob, self.ring_tool.cutting()]))
+    }
+
     fn of(found: &Shifted) -> Self {
         let set = &found.choice.set;
         let meshes = [set.sun_mesh(), set.ring_mesh()];

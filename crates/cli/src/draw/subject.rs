@@ -8,12 +8,14 @@ use crate::input;
 use crate::named;
 use crate::options;
 use epicyclic_answers::draw::{self as answers, Origin};
+use epicyclic_answers::tooth_checks::ToothChecks;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{self as formats, Document};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::Gearbox;
 use epicyclic_train::planet_bearings::PlanetBearing;
+use epicyclic_train::planet_set::PlanetSet;
 use std::collections::BTreeMap;
 use std::path::Path;
 use uom::si::f64::Length;
@@ -27,12 +29,26 @@ pub(super) struct Subject {
     /// The basic rack of its teeth, and the modules of its sets where the file has them.
     pub(super) rack: BasicRack,
     pub(super) modules: BTreeMap<String, Length>,
+    /// The checks of its teeth.
+    pub(super) tooth_checks: Option<ToothChecks>,
     /// Its place in a file.
     pub(super) base: formats::Path,
     origin: Origin,
 }
 
 impl Subject {
+    /// The place of what cannot be drawn: of teeth the set that is none.
+    pub(super) fn of_fault(self, view: Option<View>) -> formats::Path {
+        let is_fault = |set: &PlanetSet| {
+            set.short().and_then(|spec| spec.toothed_set(&self.rack)).is_some_and(|set| set.is_err())
+        };
+        // Sets with two central gears come first, in the order of the file.
+        match self.gearbox.sets().iter().position(is_fault).filter(|_| view == Some(View::Teeth)) {
+            Some(place) => self.base.key("sets").index(place),
+            None => self.base,
+        }
+    }
+
     /// What an answer says of it.
     pub(super) fn record(&self) -> answers::Subject {
         answers::Subject::of_gearbox(&self.gearbox, self.origin, self.gearing)
@@ -69,16 +85,19 @@ pub(super) fn read(call: &Call<'_>, args: &Args, document: Option<&Document>) ->
 /// A gearbox that no file describes.
 fn of_name(gearbox: Gearbox, origin: Origin) -> Subject {
     let (base, rack) = (formats::Path::root(), BasicRack::default());
-    Subject { gearbox, gearing: false, planet_bearings: vec![], rack, modules: BTreeMap::new(), base, origin }
+    let (planet_bearings, modules) = (vec![], BTreeMap::new());
+    Subject { gearbox, gearing: false, planet_bearings, rack, modules, tooth_checks: None, base, origin }
 }
 
 fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, Failure> {
     args.sizes.none_with_a_file()?;
     let choice = Choice::new(file.display().to_string(), args.transmission.clone(), args.efficiency);
     let read = analyze::subject(&choice, document)?;
+    let tooth_checks = Some(ToothChecks::of(read.tooth_checks(), |_| true));
     let epicyclic_answers::gearbox::Subject { gearbox, planet_bearings, base, rack, .. } = read;
     // A list of transmissions has no modules.
     let sets = document.read().map(|file: GearboxFile| file.sets).unwrap_or_default();
     let modules = sets.into_iter().filter_map(|set| Some((set.id, set.module?.0))).collect();
-    Ok(Subject { gearbox, gearing: true, planet_bearings, rack, modules, base, origin: Origin::GearboxFile })
+    let origin = Origin::GearboxFile;
+    Ok(Subject { gearbox, gearing: true, planet_bearings, rack, modules, tooth_checks, base, origin })
 }

@@ -1,9 +1,9 @@
 //! Double-planet sets for a ratio, as tables.
 
-use super::{count, percent, title, undercut};
+use super::{count, parts, percent, title, undercut};
 use crate::AsReport;
 use crate::figure::Figure;
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Records, Report, View};
 use epicyclic_answers::teeth::double_planet::{DoublePlanetNumbers, DoublePlanetTeeth};
 use epicyclic_formats::Dimension;
 
@@ -11,10 +11,7 @@ impl AsReport for DoublePlanetTeeth {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}, double-planet sets", title(self.ratio, self.mode, self.tolerance))),
-            parts: vec![
-                Part::Records(sets(self)),
-                Part::Text(Text::paragraph(count(self.found, self.shown))),
-            ],
+            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
             warnings: None,
         }
     }

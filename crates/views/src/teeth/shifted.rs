@@ -1,9 +1,9 @@
 //! Sets with profile shift for a ratio, as tables.
 
-use super::{count, percent, title};
+use super::{count, parts, percent, title};
 use crate::AsReport;
 use crate::figure::Figure;
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Records, Report, View};
 use epicyclic_answers::teeth::shifted::{ShiftAim, ShiftedNumbers, ShiftedTeeth};
 use epicyclic_formats::Dimension;
 
@@ -11,10 +11,7 @@ impl AsReport for ShiftedTeeth {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}, with profile shift", title(self.ratio, self.mode, self.tolerance))),
-            parts: vec![
-                Part::Records(sets(self)),
-                Part::Text(Text::paragraph(count(self.found, self.shown))),
-            ],
+            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
             warnings: None,
         }
     }
