@@ -286,7 +286,7 @@ def teeth(
     save
         Write the most exact set as a gearbox file without losses that analyze, draw and report read
     nth
-        With ``save``: the set with this number in place of the most exact
+        With ``save``: the set with this number in place of the most exact; the checks told are of its teeth
     output
         File for the answer too, by the end of its name: .json, .csv, tables in .txt, and where the command
         line writes them a page in .html or a drawing. The answer lists what the file does: tables and pages
