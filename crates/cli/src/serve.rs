@@ -80,8 +80,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let asked = request.url.split(['?', '#']).next().unwrap_or_default().trim_start_matches('/');
         match (asked, file) {
             (OPENED, Some(file)) => Some(opened(file)),
-            ("", _) => app.file("index.html").map(|bytes| Reply::of(bytes, "text/html; charset=utf-8")),
-            (name, _) => app.file(name).map(|bytes| Reply::of(bytes, kind(name))),
+            ("", _) => app.reply("index.html", kind("index.html"), request.takes_gzip),
+            (name, _) => app.reply(name, kind(name), request.takes_gzip),
         }
         .unwrap_or_else(|| Reply::refusal(404))
     });

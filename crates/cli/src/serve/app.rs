@@ -1,5 +1,6 @@
 //! The files of the app: in the program, or in a folder.
 
+use super::http::Reply;
 use crate::failure::Failure;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,12 +53,19 @@ impl App {
         Ok(Self::Folder(folder.to_owned(), names))
     }
 
-    /// A file of it.
-    pub(super) fn file(&self, name: &str) -> Option<Vec<u8>> {
+    /// A file of it as a reply of this media type; the one in the program stays packed for who takes that.
+    pub(super) fn reply(&self, name: &str, kind: &'static str, takes_gzip: bool) -> Option<Reply> {
         match self {
-            Self::BuiltIn => unpacked(BUILT_IN.iter().find(|(of, _)| *of == name)?.1),
+            Self::BuiltIn => {
+                let (_, packed) = BUILT_IN.iter().find(|(of, _)| *of == name)?;
+                if takes_gzip {
+                    return Some(Reply::packed(packed.to_vec(), kind));
+                }
+                unpacked(packed).map(|bytes| Reply::of(bytes, kind))
+            }
             Self::Folder(folder, names) => {
-                names.iter().find(|of| *of == name).and_then(|name| fs::read(folder.join(name)).ok())
+                let name = names.iter().find(|of| *of == name)?;
+                fs::read(folder.join(name)).ok().map(|bytes| Reply::of(bytes, kind))
             }
         }
     }

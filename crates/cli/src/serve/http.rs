@@ -27,6 +27,8 @@ pub(super) struct Request {
     pub(super) url: String,
     /// The name by which this machine is asked.
     pub(super) host: Option<String>,
+    /// Whether a reply may be packed by gzip.
+    pub(super) takes_gzip: bool,
     /// Whether a body is announced.
     has_body: bool,
 }
@@ -37,22 +39,28 @@ pub(super) struct Reply {
     status: u16,
     kind: &'static str,
     body: Vec<u8>,
+    is_packed: bool,
 }
 
 impl Reply {
     /// A file of this media type.
     pub(super) const fn of(body: Vec<u8>, kind: &'static str) -> Self {
-        Self { status: 200, kind, body }
+        Self { status: 200, kind, body, is_packed: false }
+    }
+
+    /// The same of a file packed by gzip.
+    pub(super) const fn packed(body: Vec<u8>, kind: &'static str) -> Self {
+        Self { status: 200, kind, body, is_packed: true }
     }
 
     /// Why there is no file, which is this program's own fault.
     pub(super) const fn failed(body: Vec<u8>, kind: &'static str) -> Self {
-        Self { status: 500, kind, body }
+        Self { status: 500, kind, body, is_packed: false }
     }
 
     /// No file, for a reason.
     pub(super) const fn refusal(status: u16) -> Self {
-        Self { status, kind: "text/plain", body: Vec::new() }
+        Self { status, kind: "text/plain", body: Vec::new(), is_packed: false }
     }
 
     fn reason(&self) -> &'static str {
@@ -73,11 +81,12 @@ impl Reply {
     fn head(&self) -> String {
         // A newer program has newer files under the same names.
         format!(
-            "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\nX-Content-Type-Options: nosniff\r\n\
-             Connection: close\r\n\r\n",
+            "HTTP/1.1 {} {}\r\nContent-Type: {}\r\n{}Content-Length: {}\r\nVary: Accept-Encoding\r\nCache-Control: no-cache\r\n\
+             X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
             self.status,
             self.reason(),
             self.kind,
+            if self.is_packed { "Content-Encoding: gzip\r\n" } else { "" },
             self.body.len()
         )
     }
@@ -171,19 +180,21 @@ fn parsed(head: &[u8]) -> Option<Request> {
     if words.next().is_some() || !version.starts_with("HTTP/1.") {
         return None;
     }
-    let (mut host, mut has_body) = (None, false);
+    let (mut host, mut takes_gzip, mut has_body) = (None, false, false);
     for line in lines {
         let (name, value) = line.split_once(':')?;
         let value = value.trim();
         if name.eq_ignore_ascii_case("Host") {
             host = Some(value.to_owned());
+        } else if name.eq_ignore_ascii_case("Accept-Encoding") {
+            takes_gzip |= value.split(',').any(|coding| coding.trim().eq_ignore_ascii_case("gzip"));
         } else if name.eq_ignore_ascii_case("Content-Length") {
             has_body |= value != "0";
         } else if name.eq_ignore_ascii_case("Transfer-Encoding") {
             has_body = true;
         }
     }
-    Some(Request { method: method.to_owned(), url: url.to_owned(), host, has_body })
+    Some(Request { method: method.to_owned(), url: url.to_owned(), host, takes_gzip, has_body })
 }
 
 fn write(mut stream: &TcpStream, reply: &Reply, is_head: bool, until: Instant) -> io::Result<()> {
@@ -211,10 +222,12 @@ mod tests {
 
     #[test]
     fn a_head_is_read_or_refused() {
-        let head = b"GET /a.js?x HTTP/1.1\r\nhost: localhost:1\r\nContent-Length: 0";
+        let head =
+            b"GET /a.js?x HTTP/1.1\r\nhost: localhost:1\r\naccept-encoding: br, gzip\r\nContent-Length: 0";
         let request = parsed(head).unwrap();
         assert_eq!((request.method.as_str(), request.url.as_str()), ("GET", "/a.js?x"));
         assert_eq!((request.host.as_deref(), request.has_body), (Some("localhost:1"), false));
+        assert!(request.takes_gzip);
         for more in ["Content-Length: 5", "Transfer-Encoding: chunked"] {
             assert!(parsed(format!("POST / HTTP/1.1\r\n{more}").as_bytes()).unwrap().has_body);
         }
