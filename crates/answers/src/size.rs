@@ -37,6 +37,9 @@ use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
 
+/// Gap between the tip circles of neighbouring planets that must be exceeded, in modules: what practice leaves for pitch, runout and pins.
+const PLANET_GAP: f64 = 0.5;
+
 /// How far centre distances may be from the natural one, in modules.
 const REACH: f64 = 1.0;
 
@@ -114,7 +117,7 @@ impl Wanted {
     }
 
     fn limits(&self) -> Limits {
-        Limits { tip_thickness: self.tip_thickness, ..Limits::default() }
+        Limits { tip_thickness: self.tip_thickness, planet_gap: PLANET_GAP, ..Limits::default() }
     }
 
     /// Refuses what is no space, whatever the file holds.
@@ -210,6 +213,14 @@ pub fn answer(
     let peaks = peaks(subject, &file.overload, None)?;
     let helical = to_size.iter().filter(|set| set.profiles.shared().is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
+    // Sizes do not change where planets assemble.
+    let angles = subject.tooth_checks().checks.into_iter().filter(|check| check.rule == "planet-angle");
+    for (set, why) in angles.filter_map(|check| Some((check.set, check.miss?))) {
+        if let Some(set) = to_size.iter().find(|of| of.id == set) {
+            let why = Named("planet-angle", why);
+            return Err(refused(subject.document, &set.path, &["planet_angles"], &why));
+        }
+    }
     let mut sets = vec![];
     for set in &to_size {
         let overloads = peaks.iter().map(|peak| peak.felt(set.place)).collect::<Option<Vec<_>>>();

@@ -35,7 +35,7 @@ Example:
   printf '      ring_factors: { Y_delta_rel_T_stat: 1 }\\n' >> hoist.yaml
   printf '      factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, ' >> hoist.yaml
   printf 'K_H_alpha: 1, K_F_alpha: 1 }\\n' >> hoist.yaml
-  printf 'duty: [{ gear: \"1\", share: 1, torque: 60 N.m, ' >> hoist.yaml
+  printf 'duty: [{ gear: \"1\", share: 1, torque: 60 N*m, ' >> hoist.yaml
   printf 'speed: 1450 rpm }]\\n' >> hoist.yaml
   printf 'brakes: [{ id: B, link: r }]\\ngears: [{ name: \"1\", ' >> hoist.yaml
   printf 'engaged: [B] }]\\n' >> hoist.yaml

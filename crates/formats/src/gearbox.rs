@@ -134,7 +134,9 @@ pub enum DescriptionError {
     #[error(transparent)]
     Rack(epicyclic_gears::Error),
     /// More planets than a set has.
-    #[error("set `{set}`: {given} counts in `planet_teeth`: one or two are due")]
+    #[error(
+        "set `{set}`: {given} counts in `planet_teeth`: one is due of a simple set, one or two of others"
+    )]
     PlanetTeeth {
         /// The set.
         set: String,

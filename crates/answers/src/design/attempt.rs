@@ -2,6 +2,7 @@
 
 use super::records::{SizesStep, TeethStep, TeethTaken};
 use super::{Wanted, order_of_teeth};
+use crate::analyze::pins;
 use crate::gearbox::{Choice, one};
 use crate::select::reached::{ReachedSpeed, largest_deviation};
 use crate::select::saved::Saved;
@@ -10,7 +11,7 @@ use crate::size::Size;
 use crate::size::records::Minimise;
 use crate::teeth::shifted::WantedShifts;
 use crate::tolerance::OBJECTIVE;
-use crate::{Error, Warning, size};
+use crate::{Error, Warning, size, strength};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_formats::{Document, Physical};
@@ -93,7 +94,12 @@ impl Attempt {
             None
         };
         let Tried { size, speeds, .. } = best;
-        let warnings = size.warnings.clone();
+        let mut warnings = size.warnings.clone();
+        if let Some(file) = &file {
+            let document = Document::parse_one(MAKING, file.as_bytes())?;
+            let rated = strength::answer(&one(&document, &Choice::default())?, &Default::default())?;
+            warnings.extend(rated.warnings.into_iter().filter(|warning| warning.name == pins::NAME));
+        }
         Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
     }
 }

@@ -3,6 +3,7 @@
 use super::Size;
 use super::records::{SizedBearing, SizedDesign, SizedSet};
 use crate::Error;
+use crate::tool::{CuttingTool, ToolKind};
 use epicyclic_formats::Document;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string, to_value};
@@ -76,11 +77,46 @@ fn write(entry: &mut Mapping, planet_teeth: u32, design: &SizedDesign) -> Result
             strength.insert(Value::from("planet_rim"), millimetres(rim));
         }
         strength.insert(Value::from("ring_rim"), millimetres(design.ring_rim_m));
-        let shaper = strength.get_mut("shaper").and_then(Value::as_mapping_mut);
-        // The file's shaper as the search took it, so that the teeth stay those of the design.
-        if let Some((shaper, addendum)) = shaper.zip(design.ring_tool.shaper_addendum_in_modules) {
+    }
+    write_tool(entry, &design.ring_tool);
+    Ok(())
+}
+
+/// The ring's tool as the search took it, so that the teeth stay those of the design.
+fn write_tool(entry: &mut Mapping, tool: &CuttingTool) {
+    let has_tools = entry.get("tools").and_then(|tools| tools.get("ring")).is_some();
+    let of_strength = entry.get_mut("strength").and_then(|strength| strength.get_mut("shaper"));
+    if let Some(shaper) = of_strength.and_then(Value::as_mapping_mut).filter(|_| !has_tools) {
+        if let Some(addendum) = tool.shaper_addendum_in_modules {
             shaper.insert(Value::from("addendum"), Value::from(addendum));
         }
+        return;
     }
-    Ok(())
+    let inner = |map: &mut Mapping, key: &str| {
+        let map = map.entry(Value::from(key)).or_insert_with(|| Value::Mapping(Mapping::new()));
+        map.as_mapping_mut().cloned().unwrap_or_default()
+    };
+    let mut tools = inner(entry, "tools");
+    let mut ring = inner(&mut tools, "ring");
+    match tool.kind {
+        ToolKind::Rack => {}
+        ToolKind::Form => {
+            ring.insert(Value::from("form_fillet"), Value::from(tool.corner_radius_in_modules));
+        }
+        ToolKind::Shaper => {
+            let mut shaper = Mapping::new();
+            let numbers = [
+                ("shift", tool.shaper_shift),
+                ("addendum", tool.shaper_addendum_in_modules),
+                ("tip_radius", Some(tool.corner_radius_in_modules)),
+            ];
+            shaper.extend(tool.shaper_teeth.map(|teeth| (Value::from("teeth"), Value::from(teeth))));
+            for (key, value) in numbers {
+                shaper.extend(value.map(|value| (Value::from(key), Value::from(value))));
+            }
+            ring.insert(Value::from("shaper"), Value::Mapping(shaper));
+        }
+    }
+    tools.insert(Value::from("ring"), Value::Mapping(ring));
+    entry.insert(Value::from("tools"), Value::Mapping(tools));
 }

@@ -34,7 +34,7 @@ impl SetEntry {
         if let Some(teeth) = &self.planet_teeth {
             spec = match counts(&self.id, "planet_teeth", teeth)?[..] {
                 [only] => spec.planet_teeth(only, None),
-                [first, second] => spec.planet_teeth(first, Some(second)),
+                [first, second] if kind != SetKind::Simple => spec.planet_teeth(first, Some(second)),
                 _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: teeth.len() }),
             };
         }
