@@ -204,7 +204,7 @@ fn admissible(search: &FormSearch) -> usize {
         for i in 0..search.places {
             let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
             let l = family.at_part(part).expect("within the family").trough_distance();
-            let motor = Motor::of_two_arcs(numbers, module, l).expect("within the family");
+            let Ok(motor) = Motor::of_two_arcs(numbers, module, l) else { continue };
             let profiles = forms.iter().filter_map(|&form| Profile::new(&motor, form).ok());
             count += profiles.filter(|profile| profile.limits().iter().all(Limit::holds)).count();
         }
