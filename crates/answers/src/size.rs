@@ -268,7 +268,7 @@ pub fn answer(
     })
 }
 
-/// What a fault calls the file with the sizes.
+/// Name of the file with the sizes in messages.
 const SIZED: &str = "the gearbox with its sizes";
 
 /// The duty as a set feels it; `None` where no torques follow.

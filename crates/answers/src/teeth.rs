@@ -123,6 +123,7 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
 }
 
 impl Wanted {
+    /// The checks of the set with the number `checked`, which `gearbox` makes a gearbox.
     fn checks<Set>(
         &self,
         sets: &[Set],

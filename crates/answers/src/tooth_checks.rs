@@ -99,7 +99,7 @@ impl ToothCheck {
 }
 
 impl ToothChecks {
-    /// Those of the sets that are wanted.
+    /// The checks of the sets for which `is_wanted` is true.
     #[must_use]
     pub fn of(SetChecks { checks, not_checked }: SetChecks, is_wanted: impl Fn(&str) -> bool) -> Self {
         let checks: Vec<ToothCheck> =

@@ -174,7 +174,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The same, unless the call was asked to end: whatever a search says that was broken off, it was for that.
+    /// The failure as it is, or [`Failure::Interrupted`] where the call was asked to end: that ended the search, whatever it says.
     pub(crate) fn unless_asked_to_end(self, goes_on: ControlFlow<()>) -> Self {
         match self {
             Self::Interrupted(_) | Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) => self,

@@ -5,7 +5,7 @@
 
 use crate::error::Error;
 
-/// What is told under [`KEY`] before the checksum is known.
+/// Value of [`KEY`] while the checksum is not known.
 pub(crate) const OPEN: &str = "crc32:00000000";
 
 /// The key of the checksum.

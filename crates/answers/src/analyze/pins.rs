@@ -22,9 +22,6 @@ use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
 use epicyclic_formats::quantity::format::trimmed;
 use uom::si::f64::{AngularVelocity, Length};
 
-/// Name of the warning.
-pub(crate) const NAME: &str = "planet-speed";
-
 /// Speed times mean diameter, mm/min, of a bearing with a cage, and of one full of rollers.
 const CAGED: f64 = 500_000.0;
 const FULL: f64 = 200_000.0;
@@ -67,7 +64,7 @@ pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<W
     }
     beyond.dedup();
     (!beyond.is_empty()).then(|| Warning {
-        name: NAME,
+        name: "planet-speed",
         message: format!("planet bearings beyond the limits of practice: {}", beyond.join("; ")),
     })
 }

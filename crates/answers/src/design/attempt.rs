@@ -9,9 +9,11 @@ use crate::select::saved::Saved;
 use crate::select::teeth::{self, Searches, SizeLimits, Watch};
 use crate::size::Size;
 use crate::size::records::Minimise;
+use crate::strength::duty::steps;
 use crate::teeth::shifted::WantedShifts;
 use crate::tolerance::OBJECTIVE;
-use crate::{Error, Warning, size, strength};
+use crate::{Error, Warning, size};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_formats::{Document, Physical};
@@ -97,8 +99,11 @@ impl Attempt {
         let mut warnings = size.warnings.clone();
         if let Some(file) = &file {
             let document = Document::parse_one(MAKING, file.as_bytes())?;
-            let rated = strength::answer(&one(&document, &Choice::default())?, &Default::default())?;
-            warnings.extend(rated.warnings.into_iter().filter(|warning| warning.name == pins::NAME));
+            let gearbox: GearboxFile = document.read()?;
+            let subject = one(&document, &Choice::default())?;
+            let steps = steps(&subject, &gearbox.duty)?;
+            let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+            warnings.extend(pins::warning(&subject, &turning));
         }
         Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
     }

@@ -92,12 +92,9 @@ fn write_tool(entry: &mut Mapping, tool: &CuttingTool) {
         }
         return;
     }
-    let inner = |map: &mut Mapping, key: &str| {
-        let map = map.entry(Value::from(key)).or_insert_with(|| Value::Mapping(Mapping::new()));
-        map.as_mapping_mut().cloned().unwrap_or_default()
-    };
+    let inner = |map: &Mapping, key| map.get(key).and_then(Value::as_mapping).cloned().unwrap_or_default();
     let mut tools = inner(entry, "tools");
-    let mut ring = inner(&mut tools, "ring");
+    let mut ring = inner(&tools, "ring");
     match tool.kind {
         ToolKind::Rack => {}
         ToolKind::Form => {

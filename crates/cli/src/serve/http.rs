@@ -48,7 +48,7 @@ impl Reply {
         Self { status: 200, kind, body, is_packed: false }
     }
 
-    /// The same of a file packed by gzip.
+    /// A file of this media type that is packed by gzip.
     pub(super) const fn packed(body: Vec<u8>, kind: &'static str) -> Self {
         Self { status: 200, kind, body, is_packed: true }
     }

@@ -6,7 +6,7 @@
 use crate::common;
 use crate::streams::in_the_foreground;
 
-use common::{examples, here, text};
+use common::{SHAKEN, examples, here, text};
 use epicyclic::desk::captured::Captured;
 use epicyclic::desk::{Content, Desk, NotWritten, Source, Text};
 use epicyclic::{INTERRUPTED, call};
@@ -74,16 +74,6 @@ fn commands() -> Vec<(String, &'static [&'static str])> {
         long("schemes"),
     ]
 }
-
-/// An hour of a motor that shakes.
-const SHAKEN: &str = "\
-scenario: shaken
-gearbox: { gearbox: g, input: D, output: B, sets: [{ id: P, sun: D, ring: ground, carrier: B, k: 3 }] }
-inertias: { D: 0.2 kg·m², B: 8 kg·m² }
-torques: [{ id: motor, link: D, harmonic: { mean: 0 N·m, amplitude: 1 N·m, frequency: 50 Hz, phase: 0 deg } }]
-duration: 1 h
-sample_every: 60 s
-";
 
 /// The words of a command, its files those of a folder.
 fn words(folder: &Path, line: &str) -> Vec<String> {

@@ -5,7 +5,7 @@
 
 use crate::common;
 
-use common::{PROGRAM, examples, here, output, program, text};
+use common::{PROGRAM, SHAKEN, examples, here, output, program, text};
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -177,14 +177,6 @@ fn ctrl_c_leaves_no_broken_file() {
 /// An hour of a motor that shakes: the first Ctrl-C ends it, and what is known of it is told.
 #[test]
 fn ctrl_c_tells_the_motion_up_to_there() {
-    const SHAKEN: &str = "\
-scenario: shaken
-gearbox: { gearbox: g, input: D, output: B, sets: [{ id: P, sun: D, ring: ground, carrier: B, k: 3 }] }
-inertias: { D: 0.2 kg·m², B: 8 kg·m² }
-torques: [{ id: motor, link: D, harmonic: { mean: 0 N·m, amplitude: 1 N·m, frequency: 50 Hz, phase: 0 deg } }]
-duration: 1 h
-sample_every: 60 s
-";
     let folder = here();
     fs::write(folder.path().join("shaken.yaml"), SHAKEN).unwrap();
     // On a busy machine it hears late, and may have no time to tell.

@@ -50,6 +50,16 @@ pub(crate) fn here() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
 
+/// An hour of a motor that shakes.
+pub(crate) const SHAKEN: &str = "\
+scenario: shaken
+gearbox: { gearbox: g, input: D, output: B, sets: [{ id: P, sun: D, ring: ground, carrier: B, k: 3 }] }
+inertias: { D: 0.2 kg·m², B: 8 kg·m² }
+torques: [{ id: motor, link: D, harmonic: { mean: 0 N·m, amplitude: 1 N·m, frequency: 50 Hz, phase: 0 deg } }]
+duration: 1 h
+sample_every: 60 s
+";
+
 /// A set whose ring has so sharp a root that the standard does not hold for it.
 pub(crate) const SHARP: &str = "\
 gearbox: sharp root

@@ -158,7 +158,7 @@ pub enum ToolMisfit {
     /// Two keys for one thing.
     #[error("`{0}` and `{1}` say the same: keep one of them")]
     Twice(&'static str, &'static str),
-    /// What a hob alone has, of a gear that none cuts.
+    /// A key of hobs at a gear that another tool cuts.
     #[error("`{0}` is of a hob, and none cuts this gear: leave it out")]
     OfHob(&'static str),
     /// An invalid tool.

@@ -1,4 +1,4 @@
-//! What a check leaves out of a search.
+//! Sets of teeth that a check leaves out of a search.
 
 use super::check::Check;
 
@@ -9,7 +9,7 @@ pub struct RatioLeftOut {
     pub count: u64,
     /// Teeth of sun, planet and ring of the first.
     pub teeth: [u32; 3],
-    /// What the first misses.
+    /// The check that the first does not pass.
     pub check: Check,
 }
 

@@ -11,7 +11,7 @@ use crate::profile::ToothForm;
 use crate::profile::kept::{Room, SatelliteForm, contact_ratio};
 
 use super::Reason;
-use super::forms::FormRefusal;
+use super::forms::refusal::FormRefusal;
 use super::front::Value;
 use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};

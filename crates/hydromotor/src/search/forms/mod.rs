@@ -57,7 +57,7 @@
 mod cover;
 mod found;
 mod loaded;
-mod refusal;
+pub(super) mod refusal;
 mod shape;
 mod space;
 mod trial;
