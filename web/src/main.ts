@@ -96,6 +96,11 @@ async function servedAgain(entry: Entry): Promise<Entry> {
 
 let entry: Entry = begun(first);
 let timer: ReturnType<typeof setTimeout> | undefined;
+// An address that changes while the page is loaded again makes that a new entry of the history, without what this one keeps.
+let isLeft = false;
+addEventListener('beforeunload', () => (isLeft = true));
+// Whoever goes on has stayed.
+for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, () => (isLeft = false), { capture: true });
 
 /** Keeps what is shown, at once; its address follows. */
 function changed(): void {
@@ -109,7 +114,7 @@ async function address(): Promise<string> {
   const kept = entry;
   const link = `${location.origin}${location.pathname}#s=${await packed(entry.state)}`;
   // Meanwhile somebody may have gone back.
-  if (kept === entry && !entries.hasMoved) {
+  if (kept === entry && !isLeft && !entries.hasMoved) {
     try {
       entries.address(link);
     } catch {
@@ -241,7 +246,10 @@ at('share').addEventListener('click', async () => {
 });
 
 const kept = entries.enter(first);
-await go(kept ? await servedAgain(kept) : await ofAddress(entry));
+const begin = kept ? await servedAgain(kept) : await ofAddress(entry);
+// What is typed before would be replaced.
+at('main').inert = false;
+await go(begin);
 performance.mark('ready');
 document.body.dataset['ready'] = performance.now().toFixed(0);
 upgrades(notify);

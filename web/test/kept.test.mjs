@@ -151,6 +151,19 @@ on('what was typed a moment ago is there after a reload, right or wrong', async 
   assert.equal(await page.isVisible('#motor'), true);
 });
 
+on('what is typed is there after a reload that takes longer than its address', async (page) => {
+  await page.route(url(), async (route) => {
+    await new Promise((done) => setTimeout(done, 1500));
+    await route.continue();
+  });
+  await page.fill('#text', 'gearbox: half typed\n');
+  const entries = await page.evaluate(() => history.length);
+  await page.reload();
+  await page.waitForSelector('body[data-ready]');
+  assert.equal(await value(page, 'text'), 'gearbox: half typed\n');
+  assert.equal(await page.evaluate(() => history.length), entries);
+}, { serviceWorkers: 'block' });
+
 on('a changed text is replaced only after a question, and is one step back', async (page) => {
   const own = example('simpson.yaml').replace(/^gearbox:.*$/m, 'gearbox: my own');
   await change(page, () => page.fill('#text', own));
