@@ -18,6 +18,7 @@ use crate::tooth_checks::ToothChecks;
 use crate::toothed::{gears, lacking, missing_teeth, simple_sets};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
+use epicyclic_formats::quantity::format::significant;
 use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::Deviation;
@@ -193,13 +194,21 @@ fn balls(
         return Ok(set.gears().map(|gear| rounded_up(gear.ball_diameter() * module_m)));
     };
     let given = given.map(|diameter| diameter.0.si());
-    if given.iter().all(|diameter| diameter.is_finite() && *diameter > 0.0) {
-        return Ok(given);
+    let refused = |why: Named<String>| Err(place.refused(&["data_sheet", "ball_diameters"], &why));
+    for ((ball, gear), name) in given.into_iter().zip(set.gears()).zip(["sun", "planet", "ring"]) {
+        if !(ball.is_finite() && ball > 0.0) {
+            return refused(Named("not-positive", "diameters of balls must be above 0".to_owned()));
+        }
+        let [least, most] = gear.ball_diameters().map(|diameter| diameter * module_m);
+        if !(least..=most).contains(&ball) {
+            let [ball, least, most] = [ball, least, most].map(|size| significant(1e3 * size, 5));
+            let message = format!(
+                "a ball of {ball} mm touches no flank of the {name}: from the form circle to the tip circle balls of {least} to {most} mm do"
+            );
+            return refused(Named("ball", message));
+        }
     }
-    Err(place.refused(
-        &["data_sheet", "ball_diameters"],
-        &Named("not-positive", "diameters of balls must be above 0"),
-    ))
+    Ok(given)
 }
 
 /// The next size of two digits.

@@ -22,6 +22,7 @@ use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_strength::factor::Edition;
 pub use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::bearing::parse;
@@ -36,9 +37,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
-
-/// Gap between the tip circles of neighbouring planets that must be exceeded, in modules: what practice leaves for pitch, runout and pins.
-const PLANET_GAP: f64 = 0.5;
 
 /// How far centre distances may be from the natural one, in modules.
 const REACH: f64 = 1.0;
@@ -117,7 +115,7 @@ impl Wanted {
     }
 
     fn limits(&self) -> Limits {
-        Limits { tip_thickness: self.tip_thickness, planet_gap: PLANET_GAP, ..Limits::default() }
+        Limits { tip_thickness: self.tip_thickness, planet_gap: USUAL_PLANET_GAP, ..Limits::default() }
     }
 
     /// Refuses what is no space, whatever the file holds.

@@ -16,6 +16,8 @@ use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
+pub use epicyclic_gears::mesh::USUAL_PLANET_GAP;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, Candidate};
 use epicyclic_train::Gearbox;
@@ -90,6 +92,8 @@ pub struct ToothNumbers {
     pub undercut_planet: bool,
     /// Whether the planets stand at equal angles.
     pub equal_spacing: bool,
+    /// Gap between the tip circles of neighbouring planets, in modules.
+    pub planet_gap_in_modules: f64,
     /// Where each planet stands.
     pub planet_angles_rad: Vec<f64>,
     /// Distance of the planets' common centre of mass from the axis over the radius of their centres.
@@ -110,7 +114,8 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
     if most > MOST_SETS && found.found > MOST_SETS as u64 {
         return Err(Error::TooMany { found: found.found, most: MOST_SETS });
     }
-    let tooth_numbers: Vec<ToothNumbers> = found.first.iter().map(ToothNumbers::of).collect();
+    let tooth_numbers: Vec<ToothNumbers> =
+        found.first.iter().map(|one| ToothNumbers::of(one, &bounds.rack)).collect();
     Ok(Teeth {
         ratio,
         mode: Motion::of(mode),
@@ -205,7 +210,7 @@ impl ToothNumbers {
         wanted.built(set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets))
     }
 
-    fn of(found: &Candidate) -> Self {
+    fn of(found: &Candidate, rack: &BasicRack) -> Self {
         let imbalance = found.spacing.imbalance();
         Self {
             sun: found.teeth.sun.get(),
@@ -219,6 +224,10 @@ impl ToothNumbers {
             undercut_sun: found.undercut_sun,
             undercut_planet: found.undercut_planet,
             equal_spacing: found.spacing.is_equal(),
+            planet_gap_in_modules: found
+                .teeth
+                .planet_circle(rack)
+                .gap_to_alike(found.spacing.half_gap_sine()),
             planet_angles_rad: found.spacing.angles().into_iter().map(Physical::si).collect(),
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }

@@ -20,6 +20,7 @@ use epicyclic_answers::select::duty::{Duty, Load};
 use epicyclic_answers::strength::factors::twice;
 use epicyclic_answers::{Error, select};
 use epicyclic_formats::{Document, Number, Physical, Quantity, Span};
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
 use epicyclic_strength::factor::Symbol;
@@ -250,6 +251,7 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
         ring: options::of_wheel("--ring", args.ring, usual.ring.clone())?,
         planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),
         ring_to_sun_ratio: k,
+        tip_gap: USUAL_PLANET_GAP,
         ..usual
     };
     Ok(Wanted {

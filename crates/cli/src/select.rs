@@ -22,6 +22,7 @@ use epicyclic_answers::select::teeth::{self, MOST_DESIGNS, Searched, SizeLimits}
 use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
@@ -44,7 +45,7 @@ const PAIRS_IN_A_SECOND: f64 = 3e6;
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 ///
 /// The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each mechanism is
-/// tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every criterion is stated with
+/// tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every required criterion is stated with
 /// what it found. There are no weights: of the designs that meet the criteria, the order of objectives chooses the first. The
 /// non-dominated designs are those that no other beats in everything.
 #[derive(Debug, clap::Args)]
@@ -433,7 +434,7 @@ fn with_teeth(
     Ok(())
 }
 
-/// The file of --save with its content; where there is no design that meets every criterion, none, unless one of the others is asked for.
+/// The file of --save with its content; where there is no design that meets every required criterion, none, unless one of the others is asked for.
 fn save(
     call: &Call<'_>,
     args: &Args,
@@ -460,8 +461,11 @@ fn save(
         if args.nth == 1 {
             return Ok(vec![]);
         }
-        let remark = "It was rejected: it does not meet every criterion.";
-        call.complain(&format!("note: design {} is saved; it does not meet every criterion", args.nth));
+        let remark = "It was rejected: it does not meet every required criterion.";
+        call.complain(&format!(
+            "note: design {} is saved; it does not meet every required criterion",
+            args.nth
+        ));
         comments.push(remark.to_owned());
     }
     let text = saved.file(&comments).map_err(|error| Failure::Format(error.to_string()))?;
@@ -490,6 +494,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
         ring: options::of_wheel("--ring", given.ring, usual.ring)?,
         planets: closed("--planet-count", given.planet_count, usual.planets)?,
         ring_to_sun_ratio: k,
+        tip_gap: USUAL_PLANET_GAP,
         ..Bounds::default()
     })
 }

@@ -5,6 +5,7 @@ use crate::options;
 use crate::profile_shift::ShiftOptions;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_formats::Span;
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use std::ops::RangeInclusive;
@@ -84,6 +85,7 @@ impl TeethOptions {
                 ring: options::of_wheel("--ring", self.ring, usual.ring)?,
                 planets: planets.map_err(|error| Failure::Range { option: "--planet-count", error })?,
                 ring_to_sun_ratio: ANY_K,
+                tip_gap: USUAL_PLANET_GAP,
                 ..Bounds::default()
             },
             shifts: self.shifts.wanted(),

@@ -7,6 +7,7 @@ use crate::involute::left_out::RatioLeftOut;
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
+use crate::units::shown;
 
 /// An input that describes no gear, or a requirement that no gear meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -43,7 +44,7 @@ pub enum Error {
         known: usize,
     },
     /// An efficiency outside its range.
-    #[error("mesh efficiency {}: it lies above 0 and at or below 1", (eta * 1e12).round() / 1e12)]
+    #[error("mesh efficiency {}: it lies above 0 and at or below 1", shown(*eta))]
     Efficiency {
         /// The value given.
         eta: f64,
@@ -216,7 +217,7 @@ pub enum Error {
     },
 
     /// An external gear so small that its root circle vanishes.
-    #[error("{teeth} teeth leave a root diameter of {root_mm} mm; at least {at_least} teeth needed")]
+    #[error("{teeth} teeth leave a root diameter of {} mm; at least {at_least} teeth needed", shown(*root_mm))]
     NoRoot {
         /// Teeth given.
         teeth: u32,
@@ -227,7 +228,7 @@ pub enum Error {
     },
 
     /// An internal gear so small that its teeth meet on the axis.
-    #[error("{teeth} internal teeth leave a tip diameter of {tip_mm} mm; at least {at_least} teeth needed")]
+    #[error("{teeth} internal teeth leave a tip diameter of {} mm; at least {at_least} teeth needed", shown(*tip_mm))]
     NoInternalTip {
         /// Teeth given.
         teeth: u32,
@@ -238,7 +239,7 @@ pub enum Error {
     },
 
     /// Two gears of different module cannot mesh.
-    #[error("modules {first_mm} and {second_mm} mm differ; gears in mesh share one module")]
+    #[error("modules {} and {} mm differ; gears in mesh share one module", shown(*first_mm), shown(*second_mm))]
     ModulesDiffer {
         /// Module of the first gear, mm.
         first_mm: f64,
@@ -247,7 +248,7 @@ pub enum Error {
     },
 
     /// Two gears of different pressure angle cannot mesh.
-    #[error("pressure angles {first_deg}° and {second_deg}° differ; gears in mesh share one")]
+    #[error("pressure angles {}° and {}° differ; gears in mesh share one", shown(*first_deg), shown(*second_deg))]
     PressureAnglesDiffer {
         /// Pressure angle of the first gear, degrees.
         first_deg: f64,
@@ -256,7 +257,7 @@ pub enum Error {
     },
 
     /// Two gears of different helix angle cannot mesh.
-    #[error("helix angles {first_deg}° and {second_deg}° differ; gears in mesh on parallel axes share one")]
+    #[error("helix angles {}° and {}° differ; gears in mesh on parallel axes share one", shown(*first_deg), shown(*second_deg))]
     HelixAnglesDiffer {
         /// Helix angle of the first gear, degrees.
         first_deg: f64,
@@ -265,7 +266,7 @@ pub enum Error {
     },
 
     /// A profile shift or tip alteration that leaves no tooth.
-    #[error("{kind} gear of {teeth} teeth, profile shift x = {shift}, tip alteration k = {tip_alteration}: {}", shift_fault(*fault, *shift))]
+    #[error("{kind} gear of {teeth} teeth, profile shift x = {}, tip alteration k = {}: {}", shown(*shift), shown(*tip_alteration), shift_fault(*fault, *shift))]
     ShiftOutOfRange {
         /// Teeth of the gear.
         teeth: u32,
@@ -281,8 +282,8 @@ pub enum Error {
 
     /// A sum of profile shifts at which the flanks have no common working pressure angle.
     #[error(
-        "sum of the profile shifts {sum}: the gears have no mesh without backlash; it must be {} {limit:.4}",
-        if *sum < *limit { "above" } else { "below" }
+        "sum of the profile shifts {}: the gears have no mesh without backlash; it must be {} {limit:.4}",
+        shown(*sum), if *sum < *limit { "above" } else { "below" }
     )]
     ShiftSumOutOfRange {
         /// Sum of both shifts, modules.
@@ -331,7 +332,7 @@ pub enum Error {
     },
 
     /// Limits of a deviation that are no numbers or in the wrong order.
-    #[error("{quantity} from {lower} to {upper} modules: two finite numbers are needed, the smaller first")]
+    #[error("{quantity} from {} to {} modules: two finite numbers are needed, the smaller first", shown(*lower), shown(*upper))]
     Deviation {
         /// What deviates.
         quantity: Quantity,
@@ -364,7 +365,7 @@ pub enum Error {
     },
 
     /// A shaft thicker than the largest diameter of the series.
-    #[error("a shaft of {needed_mm} mm is needed; the largest standard diameter listed is {largest_mm} mm")]
+    #[error("a shaft of {} mm is needed; the largest standard diameter listed is {largest_mm} mm", shown(*needed_mm))]
     NoStandardDiameter {
         /// Diameter that the formula asks for, mm.
         needed_mm: f64,
@@ -394,7 +395,8 @@ pub enum Error {
 
     /// A shaft thicker than every bore of a series.
     #[error(
-        "no bearing of series {series} takes a shaft of {shaft_mm} mm; its largest bore is {largest_mm} mm"
+        "no bearing of series {series} takes a shaft of {} mm; its largest bore is {largest_mm} mm",
+        shown(*shaft_mm)
     )]
     NoBearingForShaft {
         /// Series asked for: 200, 300 or 400.
@@ -481,6 +483,7 @@ fn short(value: f64) -> String {
 
 /// A number with its unit, if it has one.
 fn of_unit(value: f64, unit: &str) -> String {
+    let value = shown(value);
     if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
 }
 
@@ -501,7 +504,7 @@ fn offer(same_bore: &[&str]) -> String {
 }
 
 fn list_mm(values: &[f64]) -> String {
-    values.iter().map(|value| format!("{value} mm")).collect::<Vec<_>>().join(", ")
+    values.iter().map(|&value| format!("{} mm", shown(value))).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

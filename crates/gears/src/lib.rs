@@ -73,3 +73,4 @@ mod words;
 pub use error::Error;
 pub use quantity::Quantity;
 pub use teeth::ToothCount;
+pub use units::shown;

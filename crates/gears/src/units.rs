@@ -101,11 +101,15 @@ pub(crate) fn degrees(value: Angle) -> f64 {
     value.get::<degree>()
 }
 
-/// Millimetres for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
+/// A number for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
+#[must_use]
+pub fn shown(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// Millimetres for a message.
 pub(crate) fn shown_mm(value: Length) -> f64 {
-    let (value_mm, picometres) = (millimetres(value), 1e9);
-    let rounded = (value_mm * picometres).round() / picometres;
-    if rounded.is_finite() { rounded } else { value_mm }
+    shown(millimetres(value))
 }
 
 /// A finite number above 0.

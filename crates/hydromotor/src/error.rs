@@ -106,7 +106,7 @@ pub enum Error {
         to: u32,
     },
     /// A quantity that must be finite and above 0.
-    #[error("{quantity} is {value}{}; it must be finite and above 0", spaced(.unit))]
+    #[error("{quantity} is {}; it must be finite and above 0", of_unit(*value, unit))]
     NotPositive {
         /// The quantity's name.
         quantity: Quantity,
@@ -116,7 +116,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity that must be finite.
-    #[error("{quantity} is {value}{}; it must be finite", spaced(.unit))]
+    #[error("{quantity} is {}; it must be finite", of_unit(*value, unit))]
     NotFinite {
         /// The quantity's name.
         quantity: Quantity,
@@ -126,7 +126,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity outside its range.
-    #[error("{quantity} is {value}{unit}; it must lie between {low} and {high}{unit}", unit = spaced(.unit))]
+    #[error("{quantity} is {}; it must lie between {low} and {}", of_unit(*value, unit), of_unit(*high, unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: Quantity,
@@ -531,6 +531,12 @@ impl Error {
 }
 
 /// A unit after its number, and a space but for degrees; of a plain number none.
+/// A number with its unit, without the rounding of binary fractions.
+fn of_unit(value: f64, unit: &str) -> String {
+    let value: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    format!("{value}{}", spaced(unit))
+}
+
 fn spaced(unit: &str) -> String {
     if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }

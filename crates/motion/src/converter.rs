@@ -49,6 +49,7 @@ impl Converter {
                     place: place + 1,
                     value: point[0],
                     before: points[place - 1][0],
+                    unit: "",
                     allowed: "speed ratios ascend",
                 });
             }

@@ -1,5 +1,7 @@
 //! What this crate refuses.
 
+use epicyclic_gears::shown;
+
 /// A model that cannot be built, or a motion that does not exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -31,7 +33,7 @@ pub enum Error {
         name: String,
     },
     /// Points of a table that are not in order.
-    #[error("point {place} of {field} is at {value}, and the point before it at {before}: {allowed}")]
+    #[error("point {place} of {field} is at {}{unit}, and the point before it at {}{unit}: {allowed}", shown(*value), shown(*before))]
     Order {
         /// The table.
         field: String,
@@ -41,6 +43,8 @@ pub enum Error {
         value: f64,
         /// That of the point before it, SI.
         before: f64,
+        /// Its unit, behind a space; empty of a plain number.
+        unit: &'static str,
         /// What is allowed.
         allowed: &'static str,
     },

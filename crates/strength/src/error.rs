@@ -1,6 +1,7 @@
 //! What the crate refuses.
 
 use crate::symbol::Symbol;
+use epicyclic_gears::shown;
 
 epicyclic_gears::words! {
     /// A quantity that an error refuses; displays as in messages, `face width`.
@@ -21,8 +22,10 @@ epicyclic_gears::words! {
         YoungsModulus "Young's modulus"
         PoissonRatio "Poisson's ratio"
         Density "density"
-        Rim "rim thickness over tooth height"
-        RingRim "rim thickness over module"
+        Rim "rim thickness of the external gear"
+        RingRim "rim thickness of the ring"
+        RimOverHeight "rim thickness over tooth height"
+        RimOverModule "rim thickness over module"
         ContactRatio "contact ratio of the virtual gears ε_αn"
         TransverseContactRatio "transverse contact ratio ε_α"
         TotalContactRatio "total contact ratio ε_γ"
@@ -31,6 +34,7 @@ epicyclic_gears::words! {
         ShaperShift "profile shift coefficient of the shaper"
         StressRatio "stress ratio R"
         MeanStressSensitivity "mean stress sensitivity M"
+        AccuracyGrade "accuracy grade"
         LongLifeFactor "life factor at 10¹⁰ cycles"
         BlankFactor "gear blank factor C_R"
         PitchDeviation "base pitch deviation f_pb"
@@ -114,7 +118,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A factor given that is no factor.
-    #[error("factor {symbol} is given as {value}; it must be finite and above 0")]
+    #[error("factor {symbol} is given as {}; it must be finite and {}", shown(*value), if symbol.is_at_least_one() { "not below 1" } else { "above 0" })]
     GivenFactor {
         /// Its symbol.
         symbol: Symbol,
@@ -205,8 +209,8 @@ impl Error {
                 quantity,
                 Quantity::ContactRatio
                     | Quantity::NotchParameter
-                    | Quantity::Rim
-                    | Quantity::RingRim
+                    | Quantity::RimOverHeight
+                    | Quantity::RimOverModule
                     | Quantity::RootRoughness
                     | Quantity::TotalContactRatio
                     | Quantity::TransverseContactRatio
@@ -248,6 +252,6 @@ impl Error {
 
 /// A value and its unit, if it has one; without the rounding of binary fractions, 50 µm for 49.99999999999999 µm.
 fn with_unit(value: f64, unit: &str) -> String {
-    let shown = format!("{value:.11e}").parse().unwrap_or(value);
-    if unit.is_empty() { shown.to_string() } else { format!("{shown} {unit}") }
+    let value = shown(value);
+    if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
 }

@@ -153,10 +153,7 @@ impl Given {
         calculated: impl FnOnce() -> Result<f64, Error>,
     ) -> Result<Factor, Error> {
         match self.of(side, symbol) {
-            Some(value) if value.is_finite() && value > 0.0 => {
-                Ok(Factor { symbol, value, origin: Origin::Given })
-            }
-            Some(value) => Err(Error::GivenFactor { symbol, value }),
+            Some(value) => Ok(Factor { symbol, value: symbol.checked(value)?, origin: Origin::Given }),
             None => Ok(Factor { symbol, value: calculated()?, origin: Origin::Formula(reference) }),
         }
     }

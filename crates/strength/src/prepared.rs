@@ -124,11 +124,19 @@ impl<'a> Prepared<'a> {
         let face_mm = positive(Quantity::FaceWidth, mm(mesh.face_width), "mm")?;
         positive(Quantity::Viscosity, mm2_s(mesh.viscosity), "mm²/s")?;
         within(Quantity::LongLifeFactor, method.long_life_factor, [0.85, 1.0], "")?;
+        // Grades of ISO 1328-1:1995; those of 2013 are 1 to 11.
+        within(Quantity::AccuracyGrade, f64::from(method.accuracy_grade), [0.0, 12.0], "")?;
         for gear in &mesh.gears {
             gear.material.check()?;
             positive(Quantity::FlankRoughness, um(gear.flank_roughness), "µm")?;
             positive(Quantity::RootRoughness, um(gear.root_roughness), "µm")?;
-            gear.rim.map_or(Ok(0.0), |rim| positive(Quantity::Rim, mm(rim), "mm"))?;
+        }
+        for (gear, kind) in mesh.gears.iter().zip(mesh.pair.gears().map(|gear| gear.kind())) {
+            let rim = match kind {
+                GearKind::External => Quantity::Rim,
+                GearKind::Internal => Quantity::RingRim,
+            };
+            gear.rim.map_or(Ok(0.0), |thickness| positive(rim, mm(thickness), "mm"))?;
         }
         let transverse =
             within(Quantity::TransverseContactRatio, mesh.pair.transverse_contact_ratio(), [1.0, 2.5], "")?;

@@ -1,5 +1,7 @@
 //! Symbols of the factors, as ISO 6336 writes them.
 
+use crate::Error;
+
 epicyclic_gears::words! {
     /// The symbol of a factor, `K_Hβ`; displays as ISO 6336 writes it.
     Symbol {
@@ -51,6 +53,33 @@ impl Symbol {
     pub fn named(text: &str) -> Option<Self> {
         let of = |symbol: &&Self| symbol.to_string().split(", ").any(|name| plain(name) == plain(text));
         Self::ALL.iter().find(of).copied()
+    }
+
+    /// Whether its factor, calculated, is 1 or more: a load factor beside `K_A`, which torques above the nominal one may bring below 1.
+    #[must_use]
+    pub const fn is_at_least_one(self) -> bool {
+        matches!(
+            self,
+            Self::LoadSharing
+                | Self::Dynamic
+                | Self::FaceContact
+                | Self::TransverseContact
+                | Self::FaceRoot
+                | Self::TransverseRoot
+        )
+    }
+
+    /// A value given for its factor.
+    ///
+    /// # Errors
+    /// [`Error::GivenFactor`]: not finite, not above 0, or a load factor below 1.
+    pub fn checked(self, value: f64) -> Result<f64, Error> {
+        let is_allowed = if self.is_at_least_one() { value >= 1.0 } else { value > 0.0 };
+        if is_allowed && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Error::GivenFactor { symbol: self, value })
+        }
     }
 
     /// Whether its factor is of a mesh, not of one of its gears.

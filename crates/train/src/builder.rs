@@ -2,7 +2,7 @@
 
 use crate::compound::{CentralKind, CompoundSpec, GearName};
 use crate::error::{CompoundFault, MeshFault, Place, Terminal};
-use crate::gearbox::{Gear, ShiftElement, ascending};
+use crate::gearbox::{Gear, ShiftElement};
 use crate::groups::Groups;
 use crate::names::nearest;
 use crate::planet_angles;
@@ -549,8 +549,7 @@ fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
 
 fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
     let place = || Place::Gear(spec.name.clone());
-    let engaged =
-        spec.engaged.iter().map(|id| gearbox.shift_element(id, place)).collect::<Result<Vec<_>, _>>()?;
+    let engaged = gearbox.engaged(&spec.engaged, place)?;
     let own = |name: Option<&str>, default: LinkId, which: Terminal| {
         let Some(name) = name else { return Ok(default) };
         let place = || Place::TerminalOf(which, spec.name.clone());
@@ -561,7 +560,7 @@ fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
     };
     let input = own(spec.input.as_deref(), gearbox.input, Terminal::Input)?;
     let output = own(spec.output.as_deref(), gearbox.output, Terminal::Output)?;
-    Ok(Gear { name: spec.name.into(), engaged: ascending(engaged).into(), input, output })
+    Ok(Gear { name: spec.name.into(), engaged: engaged.into(), input, output })
 }
 
 fn touched(gearbox: &Gearbox, link: LinkId) -> bool {

@@ -121,6 +121,14 @@ pub enum Error {
         /// The nearest name that exists, or all of them where none is near.
         suggestion: Option<String>,
     },
+    /// A shift element that a gear names twice.
+    #[error("{place} engages `{name}` twice: each shift element stands there once")]
+    EngagedTwice {
+        /// The gear.
+        place: Place,
+        /// The shift element.
+        name: String,
+    },
     /// Two things of one kind with one name.
     #[error("two {what}s are called `{name}`: names are unique, and `ground` is the housing")]
     Duplicate {
@@ -314,6 +322,7 @@ impl Error {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Unknown { .. } => "unknown",
+            Self::EngagedTwice { .. } => "engaged-twice",
             Self::Duplicate { .. } => "duplicate",
             Self::CoincidentMembers { .. } => "coincident-members",
             Self::RingToSunRatio { .. } => "ring-to-sun-ratio",

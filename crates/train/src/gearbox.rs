@@ -243,10 +243,7 @@ impl Gearbox {
     /// [`Error::Unknown`] for a shift element or link that does not exist, [`Error::GroundedTerminal`]
     /// where power would enter or leave at the housing.
     pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
-        let shift_elements = engaged
-            .iter()
-            .map(|id| self.shift_element(id, || Place::UnnamedGear))
-            .collect::<Result<Vec<_>, _>>()?;
+        let shift_elements = self.engaged(engaged, || Place::UnnamedGear)?;
         let terminal = |name: &str, which| match self.link(name) {
             Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: Place::Terminal(which) }),
             Some(link) => Ok(link),
@@ -254,10 +251,28 @@ impl Gearbox {
         };
         Ok(Gear {
             name: engaged.join("+").into(),
-            engaged: ascending(shift_elements).into(),
+            engaged: shift_elements.into(),
             input: terminal(input, Terminal::Input)?,
             output: terminal(output, Terminal::Output)?,
         })
+    }
+
+    /// The places of the shift elements that a gear engages, ascending.
+    pub(crate) fn engaged(
+        &self,
+        ids: &[impl AsRef<str>],
+        place: impl Fn() -> Place,
+    ) -> Result<Vec<usize>, Error> {
+        let mut places = vec![];
+        for id in ids.iter().map(AsRef::as_ref) {
+            let engaged = self.shift_element(id, &place)?;
+            if places.contains(&engaged) {
+                return Err(Error::EngagedTwice { place: place(), name: id.to_owned() });
+            }
+            places.push(engaged);
+        }
+        places.sort_unstable();
+        Ok(places)
     }
 
     pub(crate) fn shift_element(&self, id: &str, place: impl Fn() -> Place) -> Result<usize, Error> {
@@ -320,11 +335,4 @@ impl Gearbox {
             && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
         if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
     }
-}
-
-/// Each once, in order: a shift element named twice is engaged.
-pub(crate) fn ascending(mut places: Vec<usize>) -> Vec<usize> {
-    places.sort_unstable();
-    places.dedup();
-    places
 }

@@ -75,9 +75,11 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
         &["no", "scheme", "ratio_1", "k1", "efficiency_1"]
     };
     let heading = match select.accepted {
-        1 => "The one that meets every criterion".to_owned(),
-        all if all == accepted.len() => format!("The {all} that meet every criterion, the best first"),
-        all => format!("The best {} of {all} that meet every criterion", accepted.len()),
+        1 => "The one that meets every required criterion".to_owned(),
+        all if all == accepted.len() => {
+            format!("The {all} that meet every required criterion, the best first")
+        }
+        all => format!("The best {} of {all} that meet every required criterion", accepted.len()),
     };
     let torques: &[&str] = if two {
         &[

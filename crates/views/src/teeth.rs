@@ -7,7 +7,7 @@ use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
 use crate::{AsReport, tooth_checks};
 use epicyclic_answers::shared::Motion;
-use epicyclic_answers::teeth::{Teeth, ToothNumbers};
+use epicyclic_answers::teeth::{Teeth, ToothNumbers, USUAL_PLANET_GAP};
 use epicyclic_answers::tooth_checks::ToothChecks;
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::{significant, trimmed};
@@ -16,7 +16,12 @@ impl AsReport for Teeth {
     fn report(&self) -> Report {
         Report {
             title: Some(title(self.ratio, self.mode, self.tolerance)),
-            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
+            parts: parts(
+                sets(self),
+                &self.tooth_checks,
+                count(self.found, self.shown)
+                    + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),
+            ),
             warnings: None,
         }
     }
@@ -51,6 +56,19 @@ pub fn count(found: u64, shown: usize) -> String {
     }
 }
 
+/// What is said of planets nearer to each other than practice leaves them.
+fn near(gaps: impl Iterator<Item = f64>) -> String {
+    let sets = match gaps.filter(|gap| *gap < USUAL_PLANET_GAP).count() {
+        0 => return String::new(),
+        1 => "1 set".to_owned(),
+        all => format!("{all} sets"),
+    };
+    format!(
+        " Planets of {sets} shown have less than {USUAL_PLANET_GAP} modules between their tips, which practice leaves for pitch and runout; \
+         --tip-gap {USUAL_PLANET_GAP} leaves such out."
+    )
+}
+
 fn sets(teeth: &Teeth) -> Records {
     let mut views = vec![View::new(
         "Tooth numbers",
@@ -63,14 +81,14 @@ fn sets(teeth: &Teeth) -> Records {
             "exact_ratio",
             "error",
             "most_planets",
+            "planet_gap_in_modules",
             "undercut",
-            "spacing",
         ],
     )];
     if teeth.tooth_numbers.iter().any(|set| !set.equal_spacing) {
         views.push(View::new(
             "Angles of the planets in degrees, and imbalance",
-            &["sun", "planet", "ring", "planets", "planet_angles", "imbalance"],
+            &["sun", "planet", "ring", "planets", "spacing", "planet_angles", "imbalance"],
         ));
     }
     Records {
@@ -90,6 +108,7 @@ fn sets(teeth: &Teeth) -> Records {
             Column::words("undercut", "undercut").for_people(),
             Column::words("equal_spacing", "equal"),
             Column::words("spacing", "spacing").for_people(),
+            Column::number("planet_gap_in_modules", "gap"),
             Column::quantity("planet_angles", Dimension::Angle),
             Column::number("imbalance", "imbalance"),
         ],
@@ -115,6 +134,7 @@ fn row(set: &ToothNumbers) -> Vec<Figure> {
         Figure::Text(undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")])),
         Figure::YesNo(set.equal_spacing),
         Figure::Text(spacing(set.equal_spacing).to_owned()),
+        Figure::Printed(set.planet_gap_in_modules, 3),
         Figure::List { si: set.planet_angles_rad.clone(), dimension: Dimension::Angle },
         Figure::Number(set.imbalance),
     ]

@@ -201,6 +201,9 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
             set.remove(key);
         }
         set.insert("strength".into(), strength.clone());
+        if let Some(tools) = &wanted.basis.tools {
+            set.insert("tools".into(), tools.clone());
+        }
     }
     let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();
     let shares = match &wanted.shares[..] {

@@ -14,6 +14,8 @@ use epicyclic_strength::factor::Symbol;
 pub struct Basis {
     /// The key `strength` of each set.
     pub strength: Value,
+    /// The key `tools` of each set; the usual tools where there is none.
+    pub tools: Option<Value>,
     /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
 }
@@ -36,8 +38,8 @@ impl Default for Basis {
 }
 
 impl Basis {
-    /// The basis of a file: `strength` at its top, or of the first set that has it, and those of its keys that a basis has; what the
-    /// file does not say is as [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
+    /// The basis of a file: `strength` at its top, or of the first set that has it, with the `tools` beside it, and those of its keys that
+    /// a basis has; what the file does not say is as [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
     ///
     /// # Errors
     /// [`Error::Document`] for a file without `strength`.
@@ -45,15 +47,16 @@ impl Basis {
         let file = document.value();
         let sets = file.get("sets").and_then(Value::as_sequence).map_or(0, Vec::len);
         let of_sets = (0..sets).map(|place| Path::root().key("sets").index(place));
-        let mut places = std::iter::once(Path::root()).chain(of_sets).map(|path| path.key("strength"));
-        let path = places.find(|path| document.value_at(path).is_some()).unwrap_or_else(Path::root);
-        let strength = document.value_at(&path).filter(|_| path != Path::root()).ok_or_else(|| {
+        let mut places = std::iter::once(Path::root()).chain(of_sets);
+        let found = places.find_map(|of| Some((document.value_at(&of.clone().key("strength"))?, of)));
+        let (strength, of) = found.ok_or_else(|| {
             let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
             refused(document, &Path::root(), &[], &Named("missing-key", message))
         })?;
-        factors::check(document, &path)?;
+        factors::check(document, &of.clone().key("strength"))?;
+        let tools = document.value_at(&of.key("tools")).cloned();
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
-        Ok(Self { strength: strength.clone(), keys: KEYS.iter().filter_map(own).collect() })
+        Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })
     }
 
     /// The same with what is usual in place of the keys that it does not have.
@@ -73,7 +76,8 @@ impl Basis {
         let own = self.keys.iter().map(|(name, value)| key(name.clone(), value));
         let of_strength = self.strength.as_mapping().into_iter().flatten();
         let name = |name: &Value| format!("strength.{}", name.as_str().unwrap_or_default());
-        own.chain(of_strength.map(|(of, value)| key(name(of), value))).collect()
+        let tools = self.tools.iter().map(|tools| key("tools".to_owned(), tools));
+        own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
     }
 
     /// The same with another value of a key.
@@ -158,6 +162,9 @@ mod tests {
         let changed = whole.with_factors(&[("K_A".into(), 1.5), ("K_v".into(), 1.1)]);
         assert_eq!(changed.strength["factors"]["K_A"], Value::from(1.5));
         assert_eq!(changed.with("life", Value::from("7 h")).keys.len(), 3);
+        let tools =
+            of("sets: [{ id: a }, { strength: {}, tools: { sun: { profile: D } } }]\n").unwrap().tools;
+        assert_eq!(tools.unwrap()["sun"]["profile"], Value::from("D"));
         let refused = of("life: 5 h\n").unwrap_err().to_string();
         assert!(refused.starts_with("basis.yaml:1:1") && refused.contains("`strength`"), "{refused}");
     }

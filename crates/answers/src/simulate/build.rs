@@ -213,14 +213,19 @@ impl Scenario<'_> {
 
     fn throttle(&self, law: &ThrottleEntry, path: &Path) -> Result<TorqueLaw, Error> {
         let curve = |key: &str, table: &OverSpeedEntry| {
-            table.points(self.texts).map_err(|fault| self.of_table(&path.clone().key(key), fault))
+            let path = path.clone().key(key);
+            let points = table.points(self.texts).map_err(|fault| self.of_table(&path, fault))?;
+            let checked = TorqueLaw::over_speed(&points);
+            checked.map_err(|why| placed(self.document, &self.of_points(&path, &why), why))?;
+            Ok::<_, Error>(points)
         };
         let (closed, full) = (curve("closed", &law.closed)?, curve("full", &law.full)?);
         let openings = pairs(("times", &law.times), ("openings", &law.openings))
             .map_err(|message| refused(self.document, path, &Named("table", message)))?;
         let openings: Vec<(Time, f64)> =
             openings.into_iter().map(|(time, opening)| (time.0, opening.get())).collect();
-        TorqueLaw::map(&closed, &full, &openings).map_err(|why| placed(self.document, path, why))
+        TorqueLaw::map(&closed, &full, &openings)
+            .map_err(|why| placed(self.document, &self.of_points(path, &why), why))
     }
 
     fn of_table(&self, path: &Path, fault: TableFault) -> Error {

@@ -157,7 +157,7 @@ impl<'a> Of<'a> {
         let entry = self.entry;
         let gears = toothed::gears(self.subject, &self.path, self.spec)?;
         let strength = entry.strength.as_ref();
-        let shaper = strength.and_then(|strength| strength.shaper.as_ref());
+        let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
         if let (
             Some(gears),
@@ -169,7 +169,6 @@ impl<'a> Of<'a> {
             Some(viscosity),
         ) = (gears, self.spec.planet_count, entry.module, entry.face_width, strength, shaper, viscosity)
         {
-            let shaper = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             let (module, face_width) = (module.0, face_width.0);
             return Ok(Ok(Known { gears, planets, module, face_width, strength, shaper, viscosity }));
         }
@@ -179,7 +178,7 @@ impl<'a> Of<'a> {
             ("module", entry.module.is_some()),
             ("face_width", entry.face_width.is_some()),
             ("strength", strength.is_some()),
-            ("strength.shaper", strength.is_none() || shaper.is_some()),
+            ("strength.shaper or tools.ring.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
         Ok(Err(toothed::lacking(&known)))
@@ -208,6 +207,15 @@ impl<'a> Of<'a> {
             ],
             methods: methods.map(|method| Method { planets: Some(known.planets), ..method }),
         })
+    }
+
+    /// The shaper that the standard's formulas of the ring take: of its strength, else of its tools.
+    fn shaper(&self) -> Option<Shaper> {
+        let ring = self.entry.tools.as_ref().and_then(|tools| tools.ring.as_ref());
+        let of_tools = ring.and_then(|ring| ring.shaper.as_ref()).map(|one| (one.teeth, one.shift));
+        let of_strength = self.entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
+        let (teeth, shift) = of_strength.map(|one| (one.teeth, one.shift)).or(of_tools)?;
+        Some(Shaper { teeth, shift: shift.map_or(0.0, Number::get) })
     }
 
     /// Sun, planets and ring beyond their geometry.
@@ -274,7 +282,7 @@ impl<'a> Of<'a> {
     /// The set without its size.
     fn to_size(&self, place: usize, id: &'a str) -> Made<SetToSize<'a>> {
         let strength = self.entry.strength.as_ref();
-        let shaper = strength.and_then(|strength| strength.shaper.as_ref());
+        let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
         let planet = self.spec.planet.or_else(|| self.coaxial_planet());
         let methods = strength.map(|strength| self.methods(strength)).transpose()?;
@@ -306,7 +314,6 @@ impl<'a> Of<'a> {
             methods,
             factors.iter().all(|(_, is_given)| *is_given),
         ) {
-            let tool = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             return Ok(Ok(SetToSize {
                 place,
                 id,
@@ -318,7 +325,7 @@ impl<'a> Of<'a> {
                 shifts: self.spec.shifts,
                 profiles: self.spec.profiles(&self.subject.rack),
                 materials: &strength.materials,
-                gears: self.gears(strength, tool)?,
+                gears: self.gears(strength, shaper)?,
                 methods,
                 viscosity,
             }));
@@ -327,7 +334,7 @@ impl<'a> Of<'a> {
             ("teeth", matches!(self.spec.gearing, Gearing::Teeth(..))),
             ("planet_teeth", planet.is_some()),
             ("strength", strength.is_some()),
-            ("strength.shaper", strength.is_none() || shaper.is_some()),
+            ("strength.shaper or tools.ring.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
         Ok(Err(toothed::lacking(&[&known[..], &factors].concat())))
@@ -345,7 +352,8 @@ impl<'a> Of<'a> {
         let mut given = Given::default();
         for (key, factors) in of_mesh {
             for (name, value) in factors {
-                given = given.with(self.symbol(key, name)?, value.get());
+                let symbol = self.symbol(key, name)?;
+                given = given.with(symbol, self.checked(key, name, symbol, *value)?);
             }
         }
         for (side, (key, factors)) in Side::BOTH.into_iter().zip(of_gears) {
@@ -357,10 +365,14 @@ impl<'a> Of<'a> {
                     );
                     return Err(self.refused(&["strength", key, name], &Named("factor-of-a-mesh", message)));
                 }
-                given = given.with_of(side, symbol, value.get());
+                given = given.with_of(side, symbol, self.checked(key, name, symbol, *value)?);
             }
         }
         Ok(given)
+    }
+
+    fn checked(&self, key: &str, name: &str, symbol: Symbol, value: Number) -> Result<f64, Error> {
+        symbol.checked(value.get()).map_err(|error| self.refused(&["strength", key, name], &error))
     }
 
     fn symbol(&self, key: &str, name: &str) -> Result<Symbol, Error> {

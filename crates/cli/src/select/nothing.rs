@@ -1,4 +1,4 @@
-//! What is said where no design meets every criterion.
+//! What is said where no design meets every required criterion.
 
 use super::Args;
 use crate::failure::Failure;
@@ -6,7 +6,7 @@ use crate::failure::Failure;
 /// The answer says why; this says it to whoever sees only the end.
 pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
     let way_out = way_out.map(|way| format!("; {way}")).unwrap_or_default();
-    Failure::NothingFound(format!("no design meets every criterion{way_out}"))
+    Failure::NothingFound(format!("no design meets every required criterion{way_out}"))
 }
 
 /// What a search for tooth numbers that found nothing may still try; without teeth the criteria that stand in the way are told.

@@ -242,6 +242,8 @@ fn data_sheets_that_are_refused() {
     for (place, (from, to)) in [
         ("ball_diameters: [8 mm", "ball_diameters: [0 mm"),
         ("ball_diameters: [8 mm", "ball_diameters: [8"),
+        ("ball_diameters: [8 mm", "ball_diameters: [1 mm"),
+        ("ball_diameters: [8 mm", "ball_diameters: [30 mm"),
         ("[-90 µm, -60 µm], [-90 µm", "[-60 µm, -90 µm], [-90 µm"),
         ("[-90 µm, -60 µm], [-90 µm", "[-9 mm, -60 µm], [-90 µm"),
         ("[-0.02 mm, 0.02 mm]", "[0.02 mm, -0.02 mm]"),
@@ -291,6 +293,11 @@ fn strength_that_is_refused() {
         ("      shaper", "      helix: 8 deg\n      shaper"),
         ("K_v: 1.061", "K_w: 1.061"),
         ("K_v: 1.061", "K_v: -1"),
+        ("K_v: 1.061", "K_v: 0.999"),
+        ("sun_mesh_factors: { K_H_beta: 2.06", "sun_mesh_factors: { KHbeta: 0.5"),
+        ("      ring_factors", "      accuracy_grade: 13\n      ring_factors"),
+        ("      ring_factors", "      planet_rim: -2 mm\n      ring_factors"),
+        ("      ring_factors", "      ring_rim: -0.1 mm\n      ring_factors"),
         ("K_v: 1.061, ", ""),
         ("Y_delta_rel_T_stat: 1", "K_v: 1"),
         ("      ring_factors", "      planet_factors: { K_A: 1 }\n      ring_factors"),
@@ -1361,7 +1368,7 @@ fn options_that_are_named_where_nothing_is_found_do_help() {
             let helped = output(&examples(), &[&line[..], &words].concat());
             assert_eq!(helped.status.code(), Some(0), "{line:?} {option}");
         }
-        assert!(said.starts_with("error: no design meets every criterion; --"), "{said}");
+        assert!(said.starts_with("error: no design meets every required criterion; --"), "{said}");
     }
 }
 

@@ -179,7 +179,7 @@ fn the_page_of_a_choice_has_the_best_and_its_scheme_first() {
     assert_eq!(none.status.code(), Some(1));
     let page = fs::read_to_string(folder.path().join("none.html")).unwrap();
     is_sound(&page);
-    assert!(page.contains("<h1>No gearbox meets every criterion</h1>"));
+    assert!(page.contains("<h1>No gearbox meets every required criterion</h1>"));
 }
 
 #[test]

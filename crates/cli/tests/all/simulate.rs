@@ -143,6 +143,38 @@ fn scenarios_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
+#[test]
+fn points_out_of_order_are_told_where_they_stand() {
+    let folder = here();
+    let right = fs::read_to_string(examples().join("tip-in.yaml")).unwrap();
+    fs::write(folder.path().join("full.csv"), "rpm,N·m\n0,120\n5000,150\n\n2000,180\n").unwrap();
+    let full = "{ speeds: [0 rpm, 2000 rpm, 5000 rpm], torques: [120 N·m, 180 N·m, 150 N·m] }";
+    for (from, to, told) in [
+        (
+            "speeds: [0 rpm, 5000 rpm]",
+            "speeds: [0 rpm, -300 rpm]",
+            "torques[0].throttle.closed.speeds[1]: point 2 of a torque over speed is at -31.4159265359 rad/s",
+        ),
+        (
+            "speeds: [0 rpm, 2000 rpm, 5000 rpm]",
+            "speeds: [0 rpm, 2000 rpm, 300 rpm]",
+            "torques[0].throttle.full.speeds[2]: point 3",
+        ),
+        ("times: [0.1 s, 0.15 s]", "times: [0.1 s, 0.05 s]", "torques[0].throttle.times[1]: point 2"),
+        (
+            full,
+            "{ csv: full.csv }",
+            "error: full.csv:5:1: 2000 rpm, and the line before has 5000 rpm: the first column ascends",
+        ),
+    ] {
+        assert!(right.contains(from), "{from}");
+        fs::write(folder.path().join("scenario.yaml"), right.replacen(from, to, 1)).unwrap();
+        let output = output(folder.path(), &["simulate", "scenario.yaml"]);
+        assert_eq!(output.status.code(), Some(2), "{to}");
+        assert!(text(&output.stderr).contains(told), "{}", text(&output.stderr));
+    }
+}
+
 /// The shift of the example with something wrong in its program.
 const WRONG_SHIFTS: &[(&str, &str)] = &[
     ("gear: \"2\"\n", ""),

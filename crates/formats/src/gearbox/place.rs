@@ -111,6 +111,10 @@ impl File<'_> {
                 self.reference(&path, &["link", "links", "one_way", "engaged", "between"], name)
                     .unwrap_or(path)
             }
+            SolverError::EngagedTwice { place, name } => {
+                let path = self.named(place);
+                self.listed(&path, name).nth(1).unwrap_or(path)
+            }
             SolverError::GroundedTerminal { place } => self.named(place),
             SolverError::Duplicate { what, name } => self.second(*what, name),
             SolverError::CoincidentMembers { set, .. }

@@ -101,13 +101,21 @@ pub fn read_csv<X: Physical, Y: Physical>(file: &str, text: &str) -> Result<Poin
     };
     let Some((first, header)) = lines.next() else { return Err(at(1, 1, Problem::EmptyFile)) };
     let [(_, x_unit), (_, y_unit)] = two(first, header)?;
-    let mut points = vec![];
+    let (mut points, mut above) = (vec![], String::new());
     for (line, row) in lines {
-        let [(x_at, x), (y_at, y)] = two(line, row)?;
-        let x: Quantity<X> =
-            format!("{x} {x_unit}").parse().map_err(|error| at(line, x_at, Problem::Quantity(error)))?;
+        let [(x_at, written), (y_at, y)] = two(line, row)?;
+        let x: Quantity<X> = format!("{written} {x_unit}")
+            .parse()
+            .map_err(|error| at(line, x_at, Problem::Quantity(error)))?;
         let y: Quantity<Y> =
             format!("{y} {y_unit}").parse().map_err(|error| at(line, y_at, Problem::Quantity(error)))?;
+        if points.last().is_some_and(|(before, _): &(X, Y)| x.0.si() < before.si()) {
+            let message = format!(
+                "{written} {x_unit}, and the line before has {above} {x_unit}: the first column ascends"
+            );
+            return Err(at(line, x_at, Problem::refused("order", message)));
+        }
+        above = written;
         points.push((x.0, y.0));
     }
     if points.is_empty() {

@@ -377,8 +377,18 @@ impl InvoluteGear {
     /// `d`, `z` negative of an internal gear, `d_b` not. The normal at the point of contact is tangent to the base circle and leads through the centre of the ball.
     #[must_use]
     pub fn ball_diameter(&self) -> f64 {
-        let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
-        let at = 2.0 * self.curvature_radius(middle) / self.base_diameter();
+        self.ball_touching((self.signed_reference() + 2.0 * self.shift).abs())
+    }
+
+    /// Diameters of the balls that touch the flanks at the form circle and at the tip circle: those between touch them, too.
+    #[must_use]
+    pub fn ball_diameters(&self) -> [f64; 2] {
+        [self.form_diameter(), self.tip_diameter()].map(|diameter| self.ball_touching(diameter))
+    }
+
+    /// Diameter of the balls that touch the flanks at a diameter, or at the base circle where that is larger.
+    fn ball_touching(&self, diameter: f64) -> f64 {
+        let at = 2.0 * self.curvature_radius(diameter.max(self.base_diameter())) / self.base_diameter();
         let centre = at
             - self.flank.inv_alpha_t
             - (2.0 * self.shift * self.flank.tan_alpha_n - FRAC_PI_2) / self.flank.z;

@@ -69,7 +69,7 @@ pub fn rim_factor_external(over_tooth_height: f64) -> Result<f64, Error> {
     if over_tooth_height > 0.5 {
         return Ok(1.6 * libm::log(2.242 / over_tooth_height));
     }
-    Err(Error::NotAbove { quantity: Quantity::Rim, value: over_tooth_height, low: 0.5, unit: "" })
+    Err(Error::NotAbove { quantity: Quantity::RimOverHeight, value: over_tooth_height, low: 0.5, unit: "" })
 }
 
 /// `Y_B` of an internal gear: rim thickness over module.
@@ -83,7 +83,7 @@ pub fn rim_factor_internal(over_module: f64) -> Result<f64, Error> {
     if over_module > 1.75 {
         return Ok(1.15 * libm::log(8.324 / over_module));
     }
-    Err(Error::NotAbove { quantity: Quantity::RingRim, value: over_module, low: 1.75, unit: "" })
+    Err(Error::NotAbove { quantity: Quantity::RimOverModule, value: over_module, low: 1.75, unit: "" })
 }
 
 /// `Y_DT`; grade of accuracy by ISO 1328-1.

@@ -61,6 +61,14 @@ fn an_unknown_shift_element_of_a_gear_is_named() {
 }
 
 #[test]
+fn a_shift_element_stands_in_a_gear_once() {
+    let expected = |place| Error::EngagedTwice { place, name: "K1".into() };
+    assert_eq!(fault(sound().gear("2", ["K1", "K1"])), expected(Place::Gear("2".into())));
+    let found = sound().build().unwrap().gear_of(&["K1", "K1"], "drive", "driven");
+    assert_eq!(found.unwrap_err(), expected(Place::UnnamedGear));
+}
+
+#[test]
 fn members_on_one_link_are_refused() {
     let on_one = fault(sound().set(SetSpec::simple("2", ["drive", "drive", "driven"], 2.0)));
     let expected = Error::CoincidentMembers {

@@ -102,7 +102,7 @@ fn note(sets: &[SetFacts]) -> String {
     }
     if sets.iter().any(|set| matches!(set.assembly, Fit::Yes | Fit::No)) {
         notes.push(
-            "Assemble: at equal angles; clear: tip circles of neighbours, with the profile shifts that are stated.".to_owned(),
+            "Assemble: at equal angles, or as spacing or planet_angles of the set say; clear: tip circles of neighbours, with the profile shifts that are stated.".to_owned(),
         );
     }
     notes.join(" ")

@@ -36,7 +36,7 @@ fn page(
 ) -> Result<Sheet, Error> {
     let title = match best {
         Some(best) => format!("Gearbox {}", best.scheme.unwrap_or(&best.structure)),
-        None => "No gearbox meets every criterion".to_owned(),
+        None => "No gearbox meets every required criterion".to_owned(),
     };
     let mut answer: Vec<Block> = best.map(|best| Block::Answer(in_short(best))).into_iter().collect();
     if let Some((drawn, layout)) = drawn.and_then(|drawn| Some((drawn, drawn.layout.as_deref()?))) {

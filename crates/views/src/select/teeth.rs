@@ -21,7 +21,7 @@ impl AsReport for SelectTeeth {
             parts.push(Part::Records(speeds_reached(&self.speeds)));
         }
         match self.designs.first() {
-            None => parts.push(Part::Text(Text::paragraph("No design meets every criterion."))),
+            None => parts.push(Part::Text(Text::paragraph("No design meets every required criterion."))),
             Some(_) => parts.push(Part::Records(designs(self))),
         }
         if self.best_of_structures.len() > 1 {
@@ -44,7 +44,7 @@ fn searched(select: &SelectTeeth) -> String {
     };
     let searched = format!(
         "{} combinations of tooth numbers{per_set}, {} structures with their ratios: {designs} designs, none left out; {} \
-         {pairs}ring-to-sun ratios were tried in full, {} meet every criterion.",
+         {pairs}ring-to-sun ratios were tried in full, {} meet every required criterion.",
         counts.tooth_numbers, counts.structures, counts.tried, counts.accepted
     );
     let shown = match select.shown {

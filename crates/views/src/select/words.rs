@@ -15,7 +15,9 @@ const MOST_TOLD: usize = 6;
 /// The reasons, as a list.
 pub(super) fn why(select: &Select, accepted: &[Candidate]) -> Text {
     let (heading, mut points) = match accepted.split_first() {
-        None if select.accepted == 0 => ("Nothing meets every criterion".to_owned(), ways_out(select)),
+        None if select.accepted == 0 => {
+            ("Nothing meets every required criterion".to_owned(), ways_out(select))
+        }
         None => (of(select.accepted, "candidate") + " accepted", vec![]),
         Some((best, others)) => {
             let mut points = vec![why_first(select, best)];
@@ -114,7 +116,7 @@ fn named(one: &Candidate) -> String {
 
 fn why_first(select: &Select, best: &Candidate) -> String {
     match select.decided_by {
-        _ if select.accepted == 1 => "nothing else meets every criterion".to_owned(),
+        _ if select.accepted == 1 => "nothing else meets every required criterion".to_owned(),
         None => "all others are equal to it in every objective".to_owned(),
         Some(Objective::Direction) => {
             "the output of all others reverses against direct drive; such schemes are ranked last".to_owned()

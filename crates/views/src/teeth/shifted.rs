@@ -1,6 +1,6 @@
 //! Sets with profile shift for a ratio, as tables.
 
-use super::{count, parts, percent, title};
+use super::{count, near, parts, percent, title};
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Records, Report, View};
@@ -11,7 +11,12 @@ impl AsReport for ShiftedTeeth {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}, with profile shift", title(self.ratio, self.mode, self.tolerance))),
-            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
+            parts: parts(
+                sets(self),
+                &self.tooth_checks,
+                count(self.found, self.shown)
+                    + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),
+            ),
             warnings: None,
         }
     }
