@@ -4,10 +4,10 @@ use crate::gear_kind::GearKind;
 use crate::involute::check::Check;
 use crate::involute::fault::{ShiftFault, ToolFault};
 use crate::involute::left_out::RatioLeftOut;
+use crate::message::shown;
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
-use crate::units::shown;
 
 /// An input that describes no gear, or a requirement that no gear meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

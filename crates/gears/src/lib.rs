@@ -56,6 +56,7 @@ pub mod involute;
 pub mod life;
 pub mod mass;
 pub mod mesh;
+mod message;
 mod mode;
 pub mod planet_bearing;
 pub mod quantity;
@@ -71,6 +72,6 @@ pub mod willis;
 mod words;
 
 pub use error::Error;
+pub use message::shown;
 pub use quantity::Quantity;
 pub use teeth::ToothCount;
-pub use units::shown;

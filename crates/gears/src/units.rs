@@ -19,6 +19,7 @@ use uom::si::time::second;
 use uom::si::torque::newton_meter;
 use uom::si::volume::cubic_meter;
 
+use crate::message::shown;
 use crate::{Error, Quantity};
 
 pub(crate) fn rad_per_s(speed: AngularVelocity) -> f64 {
@@ -99,12 +100,6 @@ pub(crate) fn radians(value: Angle) -> f64 {
 
 pub(crate) fn degrees(value: Angle) -> f64 {
     value.get::<degree>()
-}
-
-/// A number for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
-#[must_use]
-pub fn shown(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// Millimetres for a message.

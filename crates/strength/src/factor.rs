@@ -73,6 +73,21 @@ impl fmt::Display for Origin {
     }
 }
 
+impl Symbol {
+    /// A value given for its factor.
+    ///
+    /// # Errors
+    /// [`Error::GivenFactor`]: not finite, not above 0, or a load factor below 1.
+    pub fn checked(self, value: f64) -> Result<f64, Error> {
+        let is_allowed = if self.is_at_least_one() { value >= 1.0 } else { value > 0.0 };
+        if is_allowed && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Error::GivenFactor { symbol: self, value })
+        }
+    }
+}
+
 /// A factor of the calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factor {

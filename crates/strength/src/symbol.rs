@@ -1,7 +1,5 @@
 //! Symbols of the factors, as ISO 6336 writes them.
 
-use crate::Error;
-
 epicyclic_gears::words! {
     /// The symbol of a factor, `K_Hβ`; displays as ISO 6336 writes it.
     Symbol {
@@ -67,19 +65,6 @@ impl Symbol {
                 | Self::FaceRoot
                 | Self::TransverseRoot
         )
-    }
-
-    /// A value given for its factor.
-    ///
-    /// # Errors
-    /// [`Error::GivenFactor`]: not finite, not above 0, or a load factor below 1.
-    pub fn checked(self, value: f64) -> Result<f64, Error> {
-        let is_allowed = if self.is_at_least_one() { value >= 1.0 } else { value > 0.0 };
-        if is_allowed && value.is_finite() {
-            Ok(value)
-        } else {
-            Err(Error::GivenFactor { symbol: self, value })
-        }
     }
 
     /// Whether its factor is of a mesh, not of one of its gears.
