@@ -56,7 +56,7 @@ pub enum Format {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let outcomes = outcomes(arguments)?;
     let text = match arguments.format {
-        Format::Human => report::human::render(&outcomes),
+        Format::Human => report::human::render(&outcomes, !arguments.filter.is_empty()),
         Format::Json => report::json::render(&outcomes)?,
         Format::Junit => report::junit::render(&outcomes)?,
     };
@@ -95,7 +95,7 @@ pub fn outcomes(arguments: &Arguments) -> Result<Vec<Outcome>, String> {
             || outcome.source.contains(filter)
             || !outcome.faults.is_empty()
     };
-    let outcomes: Vec<Outcome> = sources
+    let mut outcomes: Vec<Outcome> = sources
         .iter()
         .map(|source| run_source(source, &calculations, filter, snapshots))
         .filter(selected)
@@ -104,5 +104,6 @@ pub fn outcomes(arguments: &Arguments) -> Result<Vec<Outcome>, String> {
         let names: Vec<&str> = sources.iter().map(|source| source.id.as_str()).collect();
         return Err(format!("no source or case has {filter:?} in its name; sources: {}", names.join(", ")));
     }
+    report::texts::check(&folder.join("../"), filter.is_empty(), &mut outcomes);
     Ok(outcomes)
 }

@@ -49,7 +49,6 @@ fn states(cell: &str, computed: &str) -> bool {
 fn every_contradicted_and_lost_figure_is_in_the_book() {
     let (figures, chapter) = (figures(), chapter("findings.md"));
     let mut rows = rows(&chapter);
-    let mut counts = BTreeMap::from([("contradicted", 0), ("lost", 0)]);
     for figure in &figures {
         let name = &figure.name;
         match figure.status {
@@ -59,19 +58,14 @@ fn every_contradicted_and_lost_figure_is_in_the_book() {
                     (figure.published.as_ref().unwrap(), figure.computed.as_ref().unwrap());
                 assert_eq!(&row[0], published, "{name}");
                 assert!(states(&row[1], computed), "{name}: {} for {computed}", row[1]);
-                *counts.get_mut("contradicted").unwrap() += 1;
             }
             Status::Unrecoverable => {
                 rows.remove(name).unwrap_or_else(|| panic!("{name} is not in findings.md"));
-                *counts.get_mut("lost").unwrap() += 1;
             }
             _ => {}
         }
     }
     assert!(rows.is_empty(), "no longer contradicted: {rows:?}");
-    for (what, count) in counts {
-        assert!(chapter.contains(&format!("{count} figures are {what}")), "{count} {what}");
-    }
 }
 
 #[test]
@@ -97,6 +91,9 @@ fn check(path: &Path) -> usize {
         else {
             continue;
         };
+        if command.contains('#') {
+            continue;
+        }
         let output =
             Command::new(env!("CARGO_BIN_EXE_xtask")).args(command.split_whitespace()).output().unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
@@ -111,9 +108,10 @@ fn check(path: &Path) -> usize {
 }
 
 #[test]
-fn the_books_commands_print_what_it_shows() {
-    let run = check(&xtask::project_root().join("docs/src"));
-    assert!(run >= 3, "{run}");
+fn the_commands_of_readme_and_book_print_what_they_show() {
+    let root = xtask::project_root();
+    assert!(check(&root.join("docs/src")) >= 3);
+    assert!(check(&root.join("README.md")) >= 2);
 }
 
 fn book(arguments: &[&str]) -> Output {

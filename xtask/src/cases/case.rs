@@ -47,13 +47,55 @@ pub enum Verdict {
     Agrees,
     /// It does not follow from the source's own inputs.
     Contradicted,
-    /// It follows from the source's inputs by a restored reading, and stands in no print: the copy lost it, or the
-    /// document never had it. Judged as [`Verdict::Agrees`], counted apart.
+    /// It follows from the source's inputs by a restored reading: the copy lost or garbled the formula, or the document
+    /// never had it. Judged as [`Verdict::Agrees`], counted apart.
     Reconstructed,
+    /// It repeats the definition of its own quantity, or an input that was solved for. Judged as [`Verdict::Agrees`],
+    /// counted apart. Needs `because`.
+    Definition,
     /// The source sets it: an input, not a result.
     Given,
     /// The copy lost it.
     Unrecoverable,
+}
+
+impl Verdict {
+    /// The verdict as cases write it.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Agrees => "agrees",
+            Self::Contradicted => "contradicted",
+            Self::Reconstructed => "reconstructed",
+            Self::Definition => "definition",
+            Self::Given => "given",
+            Self::Unrecoverable => "unrecoverable",
+        }
+    }
+}
+
+/// Why a tolerance is loose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Cause {
+    /// The source rounds a constant, such as π = 3.14.
+    Constant,
+    /// The source rounds or truncates figures on the way.
+    Rounding,
+    /// The source states the figure roughly.
+    Rough,
+}
+
+impl Cause {
+    /// The cause in a sentence.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Constant => "a constant that the source rounds",
+            Self::Rounding => "figures that the source rounds on the way",
+            Self::Rough => "a figure that the source states roughly",
+        }
+    }
 }
 
 /// Where a figure was read, if not in the source that it is cited from.
@@ -79,6 +121,12 @@ pub struct Expectation {
     /// A tolerance wider than the digits': `2 %`, `0.1 mm`. Needs `because`.
     #[serde(default)]
     pub tolerance: Option<String>,
+    /// Cause of a loose tolerance: one beyond ten half-units of the last digit, or beyond 2 %.
+    #[serde(default)]
+    pub cause: Option<Cause>,
+    /// Another figure, `case/quantity`, that compares the same print.
+    #[serde(default)]
+    pub print_of: Option<String>,
     /// What becomes of the figure.
     #[serde(default)]
     pub verdict: Verdict,

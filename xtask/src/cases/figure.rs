@@ -1,7 +1,7 @@
 //! One published figure, judged.
 
 use crate::calculations::Value;
-use crate::cases::case::{Evidence, Expectation, Verdict};
+use crate::cases::case::{Cause, Evidence, Expectation, Verdict};
 use crate::cases::tolerance::Printed;
 use epicyclic_formats::quantity::format::significant;
 use epicyclic_formats::quantity::{self, Dimension, Unit, find_unit};
@@ -16,8 +16,10 @@ const STATED: f64 = 1e-6;
 pub enum Status {
     /// Published and computed agree.
     Agrees,
-    /// Computed and a restored reading agree; the print is lost, or there never was one.
+    /// Computed and a restored reading agree; the print is lost or garbled, or there never was one.
     Reconstructed,
+    /// A definition tested by itself.
+    Definition,
     /// The source contradicts its own inputs, as the case says.
     Contradicted,
     /// Taken as input.
@@ -83,6 +85,10 @@ pub struct Figure {
     pub difference: Option<String>,
     /// How far the printed digits reach, in that unit.
     pub tolerance: Option<String>,
+    /// Why the tolerance is loose, where it is.
+    pub cause: Option<Cause>,
+    /// The first figure that compares the same print of the source; none where there is no print.
+    pub print: Option<String>,
     /// The unit the source prints, where it is wrong.
     pub printed_unit: Option<String>,
     /// The reason of the verdict, or what is legible of a lost figure.
@@ -91,6 +97,22 @@ pub struct Figure {
     pub arithmetic: Option<String>,
     /// Why the case does not hold.
     pub failure: Option<String>,
+    /// What to do about it.
+    pub remedy: Option<String>,
+}
+
+impl Figure {
+    /// Whether it compares a result; else it is inputs that must be refused.
+    #[must_use]
+    pub const fn is_comparison(&self) -> bool {
+        self.kind.is_some() || matches!(self.status, Status::Unrecoverable)
+    }
+
+    /// Whether the case ran as far as this figure.
+    #[must_use]
+    pub const fn was_compared(&self) -> bool {
+        !matches!(self.status, Status::Failed) || (self.is_comparison() && self.computed.is_some())
+    }
 }
 
 /// The judgement of one expectation, without its place.
@@ -104,13 +126,25 @@ pub struct Judgement {
     pub tolerance: Option<String>,
     /// Why it does not hold.
     pub failure: Option<String>,
+    /// What to do about it.
+    pub remedy: Option<String>,
 }
 
 impl Judgement {
-    fn failed(self, why: impl Into<String>) -> Self {
-        Self { failure: Some(why.into()), ..self }
+    pub(crate) fn failed(self, why: impl Into<String>, remedy: &str) -> Self {
+        Self { failure: Some(why.into()), remedy: Some(remedy.to_owned()), ..self }
     }
 }
+
+/// Of a figure that differs from the result.
+const COMPARE: &str = "compare `published` and the inputs with the source; if they stand there, either a formula of ours \
+    changed, or the source contradicts itself: then write `verdict: contradicted` with `computed` and `because`";
+/// Of a contradiction whose figure agrees.
+const AGREES_NOW: &str = "a formula or a case was adapted to the print: undo that, or remove the verdict";
+/// Of a `computed` that is not the result.
+const DERIVE: &str = "derive the right value again, apart from our code, and state it as `computed`";
+/// Of an `arithmetic` that does not give `computed`.
+const RECKON: &str = "correct `arithmetic`, or `computed` where that is wrong";
 
 /// The unit of a dimension with factor 1.
 #[must_use]
@@ -127,7 +161,7 @@ fn with_unit(number: String, unit: &Unit) -> String {
 #[must_use]
 pub fn judge(expectation: &Expectation, value: &Value) -> Judgement {
     let Some(published) = &expectation.published else {
-        return Judgement::default().failed("`published` is missing: write the figure as printed");
+        return Judgement::default().failed("`published` is missing", "write the figure as printed");
     };
     match value {
         Value::Quantity { si, dimension } => judge_quantity(expectation, published, *si, *dimension),
@@ -140,18 +174,18 @@ fn judge_exact(expectation: &Expectation, published: &str, computed: &str) -> Ju
     let judgement = Judgement { computed: Some(computed.to_owned()), ..Judgement::default() };
     let agrees = published.trim() == computed;
     match expectation.verdict {
-        Verdict::Contradicted if agrees => judgement.failed(starts_to_agree()),
+        Verdict::Contradicted if agrees => judgement.failed(STARTS_TO_AGREE, AGREES_NOW),
         Verdict::Contradicted if expectation.computed.as_deref() != Some(computed) => {
-            judgement.failed(format!("`computed` differs from the result {computed}"))
+            judgement.failed(format!("`computed` differs from the result {computed}"), DERIVE)
         }
         Verdict::Contradicted => {
             match expectation.arithmetic.as_deref().map(|text| stated_exactly(text, computed)) {
-                Some(Err(why)) => judgement.failed(why),
+                Some(Err(why)) => judgement.failed(why, RECKON),
                 _ => judgement,
             }
         }
         _ if agrees => judgement,
-        _ => judgement.failed(format!("published {published}, computed {computed}")),
+        _ => judgement.failed(DIFFERS, COMPARE),
     }
 }
 
@@ -180,9 +214,8 @@ fn evaluated(arithmetic: &str) -> Result<f64, String> {
         .map_err(|error| format!("`arithmetic` does not read: {error}"))
 }
 
-fn starts_to_agree() -> String {
-    "marked contradicted, but the published figure agrees with the computed one: remove the verdict".into()
-}
+const STARTS_TO_AGREE: &str = "marked contradicted, but the published figure agrees with the computed one";
+const DIFFERS: &str = "the published figure does not agree with the computed one";
 
 fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension: Dimension) -> Judgement {
     let mut judgement = Judgement::default();
@@ -192,7 +225,7 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
     });
     let printed = match printed {
         Ok(printed) => printed,
-        Err(error) => return judgement.failed(error.to_string()),
+        Err(error) => return judgement.failed(error.to_string(), "write number and unit as printed"),
     };
     let unit = printed.measured.unit;
     let value = printed.in_unit(si);
@@ -207,38 +240,41 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
         // A printed unit is wrong when it is unknown, of another dimension, or of another size.
         let right = find_unit(wrong).is_some_and(|u| u.dimension == dimension && u.factor == unit.factor);
         if right {
-            return judgement.failed(format!("`printed_unit` {wrong} is the right unit: remove it"));
+            return judgement
+                .failed(format!("`printed_unit` {wrong} is the right unit"), "remove `printed_unit`");
         }
     }
     if expectation.verdict != Verdict::Contradicted {
         if agrees {
             return judgement;
         }
-        return judgement.failed("the published figure does not agree with the computed one");
+        return judgement.failed(DIFFERS, COMPARE);
     }
     if agrees {
-        return judgement.failed(starts_to_agree());
+        return judgement.failed(STARTS_TO_AGREE, AGREES_NOW);
     }
     let Some(stated) = &expectation.computed else {
-        return judgement.failed("`computed` is missing: state the right value");
+        return judgement.failed("`computed` is missing", DERIVE);
     };
     let stated = match quantity::parse_as(stated, dimension) {
         Ok(stated) => stated,
-        Err(error) => return judgement.failed(format!("`computed`: {error}")),
+        Err(error) => return judgement.failed(format!("`computed`: {error}"), DERIVE),
     };
     if !close(stated.si(), si) {
         let found = with_unit(significant(si / stated.unit.factor, 10), stated.unit);
         return judgement
-            .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"));
+            .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"), DERIVE);
     }
     if let Some(arithmetic) = &expectation.arithmetic {
         match evaluated(arithmetic) {
             Ok(result) if close(result, stated.value) => {}
             Ok(result) => {
-                return judgement
-                    .failed(format!("`arithmetic` gives {}, not `computed`", significant(result, 10)));
+                return judgement.failed(
+                    format!("`arithmetic` gives {}, not `computed`", significant(result, 10)),
+                    RECKON,
+                );
             }
-            Err(why) => return judgement.failed(why),
+            Err(why) => return judgement.failed(why, RECKON),
         }
     }
     judgement
@@ -258,6 +294,8 @@ mod tests {
             published: Some(published.into()),
             rounding: Rounding::Nearest,
             tolerance: None,
+            cause: None,
+            print_of: None,
             verdict: Verdict::Agrees,
             computed: None,
             arithmetic: None,
@@ -299,7 +337,7 @@ mod tests {
     fn a_contradicted_figure_must_not_agree() {
         assert_eq!(failure(&contradicted("600 N·m", "521.803 N·m"), &torque(521.803)), None);
         let agreeing = failure(&contradicted("521.8 N·m", "521.803 N·m"), &torque(521.803));
-        assert!(agreeing.is_some_and(|why| why.contains("remove the verdict")));
+        assert!(agreeing.is_some_and(|why| why.contains("marked contradicted")));
     }
 
     #[test]

@@ -35,6 +35,14 @@ pub struct Place {
     pub excused: Option<String>,
 }
 
+impl Index {
+    /// Whether a place has a restored reading in place of a print.
+    #[must_use]
+    pub fn restores(&self, place: &str) -> bool {
+        self.places.iter().any(|known| known.place == place && known.reconstructed)
+    }
+}
+
 /// The places that a citation names.
 pub fn places(cite: &str) -> impl Iterator<Item = &str> {
     cite.split(',').map(str::trim)

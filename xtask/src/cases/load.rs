@@ -1,13 +1,17 @@
 //! Reading a folder of cases: every file, every fault.
 
 use crate::calculations::Calculation;
-use crate::cases::case::{Case, Verdict};
+use crate::cases::case::{Case, Expectation, Verdict};
 use crate::cases::index::{self, Index};
+use crate::cases::tolerance::{Printed, Width};
 use epicyclic_formats::document::{Document, Path as YamlPath, Position};
 use epicyclic_formats::{Error as FormatError, nearest};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
+
+/// Name of the fault of a case that holds and has no snapshot yet.
+pub const NEW: &str = "missing-snapshot";
 
 /// Something wrong with a file of cases, or with what it says.
 #[derive(Debug, Clone, Serialize)]
@@ -31,7 +35,18 @@ impl Fault {
         Self::at_position(document.file(), document.position(path), name, message)
     }
 
-    fn at_position(file: &str, position: Position, name: &str, message: impl Into<String>) -> Self {
+    /// Whether it is a case that holds and has no snapshot yet.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
+        self.name == NEW
+    }
+
+    pub(crate) fn at_position(
+        file: &str,
+        position: Position,
+        name: &str,
+        message: impl Into<String>,
+    ) -> Self {
         Self {
             file: file.to_owned(),
             line: position.line,
@@ -75,6 +90,15 @@ pub struct Source {
     pub faults: Vec<Fault>,
 }
 
+impl Source {
+    /// A file of the source, from the project's root.
+    #[must_use]
+    pub fn file(&self, name: &str) -> String {
+        let root = self.folder.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy();
+        format!("{root}/{}/{name}", self.id)
+    }
+}
+
 /// Reads every source below `root`: one folder each.
 ///
 /// # Errors
@@ -84,11 +108,10 @@ pub fn sources(root: &Path, calculations: &[Calculation]) -> io::Result<Vec<Sour
         fs::read_dir(root)?.map(|entry| entry.map(|entry| entry.path())).collect::<io::Result<Vec<_>>>()?;
     folders.retain(|path| path.is_dir());
     folders.sort();
-    let display_root = root.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    folders.into_iter().map(|folder| source(&display_root, folder, calculations)).collect()
+    folders.into_iter().map(|folder| source(folder, calculations)).collect()
 }
 
-fn source(display_root: &str, folder: PathBuf, calculations: &[Calculation]) -> io::Result<Source> {
+fn source(folder: PathBuf, calculations: &[Calculation]) -> io::Result<Source> {
     let id = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let mut files: Vec<PathBuf> = fs::read_dir(&folder)?
         .map(|entry| entry.map(|entry| entry.path()))
@@ -100,7 +123,7 @@ fn source(display_root: &str, folder: PathBuf, calculations: &[Calculation]) -> 
     let mut index_document = None;
     for file in files {
         let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let shown = format!("{display_root}/{}/{name}", source.id);
+        let shown = source.file(&name);
         let bytes = fs::read(&file)?;
         let documents = match Document::parse_all(&shown, &bytes) {
             Ok(documents) => documents,
@@ -124,16 +147,16 @@ fn source(display_root: &str, folder: PathBuf, calculations: &[Calculation]) -> 
             }
         }
     }
-    check_index(&mut source, display_root, index_document.as_ref());
+    check_index(&mut source, index_document.as_ref());
     let faults: Vec<Fault> =
         (0..source.cases.len()).flat_map(|at| check_case(&source, at, calculations)).collect();
     source.faults.extend(faults);
     Ok(source)
 }
 
-fn check_index(source: &mut Source, display_root: &str, document: Option<&Document>) {
+fn check_index(source: &mut Source, document: Option<&Document>) {
     let Some(document) = document else {
-        let file = format!("{display_root}/{}/{}", source.id, index::FILE);
+        let file = source.file(index::FILE);
         let message = "the source has no index: list its equations, tables and figures as `places`";
         source.faults.push(Fault::at_position(&file, Position::START, "missing-index", message));
         return;
@@ -216,8 +239,8 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
         }
         _ => {}
     }
-    for (name, expectation) in &case.expect {
-        let path = root().key("expect").key(name);
+    for (quantity, expectation) in &case.expect {
+        let path = root().key("expect").key(quantity);
         let needs = |verdict: &str, key: &str, why: &str| format!("{verdict} needs `{key}`: {why}");
         let has_because = expectation.because.is_some();
         let printed = expectation.published.is_some();
@@ -236,7 +259,8 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
             Verdict::Contradicted if !has_because => {
                 Some(needs("a contradiction", "because", "the calculation behind `computed`"))
             }
-            Verdict::Agrees | Verdict::Reconstructed | Verdict::Given
+            Verdict::Definition if !has_because => Some(needs("a definition", "because", "what it repeats")),
+            Verdict::Agrees | Verdict::Reconstructed | Verdict::Definition | Verdict::Given
                 if expectation.computed.is_some() || expectation.arithmetic.is_some() =>
             {
                 Some("`computed` and `arithmetic` belong to a contradicted figure".to_owned())
@@ -250,18 +274,68 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
             fault(path.clone(), "incomplete-figure", message);
         }
         let cite = expectation.cite.as_deref().unwrap_or(&case.cite);
-        let restored = |place: &str| {
-            let places = source.index.iter().flat_map(|index| &index.places);
-            places.into_iter().any(|known| known.place == place && known.reconstructed)
-        };
-        let message = match (expectation.verdict, index::places(cite).any(restored)) {
-            (Verdict::Agrees, true) => "a restored reading is no print: write `verdict: reconstructed`",
-            (Verdict::Reconstructed, false) => {
-                "it cites a print: remove `verdict: reconstructed`, or cite the reading"
+        let restored = |place: &str| source.index.as_ref().is_some_and(|index| index.restores(place));
+        let is_stated = document.text_at(&path.clone().key("verdict")).is_some();
+        let message = match (expectation.verdict, index::places(cite).any(restored), case.restored.is_some())
+        {
+            (Verdict::Agrees, true, _) => {
+                Some("a restored reading is no print: write `verdict: reconstructed`")
             }
-            _ => continue,
+            (Verdict::Reconstructed, false, false) => Some(
+                "it cites a print: say in `restored` how the formula was inferred, or cite the reading, or remove `verdict`",
+            ),
+            (_, _, true) if !is_stated => Some(
+                "the case has `restored`: write `verdict: reconstructed` where the restored formula is used, else `verdict: agrees`",
+            ),
+            _ => None,
         };
-        fault(path, "restored-figure", message.to_owned());
+        if let Some(message) = message {
+            fault(path.clone(), "restored-figure", format!("{}/{quantity}: {message}", case.case));
+        }
+        if let Some((name, message)) =
+            tolerance_fault(expectation).or_else(|| print_fault(source, expectation))
+        {
+            fault(path, name, format!("{}/{quantity}: {message}", case.case));
+        }
     }
     faults
+}
+
+/// What is wrong with a stated tolerance. What does not read is told when the figure is judged.
+fn tolerance_fault(expectation: &Expectation) -> Option<(&'static str, &'static str)> {
+    let width = || {
+        let tolerance = expectation.tolerance.as_deref()?;
+        Printed::parse(expectation.published.as_deref()?, expectation.rounding).ok()?.width(tolerance).ok()
+    };
+    match (width(), expectation.cause) {
+        (Some(Width::Idle), _) => {
+            Some(("idle-tolerance", "the tolerance is no wider than the digits: remove it"))
+        }
+        (Some(Width::Loose), None) => Some((
+            "loose-tolerance",
+            "the tolerance is beyond ten half-units of the last digit, or beyond 2 %: make it narrower, or name the `cause` \
+             beside `because`: constant, rounding or rough",
+        )),
+        (Some(Width::Wide) | None, Some(_)) => {
+            Some(("idle-cause", "`cause` belongs to a loose tolerance: remove it"))
+        }
+        _ => None,
+    }
+}
+
+/// What is wrong with a figure that names another one of the same print.
+fn print_fault(source: &Source, expectation: &Expectation) -> Option<(&'static str, &'static str)> {
+    let (case, quantity) = expectation.print_of.as_deref()?.split_once('/').unwrap_or_default();
+    let first = source.cases.iter().find(|other| other.case.case == case);
+    let problem = match first.and_then(|first| first.case.expect.get(quantity)) {
+        None => "`print_of` names no figure of this source: write case/quantity",
+        Some(first) if first.print_of.is_some() => {
+            "`print_of` names a figure that has `print_of`: name the first one"
+        }
+        Some(first) if first.published != expectation.published => {
+            "`print_of` names a figure with another `published`: one print has one text"
+        }
+        Some(_) => return None,
+    };
+    Some(("unusable-print", problem))
 }

@@ -4,7 +4,7 @@ use crate::calculations::{Calculation, Failure, Refusal, Results, Value};
 use crate::cases::case::{From, Taken, Verdict};
 use crate::cases::figure::{Figure, Judgement, Kind, Status, judge, si_unit};
 use crate::cases::index::places;
-use crate::cases::load::{Fault, Loaded, Source};
+use crate::cases::load::{Fault, Loaded, NEW, Source};
 use crate::cases::snapshot;
 use epicyclic_formats::Path as YamlPath;
 use epicyclic_formats::yaml::Value as Yaml;
@@ -54,6 +54,18 @@ impl Outcome {
     pub fn count(&self, status: Status) -> usize {
         self.figures.iter().filter(|figure| figure.status == status).count()
     }
+
+    /// How many results were compared: every figure but the inputs that must be refused.
+    #[must_use]
+    pub fn comparisons(&self) -> usize {
+        self.figures.iter().filter(|figure| figure.is_comparison()).count()
+    }
+
+    /// How many printed figures these compare. One print may stand in several comparisons.
+    #[must_use]
+    pub fn prints(&self) -> usize {
+        self.figures.iter().filter_map(|figure| figure.print.as_ref()).collect::<BTreeSet<_>>().len()
+    }
 }
 
 /// What to do with the snapshots.
@@ -84,21 +96,18 @@ pub fn run(source: &Source, calculations: &[Calculation], filter: &str, snapshot
         }
         outcome.cases += 1;
         let result = run.result(loaded);
-        let text = match &result {
-            Computed::Results(results) => {
-                outcome.figures.extend(figures(loaded, results));
-                snapshot::of_results(results)
-            }
-            Computed::Refused(refusal) => {
-                outcome.figures.push(refused(loaded, refusal));
-                snapshot::of_refusal(refusal)
-            }
+        let (figures, results) = match &result {
+            Computed::Results(results) => (figures(source, loaded, results), snapshot::of_results(results)),
+            Computed::Refused(refusal) => (vec![refused(loaded, refusal)], snapshot::of_refusal(refusal)),
             Computed::Fault(fault) => {
                 outcome.faults.push(fault.clone());
                 continue;
             }
         };
-        outcome.faults.extend(compare_snapshot(source, loaded, &text, snapshots));
+        let text = results + &snapshot::of_expectations(&loaded.case);
+        let holds = figures.iter().all(|figure| figure.status != Status::Failed);
+        outcome.figures.extend(figures);
+        outcome.faults.extend(compare_snapshot(source, loaded, &text, holds, snapshots));
     }
     if whole {
         outcome.faults.extend(orphans(source, snapshots));
@@ -235,7 +244,7 @@ fn value_as_yaml(value: &Value) -> Yaml {
     }
 }
 
-fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
+fn figures(source: &Source, loaded: &Loaded, results: &Results) -> Vec<Figure> {
     let Loaded { case, document } = loaded;
     if let Some(name) = &case.expect_error {
         let path = YamlPath::root().key("expect_error");
@@ -253,10 +262,15 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
             computed: None,
             difference: None,
             tolerance: None,
+            cause: None,
+            print: None,
             printed_unit: None,
             because: None,
             arithmetic: None,
             failure: Some(format!("the inputs must be refused as {name}, and are accepted")),
+            remedy: Some(
+                "correct the inputs, or write `expect` with the figures in place of `expect_error`".into(),
+            ),
         }];
     }
     case.expect
@@ -273,40 +287,48 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
                     let held = match verdict {
                         Verdict::Contradicted => Status::Contradicted,
                         Verdict::Reconstructed => Status::Reconstructed,
+                        Verdict::Definition => Status::Definition,
                         _ => Status::Agrees,
                     };
                     let judgement = results.get(quantity).map_or_else(
                         || {
                             let known: Vec<&str> = results.iter().map(|(name, _)| name).collect();
-                            let failure = format!(
-                                "{} computes no {quantity}, but {}",
-                                case.calculation,
-                                known.join(", ")
-                            );
-                            Judgement { failure: Some(failure), ..Judgement::default() }
+                            Judgement::default().failed(
+                                format!("{} computes no {quantity}", case.calculation),
+                                &format!("write one of {}", known.join(", ")),
+                            )
                         },
                         |value| judge(expectation, value),
                     );
                     (held, judgement)
                 }
             };
+            let cite = expectation.cite.as_deref().unwrap_or(&case.cite);
+            let is_restored =
+                places(cite).any(|place| source.index.as_ref().is_some_and(|index| index.restores(place)));
+            let name = format!("{}/{quantity}", case.case);
+            let print = (!is_restored && expectation.verdict != Verdict::Definition)
+                .then(|| expectation.print_of.clone().unwrap_or_else(|| name.clone()));
             Figure {
-                name: format!("{}/{quantity}", case.case),
+                name,
                 file: document.file().to_owned(),
                 line: position.line,
                 column: position.column,
                 status: if judgement.failure.is_some() { Status::Failed } else { status },
                 kind: expectation.published.as_deref().map(Kind::of),
-                cite: expectation.cite.clone().unwrap_or_else(|| case.cite.clone()),
+                cite: cite.to_owned(),
                 evidence: expectation.evidence.or(case.evidence),
                 published: expectation.published.clone(),
                 computed: judgement.computed,
                 difference: judgement.difference,
                 tolerance: judgement.tolerance,
+                cause: expectation.cause,
+                print,
                 printed_unit: expectation.printed_unit.clone(),
                 because: expectation.because.clone().or_else(|| expectation.legible.clone()),
                 arithmetic: expectation.arithmetic.clone(),
                 failure: judgement.failure,
+                remedy: judgement.remedy,
             }
         })
         .collect()
@@ -319,12 +341,18 @@ fn judge_given(loaded: &Loaded, name: &str, published: Option<&str>) -> Judgemen
         Ok(index) => path.index(index),
         Err(_) => path.key(key),
     });
-    let failure = match loaded.document.text_at(&path) {
-        Some(text) if Some(text) == published => None,
-        Some(text) => Some(format!("the source sets it, but the input {name} is {text}")),
-        None => Some(format!("the source sets it, but {name} is not an input of this case")),
-    };
-    Judgement { failure, ..Judgement::default() }
+    let judgement = Judgement::default();
+    match loaded.document.text_at(&path) {
+        Some(text) if Some(text) == published => judgement,
+        Some(text) => judgement.failed(
+            format!("the source sets it, but the input {name} is {text}"),
+            "write the input as the source prints it",
+        ),
+        None => judgement.failed(
+            format!("the source sets it, but {name} is not an input of this case"),
+            "give it in `given`, or remove `verdict: given`",
+        ),
+    }
 }
 
 fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
@@ -337,6 +365,9 @@ fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
         Some(name) => Some(format!("refused as {}, not as {name}: {refusal}", refusal.name)),
         None => Some(format!("refused as {}: {refusal}", refusal.name)),
     };
+    let remedy = failure.as_ref().map(|_| {
+        format!("correct the inputs; or, where they must be refused, write `expect_error: {}`", refusal.name)
+    });
     Figure {
         name: format!("{}/error", case.case),
         file: document.file().to_owned(),
@@ -350,16 +381,25 @@ fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
         computed: Some(refusal.name.clone()),
         difference: None,
         tolerance: None,
+        cause: None,
+        print: None,
         printed_unit: None,
         because: Some(refusal.message.clone()),
         arithmetic: None,
         failure,
+        remedy,
     }
 }
 
-const ACCEPT: &str = "accept it with `cargo xtask verify --accept`";
+const ACCEPT: &str = "cargo xtask verify --accept";
 
-fn compare_snapshot(source: &Source, loaded: &Loaded, found: &str, snapshots: Snapshots) -> Option<Fault> {
+fn compare_snapshot(
+    source: &Source,
+    loaded: &Loaded,
+    found: &str,
+    holds: bool,
+    snapshots: Snapshots,
+) -> Option<Fault> {
     let Loaded { case, document } = loaded;
     let path = snapshot::path(&source.folder, &case.case);
     let fault =
@@ -369,13 +409,16 @@ fn compare_snapshot(source: &Source, loaded: &Loaded, found: &str, snapshots: Sn
         Err(error) => return fault("unreadable-snapshot", format!("{}: {error}", path.display())),
     };
     let difference = match &stored {
-        None => Some(("missing-snapshot", format!("case {} has no snapshot", case.case))),
+        None => Some((NEW, "new: agrees; store its results".to_owned())),
         Some(stored) => snapshot::first_difference(stored, found)
-            .map(|difference| ("changed-snapshot", format!("the results changed: {difference}"))),
+            .map(|difference| ("changed-snapshot", format!("{difference}; if that is meant, accept it"))),
     };
     let (name, message) = difference?;
     if snapshots == Snapshots::Compare {
-        return fault(name, format!("{message}; {ACCEPT}"));
+        // A new case that fails is told by its figures; accepting comes when it holds.
+        let is_told = name == NEW && !holds;
+        let message = format!("{message} with `{ACCEPT} {}`", case.case);
+        return if is_told { None } else { fault(name, message) };
     }
     let written = snapshot::write(&path, &case.calculation, found);
     written.err().and_then(|error| fault("unwritable-snapshot", format!("{}: {error}", path.display())))
@@ -391,14 +434,17 @@ fn orphans(source: &Source, snapshots: Snapshots) -> Vec<Fault> {
         if path.extension().is_some_and(|extension| extension == "snap") && names.contains(stem.as_str()) {
             continue;
         }
-        let file = format!("{}/{}/{}", source.id, snapshot::FOLDER, entry.file_name().to_string_lossy());
+        let file = source.file(&format!("{}/{}", snapshot::FOLDER, entry.file_name().to_string_lossy()));
         // A case that does not read keeps its snapshot: mending the case must not need accepting.
         if snapshots == Snapshots::Accept && source.faults.is_empty() {
             if let Err(error) = fs::remove_file(&path) {
                 faults.push(orphan(file, format!("cannot be removed: {error}")));
             }
         } else if snapshots == Snapshots::Compare {
-            faults.push(orphan(file, format!("no case of this name; {ACCEPT}, which removes it")));
+            faults.push(orphan(
+                file,
+                format!("case {stem} was removed; if that is meant, `{ACCEPT}` removes its snapshot too"),
+            ));
         }
     }
     faults
@@ -411,21 +457,20 @@ fn orphan(file: String, message: String) -> Fault {
 fn coverage(source: &Source, outcome: &mut Outcome) {
     let Some(index) = &source.index else { return };
     let mut cited: BTreeMap<&str, usize> = BTreeMap::new();
-    for loaded in &source.cases {
-        let case = &loaded.case;
-        if case.expect_error.is_some() {
-            places(&case.cite).for_each(|place| *cited.entry(place).or_default() += 1);
-        }
-        for figure in case.expect.values() {
-            let cite = figure.cite.as_deref().unwrap_or(&case.cite);
-            places(cite).for_each(|place| *cited.entry(place).or_default() += 1);
-        }
+    // A case that cannot run has no figures, or figures that were not compared: it covers nothing.
+    for figure in outcome.figures.iter().filter(|figure| figure.was_compared()) {
+        places(&figure.cite).for_each(|place| *cited.entry(place).or_default() += 1);
     }
+    let mut faults = Vec::new();
     for place in &index.places {
         let figures = cited.get(place.place.as_str()).copied().unwrap_or(0);
         let message = match (figures, &place.excused) {
             (0, None) => {
-                Some(("uncovered-place", format!("no case covers {} ({})", place.place, place.what)))
+                let message = format!(
+                    "no case covers {} ({}): write one, or say why not in `excused`",
+                    place.place, place.what
+                );
+                Some(("uncovered-place", message))
             }
             (1.., Some(_)) => Some((
                 "covered-excuse",
@@ -434,8 +479,8 @@ fn coverage(source: &Source, outcome: &mut Outcome) {
             _ => None,
         };
         if let Some((name, message)) = message {
-            let file = format!("{}/{}", source.id, crate::cases::index::FILE);
-            outcome.faults.push(Fault { file, line: 1, column: 1, name: name.into(), message });
+            let file = source.file(crate::cases::index::FILE);
+            faults.push(Fault { file, line: 1, column: 1, name: name.into(), message });
         }
         outcome.coverage.push(Coverage {
             place: place.place.clone(),
@@ -444,4 +489,5 @@ fn coverage(source: &Source, outcome: &mut Outcome) {
             excused: place.excused.clone(),
         });
     }
+    outcome.faults.extend(faults);
 }

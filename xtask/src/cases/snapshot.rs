@@ -2,6 +2,7 @@
 //! *right*.
 
 use crate::calculations::{Refusal, Results, Value};
+use crate::cases::case::{Case, Expectation};
 use crate::cases::figure::si_unit;
 use crate::schema::write_whole;
 use epicyclic_formats::quantity::Dimension;
@@ -13,9 +14,9 @@ use std::path::{Path, PathBuf};
 pub const FOLDER: &str = "snapshots";
 
 /// Digits that a snapshot keeps.
-const DIGITS: usize = 10;
-/// Numbers that differ by less than this, relative, are the same.
-const SAME: f64 = 1e-9;
+const DIGITS: usize = 12;
+/// Numbers that differ by no more than this, relative, are the same: a unit of the last digit kept.
+const SAME: f64 = 1e-11;
 /// What is below this part of the case's largest like quantity is zero.
 const ZERO: f64 = 1e-12;
 
@@ -38,6 +39,17 @@ pub fn of_results(results: &Results) -> String {
         Value::Text(text) => format!("{name} = {text}\n"),
     };
     results.iter().map(line).collect()
+}
+
+/// Text of what a case expects: a line each figure, so that a removed or changed one is seen.
+#[must_use]
+pub fn of_expectations(case: &Case) -> String {
+    let line = |(quantity, figure): (&String, &Expectation)| {
+        let published = figure.published.as_deref().unwrap_or("-");
+        format!("expected {quantity} = {published}, {}\n", figure.verdict.word())
+    };
+    let error = case.expect_error.iter().map(|name| format!("expected error = {name}\n"));
+    case.expect.iter().map(line).chain(error).collect()
 }
 
 /// Text of a refusal.
@@ -72,21 +84,24 @@ pub fn write(path: &Path, calculation: &str, text: &str) -> io::Result<()> {
     write_whole(path, &format!("---\nsource: {}\nexpression: {calculation}\n---\n{text}", file!()))
 }
 
-/// The first line in which two snapshots differ beyond rounding.
+/// The first line in which two snapshots differ beyond rounding, by the name before its ` = `.
 #[must_use]
 pub fn first_difference(stored: &str, found: &str) -> Option<String> {
-    let (mut stored_lines, mut found_lines) = (stored.trim_end().lines(), found.trim_end().lines());
-    loop {
-        match (stored_lines.next(), found_lines.next()) {
-            (None, None) => return None,
-            (Some(stored), Some(found)) if same_line(stored, found) => {}
-            (stored, found) => {
-                let shown =
-                    |line: Option<&str>| line.map_or("nothing".to_owned(), |line| format!("`{line}`"));
-                return Some(format!("{} became {}", shown(stored), shown(found)));
-            }
-        }
+    fn name(line: &str) -> &str {
+        line.split_once(" = ").map_or(line, |(name, _)| name)
     }
+    fn of<'a>(text: &'a str, wanted: &str) -> Option<&'a str> {
+        text.trim_end().lines().find(|line| name(line) == wanted)
+    }
+    let changed = stored.trim_end().lines().find_map(|line| match of(found, name(line)) {
+        None => Some(format!("`{line}` is gone")),
+        Some(other) if !same_line(line, other) => Some(format!("`{line}` became `{other}`")),
+        Some(_) => None,
+    });
+    let mut lines = found.trim_end().lines();
+    changed.or_else(|| {
+        lines.find(|line| of(stored, name(line)).is_none()).map(|line| format!("`{line}` is new"))
+    })
 }
 
 fn same_line(stored: &str, found: &str) -> bool {
@@ -109,15 +124,18 @@ mod tests {
 
     #[test]
     fn rounding_does_not_change_a_snapshot_and_values_do() {
-        let stored = "a = 1.234567891 rad/s\nb = 4\n";
-        assert_eq!(first_difference(stored, "a = 1.234567892 rad/s\nb = 4\n"), None);
+        let stored = "a = 1.23456789012 rad/s\nb = 4\n";
+        let difference = |found: &str| first_difference(stored, found);
+        // One unit of the twelfth digit is rounding, two are a change.
+        assert_eq!(difference("a = 1.23456789013 rad/s\nb = 4\n"), None);
         assert_eq!(
-            first_difference(stored, "a = 1.234568 rad/s\nb = 4\n").as_deref(),
-            Some("`a = 1.234567891 rad/s` became `a = 1.234568 rad/s`")
+            difference("a = 1.23456789014 rad/s\nb = 4\n").as_deref(),
+            Some("`a = 1.23456789012 rad/s` became `a = 1.23456789014 rad/s`")
         );
-        assert!(first_difference(stored, "a = 1.234567891 kg\nb = 4\n").is_some());
-        assert!(first_difference(stored, "a = 1.234567891 rad/s\n").is_some());
-        assert!(first_difference(stored, "a = 1.234567891 rad/s\nb = 5\n").is_some());
+        assert!(difference("a = 1.23456789012 kg\nb = 4\n").is_some());
+        assert_eq!(difference("a = 1.23456789012 rad/s\n").as_deref(), Some("`b = 4` is gone"));
+        assert!(difference("a = 1.23456789012 rad/s\nb = 5\n").is_some());
+        assert_eq!(difference("a = 1.23456789012 rad/s\nc = 1\nb = 4\n").as_deref(), Some("`c = 1` is new"));
     }
 
     #[test]

@@ -33,6 +33,22 @@ enum OpenEnd {
     High,
 }
 
+/// How wide a stated tolerance is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Width {
+    /// No wider than the digits.
+    Idle,
+    /// Wider than the digits.
+    Wide,
+    /// Beyond [`LOOSE_HALF_UNITS`] or [`LOOSE_SHARE`].
+    Loose,
+}
+
+/// Half-units of the last printed digit beyond which a tolerance is loose.
+const LOOSE_HALF_UNITS: f64 = 10.0;
+/// Share of the figure beyond which a tolerance is loose.
+const LOOSE_SHARE: f64 = 0.02;
+
 /// Room for the rounding of the comparison itself, relative to the figure.
 const SLACK: f64 = 4.0 * f64::EPSILON;
 
@@ -68,6 +84,23 @@ impl Printed {
         };
         let value = self.measured.value;
         Ok(Self { low: value - half_width, high: value + half_width, open_end: OpenEnd::None, ..self })
+    }
+
+    /// Width of a stated tolerance of this figure.
+    ///
+    /// # Errors
+    /// As [`Printed::with_tolerance`].
+    pub fn width(&self, tolerance: &str) -> Result<Width, QuantityError> {
+        let reach = self.clone().with_tolerance(tolerance)?.reach();
+        let beyond = |limit: f64| reach > limit * (1.0 + 1e-9);
+        let half_unit = last_digit(&self.measured.number) / 2.0;
+        Ok(if beyond(LOOSE_HALF_UNITS * half_unit) || beyond(LOOSE_SHARE * self.measured.value.abs()) {
+            Width::Loose
+        } else if beyond(self.reach()) {
+            Width::Wide
+        } else {
+            Width::Idle
+        })
     }
 
     /// A value in SI units in the unit of the figure.
@@ -151,5 +184,16 @@ mod tests {
         assert!(!nearest("100 mm").with_tolerance("1 mm").unwrap().stands_for(0.1019));
         assert!(nearest("100 mm").with_tolerance("1 kg").is_err());
         assert!(nearest("0.97").with_tolerance("0.02").unwrap().stands_for(0.985));
+    }
+
+    #[test]
+    fn a_tolerance_is_loose_beyond_ten_half_units_or_two_per_cent() {
+        let width = |figure: &str, tolerance: &str| nearest(figure).width(tolerance).unwrap();
+        assert_eq!(width("204.1 rad/s", "0.05 rad/s"), Width::Idle);
+        assert_eq!(width("204.1 rad/s", "0.5 rad/s"), Width::Wide);
+        assert_eq!(width("204.1 rad/s", "0.51 rad/s"), Width::Loose);
+        assert_eq!(width("4.0", "2 %"), Width::Wide);
+        assert_eq!(width("4.0", "2.1 %"), Width::Loose);
+        assert!(nearest("4.0").width("1 kg").is_err());
     }
 }

@@ -12,7 +12,7 @@ const PAGES: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../crates
 const OWN: &str = include_str!("html.css");
 
 /// What may become of a figure: the class in the page, the word, and its meaning.
-const VERDICTS: [(Status, &str, &str, &str); 7] = [
+const VERDICTS: [(Status, &str, &str, &str); 8] = [
     (Status::Failed, "failed", "does not hold", "The case does not hold: the program or the case is wrong."),
     (
         Status::Contradicted,
@@ -30,7 +30,13 @@ const VERDICTS: [(Status, &str, &str, &str); 7] = [
         Status::Reconstructed,
         "reconstructed",
         "reconstructed",
-        "It follows from a restored reading; the copy lost the print, or the document has no figures.",
+        "It follows from a restored reading; the copy lost or garbled the formula, or the document has no figures.",
+    ),
+    (
+        Status::Definition,
+        "definition",
+        "definition",
+        "It repeats the definition of its own quantity, or an input that was solved for.",
     ),
     (Status::Given, "given", "given", "The source sets it: an input."),
     (
@@ -46,9 +52,8 @@ const VERDICTS: [(Status, &str, &str, &str); 7] = [
 #[must_use]
 pub fn render(outcomes: &[Outcome]) -> String {
     let holds = outcomes.iter().all(Outcome::holds);
-    let figures: usize = outcomes.iter().map(|outcome| outcome.figures.len()).sum();
-    let cases: usize = outcomes.iter().map(|outcome| outcome.cases).sum();
     let verdict = if holds { "Verified" } else { "Not verified" };
+    let counts = super::human::counts(outcomes);
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -61,7 +66,7 @@ pub fn render(outcomes: &[Outcome]) -> String {
             body {
                 header {
                     h1 { "Verification of epicyclic" }
-                    p.about { (verdict) ": " (figures) " figures of " (cases) " cases, from " (outcomes.len()) " sources." }
+                    p.about { (verdict) ": " (counts) "." }
                 }
                 (summary(outcomes))
                 (switches(outcomes))
@@ -202,9 +207,11 @@ fn row(figure: &Figure, has_place: bool) -> Markup {
     let evidence = figure.evidence.map(super::human::evidence_word);
     let notes: Vec<Markup> = [
         figure.failure.as_ref().map(|failure| html! { strong { (failure) } }),
+        figure.remedy.as_ref().map(|remedy| html! { "Remedy: " (remedy) "." }),
         figure.because.as_ref().map(|because| html! { (because) }),
         figure.arithmetic.as_ref().map(|arithmetic| html! { "Arithmetic: " code { (arithmetic) } }),
         figure.printed_unit.as_ref().map(|unit| html! { "The document prints the unit " (unit) "." }),
+        figure.cause.map(|cause| html! { "The tolerance is loose, for " (cause.words()) "." }),
         evidence.map(|evidence| html! { "Evidence: " (evidence) "." }),
         has_place.then(|| html! { "Place: " (figure.cite) }),
     ]

@@ -1,27 +1,29 @@
-//! Outcomes for people: what agrees, what is contradicted and why, what is lost, what does not hold.
+//! Outcomes for people: what is contradicted and why, what is lost, and last what does not hold.
 
-use crate::cases::case::Evidence;
+use crate::cases::case::{Cause, Evidence};
 use crate::cases::figure::{Figure, Kind, Status};
+use crate::cases::load::Fault;
 use crate::cases::run::Outcome;
 use std::fmt::Write;
 
 /// Width of a line.
 const WIDTH: usize = 100;
 
-/// The report of every source, with a line of totals.
+/// The report of every source, then what does not hold, then a line of totals. `shows_values` lists every comparison.
 #[must_use]
-pub fn render(outcomes: &[Outcome]) -> String {
+pub fn render(outcomes: &[Outcome], shows_values: bool) -> String {
     let mut text = String::new();
     for outcome in outcomes {
-        source(&mut text, outcome);
+        source(&mut text, outcome, shows_values);
     }
+    failures(&mut text, outcomes);
     totals(&mut text, outcomes);
     text
 }
 
-fn source(text: &mut String, outcome: &Outcome) {
+fn source(text: &mut String, outcome: &Outcome, shows_values: bool) {
     line(text, 0, &format!("{}: {}", outcome.source, outcome.title));
-    line(text, 2, &counts(std::slice::from_ref(outcome)));
+    wrapped(text, 2, &counts(std::slice::from_ref(outcome)));
     if !outcome.coverage.is_empty() {
         let covered = outcome.coverage.iter().filter(|place| place.figures > 0).count();
         line(text, 2, &format!("{covered} of {} places of the source covered", outcome.coverage.len()));
@@ -31,119 +33,147 @@ fn source(text: &mut String, outcome: &Outcome) {
             }
         }
     }
-    let of = |status: Status| outcome.figures.iter().filter(move |figure| figure.status == status);
-    let listing = |text: &mut String, heading: &str, status: Status| {
-        if of(status).next().is_some() {
+    let of = |status: Status| move |figure: &&Figure| figure.status == status;
+    let mut section = |heading: &str, is_in: &dyn Fn(&&Figure) -> bool, show: fn(&mut String, &Figure)| {
+        let mut figures = outcome.figures.iter().filter(|figure| is_in(figure)).peekable();
+        if figures.peek().is_some() {
             text.push('\n');
             line(text, 2, heading);
-            let mut by_case: Vec<(&str, Vec<String>)> = Vec::new();
-            for figure in of(status) {
-                let (case, quantity) = figure.name.split_once('/').unwrap_or((&figure.name, ""));
-                let quantity = match figure.evidence {
-                    Some(evidence) => format!("{quantity} ({})", evidence_word(evidence)),
-                    None => quantity.to_owned(),
-                };
-                match by_case.last_mut() {
-                    Some((last, quantities)) if *last == case => quantities.push(quantity),
-                    _ => by_case.push((case, vec![quantity])),
-                }
-            }
-            for (case, quantities) in by_case {
-                wrapped(text, 4, &format!("{case}: {}", quantities.join(", ")));
-            }
+            figures.for_each(|figure| show(text, figure));
         }
     };
-    listing(text, "agrees", Status::Agrees);
-    listing(text, "agrees with the restored reading; not in print", Status::Reconstructed);
-    listing(text, "given", Status::Given);
-
-    if of(Status::Contradicted).next().is_some() {
-        text.push('\n');
-        line(text, 2, "contradicted by the source's own inputs");
-        of(Status::Contradicted).for_each(|figure| compared(text, figure));
+    if shows_values {
+        section("agrees", &of(Status::Agrees), value);
+        section("agrees with the restored reading", &of(Status::Reconstructed), value);
+        section("definition, tested by itself", &of(Status::Definition), value);
+        section("given", &of(Status::Given), value);
     }
-    let misprinted = |figure: &&Figure| figure.printed_unit.is_some() && figure.status == Status::Agrees;
-    if outcome.figures.iter().any(|figure| misprinted(&figure)) {
-        text.push('\n');
-        line(text, 2, "right figure, wrong unit in print");
-        outcome.figures.iter().filter(misprinted).for_each(|figure| compared(text, figure));
-    }
-    if of(Status::Unrecoverable).next().is_some() {
-        text.push('\n');
-        line(text, 2, "unrecoverable");
-        for figure in of(Status::Unrecoverable) {
-            let legible = figure.because.as_deref().unwrap_or("nothing");
-            wrapped(text, 4, &format!("{}; legible: {legible}", figure.name));
-        }
-    }
-    if of(Status::Refused).next().is_some() {
-        text.push('\n');
-        line(text, 2, "refused, as it must be");
-        for figure in of(Status::Refused) {
-            let message = figure.because.as_deref().unwrap_or_default();
-            wrapped(text, 4, &format!("{}: {message}", figure.name));
-        }
-    }
-    if !outcome.holds() {
-        text.push('\n');
-        line(text, 2, "DOES NOT HOLD");
-        of(Status::Failed).for_each(|figure| failed(text, figure));
-        for fault in &outcome.faults {
-            let place = format!("{}:{}:{}", fault.file, fault.line, fault.column);
-            wrapped(text, 4, &format!("{place}: {} [{}]", fault.message, fault.name));
-        }
-    }
+    section("within a loose tolerance", &|figure| is_loose(figure), loose);
+    section("contradicted by the source's own inputs", &of(Status::Contradicted), compared);
+    let misprinted = |figure: &&Figure| {
+        figure.printed_unit.is_some() && matches!(figure.status, Status::Agrees | Status::Reconstructed)
+    };
+    section("right figure, wrong unit in print", &misprinted, compared);
+    section("unrecoverable", &of(Status::Unrecoverable), |text, figure| {
+        let legible = figure.because.as_deref().unwrap_or("nothing");
+        wrapped(text, 4, &format!("{}; legible: {legible}", figure.name));
+    });
+    section("refused, as it must be", &of(Status::Refused), |text, figure| {
+        let message = figure.because.as_deref().unwrap_or_default();
+        wrapped(text, 4, &format!("{}: {message}", figure.name));
+    });
     text.push('\n');
 }
 
-fn compared(text: &mut String, figure: &Figure) {
+/// Published and computed, on one line.
+fn value(text: &mut String, figure: &Figure) {
     let published = figure.published.as_deref().unwrap_or("nothing");
-    let computed = figure.computed.as_deref().unwrap_or("nothing");
     let unit = figure.printed_unit.as_ref().map(|unit| format!(" (printed in {unit})")).unwrap_or_default();
-    line(text, 4, &format!("{}: published {published}{unit}, computed {computed}", figure.name));
+    let computed =
+        figure.computed.as_ref().map(|computed| format!(", computed {computed}")).unwrap_or_default();
+    let evidence =
+        figure.evidence.map(|evidence| format!(" ({})", evidence_word(evidence))).unwrap_or_default();
+    line(text, 4, &format!("{}: published {published}{unit}{computed}{evidence}", figure.name));
+}
+
+fn compared(text: &mut String, figure: &Figure) {
+    value(text, figure);
     if let Some(because) = &figure.because {
         wrapped(text, 6, because);
     }
 }
 
-fn failed(text: &mut String, figure: &Figure) {
-    let place = format!("{}:{}:{}", figure.file, figure.line, figure.column);
-    let failure = figure.failure.as_deref().unwrap_or_default();
-    wrapped(text, 4, &format!("{place}: {}: {failure}", figure.name));
+fn is_loose(figure: &Figure) -> bool {
+    figure.cause.is_some() && figure.status != Status::Failed
+}
+
+fn loose(text: &mut String, figure: &Figure) {
+    value(text, figure);
+    let allowed = figure.tolerance.as_deref().unwrap_or_default();
+    let cause = figure.cause.map(Cause::words).unwrap_or_default();
+    let because = figure.because.as_deref().unwrap_or_default();
+    wrapped(text, 6, &format!("allowed ±{allowed}, for {cause}: {because}"));
+}
+
+/// What does not hold, of every source: the last that is read.
+fn failures(text: &mut String, outcomes: &[Outcome]) {
+    let mut section = |heading: &str, is_in: &dyn Fn(&Fault) -> bool, has_figures: bool| {
+        let mut shown = String::new();
+        for outcome in outcomes {
+            let failed =
+                outcome.figures.iter().filter(|figure| has_figures && figure.status == Status::Failed);
+            failed.for_each(|figure| failure(&mut shown, &outcome.source, figure));
+            for fault in outcome.faults.iter().filter(|fault| is_in(fault)) {
+                let place = format!("{}:{}:{}", fault.file, fault.line, fault.column);
+                wrapped(&mut shown, 2, &format!("{place}: {} [{}]", fault.message, fault.name));
+            }
+        }
+        if !shown.is_empty() {
+            line(text, 0, heading);
+            text.push_str(&shown);
+            text.push('\n');
+        }
+    };
+    section("NOT ACCEPTED YET", &Fault::is_new, false);
+    section("DOES NOT HOLD", &|fault| !fault.is_new(), true);
+}
+
+fn failure(text: &mut String, source: &str, figure: &Figure) {
+    wrapped(text, 2, &format!("{}: {}", figure.name, figure.failure.as_deref().unwrap_or_default()));
     let parts = [
-        ("published", &figure.published),
-        ("computed", &figure.computed),
-        ("difference", &figure.difference),
-        ("tolerance", &figure.tolerance),
+        ("published ", &figure.published),
+        ("computed ", &figure.computed),
+        ("allowed ±", &figure.tolerance),
+        ("difference ", &figure.difference),
     ];
     let parts: Vec<String> =
-        parts.iter().filter_map(|(name, value)| Some(format!("{name} {}", value.as_ref()?))).collect();
+        parts.iter().filter_map(|(name, value)| Some(format!("{name}{}", value.as_ref()?))).collect();
     if !parts.is_empty() {
-        line(text, 6, &parts.join(", "));
+        line(text, 4, &parts.join(", "));
+    }
+    wrapped(text, 4, &format!("place: {source}, {}", figure.cite));
+    line(text, 4, &format!("file: {}:{}:{}", figure.file, figure.line, figure.column));
+    if let Some(remedy) = &figure.remedy {
+        wrapped(text, 4, &format!("remedy: {remedy}"));
     }
 }
 
-fn counts(outcomes: &[Outcome]) -> String {
+/// Comparisons, the prints they compare, their verdicts, and the inputs that are refused.
+pub(crate) fn counts(outcomes: &[Outcome]) -> String {
+    let sum = |count: fn(&Outcome) -> usize| outcomes.iter().map(count).sum::<usize>();
     let of = |status: Status| outcomes.iter().map(|outcome| outcome.count(status)).sum::<usize>();
-    let cases: usize = outcomes.iter().map(|outcome| outcome.cases).sum();
-    let figures: usize = outcomes.iter().map(|outcome| outcome.figures.len()).sum();
     let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
-    let (figures, cases) = (many(figures, "figure"), many(cases, "case"));
-    let kinds = |status| kinds(outcomes, status);
-    let mut text = format!("{figures} of {cases}: {} agree{}", of(Status::Agrees), kinds(Status::Agrees));
-    if of(Status::Reconstructed) > 0 {
-        let _ = write!(text, ", {} reconstructed{}", of(Status::Reconstructed), kinds(Status::Reconstructed));
-    }
+    let mut text = format!(
+        "{} of {} in {}: {} agree{}",
+        many(sum(Outcome::comparisons), "comparison"),
+        many(sum(Outcome::prints), "print"),
+        many(sum(|outcome| outcome.cases), "case"),
+        of(Status::Agrees),
+        kinds(outcomes, Status::Agrees)
+    );
     for (status, word) in [
+        (Status::Reconstructed, "reconstructed"),
+        (Status::Definition, "definitions"),
         (Status::Contradicted, "contradicted"),
         (Status::Given, "given"),
         (Status::Unrecoverable, "unrecoverable"),
-        (Status::Refused, "refused as they must be"),
         (Status::Failed, "do not hold"),
     ] {
-        if of(status) > 0 {
-            let _ = write!(text, ", {} {word}", of(status));
+        match of(status) {
+            0 => {}
+            1 if status == Status::Definition => text.push_str(", 1 definition"),
+            1 if status == Status::Failed => text.push_str(", 1 does not hold"),
+            count => {
+                let _ = write!(text, ", {count} {word}");
+            }
         }
+    }
+    if of(Status::Refused) > 0 {
+        let _ = write!(text, "; {} refused as must be", many(of(Status::Refused), "input"));
+    }
+    let loose = sum(|outcome| outcome.figures.iter().filter(|figure| is_loose(figure)).count());
+    if loose > 0 {
+        let _ = write!(text, "; {} within a loose tolerance", many(loose, "comparison"));
     }
     text
 }
@@ -178,14 +208,22 @@ fn kinds(outcomes: &[Outcome], status: Status) -> String {
 }
 
 fn totals(text: &mut String, outcomes: &[Outcome]) {
-    let faults: usize = outcomes.iter().map(|outcome| outcome.faults.len()).sum();
-    let verdict = if outcomes.iter().all(Outcome::holds) { "verified" } else { "NOT VERIFIED" };
-    let faults = match faults {
-        0 => String::new(),
-        1 => ", 1 fault in the cases".to_owned(),
-        many => format!(", {many} faults in the cases"),
+    let (new, faults): (Vec<&Fault>, Vec<&Fault>) =
+        outcomes.iter().flat_map(|outcome| &outcome.faults).partition(|fault| fault.is_new());
+    let figures_hold = outcomes.iter().all(|outcome| outcome.count(Status::Failed) == 0);
+    let verdict = match (figures_hold && faults.is_empty(), new.is_empty()) {
+        (true, true) => "verified",
+        (true, false) => "NOT ACCEPTED YET",
+        (false, _) => "NOT VERIFIED",
     };
-    line(text, 0, &format!("{verdict}: {}{faults}", counts(outcomes)));
+    let many = |count: usize, one: &str, many: &str| match count {
+        0 => String::new(),
+        1 => format!("; 1 {one}"),
+        _ => format!("; {count} {many}"),
+    };
+    let new = many(new.len(), "new case to accept", "new cases to accept");
+    let faults = many(faults.len(), "fault in the cases", "faults in the cases");
+    line(text, 0, &format!("{verdict}: {}{new}{faults}", counts(outcomes)));
 }
 
 fn line(text: &mut String, indent: usize, content: &str) {
