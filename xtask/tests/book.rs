@@ -114,6 +114,26 @@ fn the_commands_of_readme_and_book_print_what_they_show() {
     assert!(check(&root.join("README.md")) >= 2);
 }
 
+/// Which crate uses insta, proptest, criterion, nalgebra or serde_yaml is said in ARCHITECTURE.md.
+#[test]
+fn the_architecture_says_where_five_crates_of_others_are_used() {
+    let root = xtask::project_root();
+    let text = fs::read_to_string(root.join("ARCHITECTURE.md")).unwrap();
+    let mut members: Vec<_> =
+        fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    members.push(root.join("xtask"));
+    for member in members {
+        let manifest = fs::read_to_string(member.join("Cargo.toml")).unwrap();
+        let name = member.file_name().unwrap().to_string_lossy().into_owned();
+        for used in ["insta", "proptest", "criterion", "nalgebra", "serde_yaml"] {
+            if manifest.lines().any(|line| line.starts_with(&format!("{used}."))) {
+                let row = text.lines().find(|line| line.starts_with(&format!("| {used} |"))).unwrap();
+                assert!(row.contains(&name), "{name} uses {used}");
+            }
+        }
+    }
+}
+
 fn book(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_xtask")).arg("book").args(arguments).output().unwrap()
 }

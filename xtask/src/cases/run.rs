@@ -415,10 +415,9 @@ fn compare_snapshot(
     };
     let (name, message) = difference?;
     if snapshots == Snapshots::Compare {
-        // A new case that fails is told by its figures; accepting comes when it holds.
-        let is_told = name == NEW && !holds;
-        let message = format!("{message} with `{ACCEPT} {}`", case.case);
-        return if is_told { None } else { fault(name, message) };
+        // A case that fails is told by its figures; accepting comes when it holds.
+        let message = format!("{}: {message} with `{ACCEPT} {}`", case.case, case.case);
+        return if holds { fault(name, message) } else { None };
     }
     let written = snapshot::write(&path, &case.calculation, found);
     written.err().and_then(|error| fault("unwritable-snapshot", format!("{}: {error}", path.display())))
