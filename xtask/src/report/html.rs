@@ -36,7 +36,7 @@ const VERDICTS: [(Status, &str, &str, &str); 8] = [
         Status::Definition,
         "definition",
         "definition",
-        "It repeats the definition of its own quantity, or an input that was solved for.",
+        "It repeats the definition of its own quantity, our copy of a table, or an input that was solved for.",
     ),
     (Status::Given, "given", "given", "The source sets it: an input."),
     (
