@@ -96,6 +96,8 @@ pub fn starting_file(calculation: &Calculation, name: &str) -> String {
   RESULT: { published: \"1.23\" }
   # Digits cut off instead of rounded:
   # RESULT: { published: \"1.23\", rounding: truncated }
+  # Further off than its digits; beyond ten half-units or 2 % with `cause`, too: constant, rounding or rough:
+  # RESULT: { published: \"1.23\", tolerance: 0.02, because: the document takes π = 3.14 }
   # A figure that does not follow from the source's own inputs:
   # RESULT:
   #   published: \"1.23\"
@@ -103,6 +105,8 @@ pub fn starting_file(calculation: &Calculation, name: &str) -> String {
   #   computed: \"2.345678\"
   #   arithmetic: 2 + 0.345678
   #   because: how the right value comes about
+  # One by a formula that the print lost (the case then says in `restored` how it was inferred):
+  # RESULT: { published: \"1.23\", verdict: reconstructed }
   # One that the source sets, and one that the copy lost:
   # RESULT: { published: \"1.23\", verdict: given }
   # RESULT: { verdict: unrecoverable, legible: the last digit }
