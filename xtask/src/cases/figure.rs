@@ -142,7 +142,8 @@ const COMPARE: &str = "compare `published` and the inputs with the source; if th
 /// Of a contradiction whose figure agrees.
 const AGREES_NOW: &str = "a formula or a case was adapted to the print: undo that, or remove the verdict";
 /// Of a `computed` that is not the result.
-const DERIVE: &str = "derive the right value again, apart from our code, and state it as `computed`";
+const DERIVE: &str = "if a formula of ours changed by mistake, undo that; else derive the right value again, apart from our code, \
+    and state it as `computed`";
 /// Of an `arithmetic` that does not give `computed`.
 const RECKON: &str = "correct `arithmetic`, or `computed` where that is wrong";
 
@@ -261,9 +262,12 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
         Err(error) => return judgement.failed(format!("`computed`: {error}"), DERIVE),
     };
     if !close(stated.si(), si) {
+        // What is missed is the stated value, not the print.
+        let right = printed.in_unit(stated.si());
+        judgement.difference = Some(with_unit(significant(value - right, 3), unit));
+        judgement.tolerance = Some(with_unit(significant(STATED * right.abs(), 3), unit));
         let found = with_unit(significant(si / stated.unit.factor, 10), stated.unit);
-        return judgement
-            .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"), DERIVE);
+        return judgement.failed(format!("`computed` differs from the result {found}"), DERIVE);
     }
     if let Some(arithmetic) = &expectation.arithmetic {
         match evaluated(arithmetic) {
