@@ -10,6 +10,33 @@
 //! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`; it is smooth but where a chamber changes over (at 0 and at half a
 //! period) and where a satellite passes a junction of the arcs. Its extremes are sought on each smooth piece, at the ends and at
 //! the zeros of `dQ/dφ` between eight places.
+//!
+//! # Pulses
+//!
+//! A chamber grows by `g(Φ) = f(Φ + 2π/n) − f(Φ)` a radian, with the period `P = 2π·(N + n)/(N·n)`: the phase by which a
+//! satellite comes from crest to crest. The `N + n` chambers stand `2π/n` of the phase apart. With `d = gcd(N, n)` this gives
+//! `p = (N + n)/d` different phases, evenly spread over `P`, each of `d` chambers. All growths sum to 0, so that the growing
+//! chambers take as much as the shrinking ones leave:
+//!
+//! ```text
+//! Q(φ) = ½·b·d·Σ |g(φ + k·P/p)|, k = 0 … p − 1
+//! ```
+//!
+//! `g` vanishes where a chamber is greatest and, half a period on, where it is least, and nowhere else, since `f` is even about
+//! crests and troughs and falls between them. There `|g|` has a kink, and `Q` a dip; between two dips it has one crest. With an
+//! even `p` a chamber is greatest while another is least: `p` dips in `P`. With an odd `p` the two kinds alternate: `2·p` dips.
+//! A growth like a sine would give, with `M` pulses in `P`,
+//!
+//! ```text
+//! δ = (π/M)·tan(π/(2·M)) ≈ π²/(2·M²)
+//! ```
+//!
+//! which is 7.8 % of 8 pulses (5×3), 5.0 % of 10 (6×4) and 1.0 % of 22 (7×4). The growth of a motor differs from a sine, and its
+//! ripple from this.
+//!
+//! By `N − n` it is `M = 2·(N + n)` with 1 and 3 lobes more, `N + n` with 2, and a third of the first with 3 where 3 divides `n`.
+//! So rotary-hydromotor's remark, that the torque fluctuates less the nearer `N/n` is to 1, holds among motors with 1 lobe more and
+//! among those with 2, and in general it does not.
 
 use crate::quantity::Quantity;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
@@ -241,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ripples_of_the_source_are_met() {
+    fn the_ripples_of_the_restored_vectors_are_met() {
         for (numbers, l, delta) in
             [((5, 3, 55, 10), 40.0, 0.0764), ((5, 3, 55, 10), 30.0, 0.0853), ((6, 4, 66, 10), 40.0, 0.0537)]
         {
@@ -249,6 +276,52 @@ mod tests {
             let motor = Motor::of_two_arcs(numbers, m(1.0), m(l)).unwrap();
             assert!((motor.ripple().delta - delta).abs() < 5e-5, "{}", motor.ripple().delta);
         }
+    }
+
+    /// A motor with 11 teeth a lobe and satellites of 10, at a part of its family.
+    fn with_lobes(stator: u32, rotor: u32, part: f64) -> Motor {
+        let numbers = crate::MotorNumbers::new(stator, rotor, 11 * stator, 10).unwrap();
+        let arcs = crate::closure::Family::new(numbers, m(1.0)).unwrap().at_part(part).unwrap();
+        Motor::of_two_arcs(numbers, m(1.0), arcs.trough_distance()).unwrap()
+    }
+
+    /// Crests of the flow over a revolution, by even samples: a second way to the number of pulses.
+    fn counted_pulses(motor: &Motor) -> u32 {
+        let numbers = motor.numbers();
+        let count = 400 * numbers.stator_lobes() * numbers.rotor_lobes();
+        // Beside the dips at 0 and its multiples, so that no two samples are the same by symmetry.
+        let flow = |i: u32| motor.flow_kernel(TAU * (f64::from(i) + 0.3) / f64::from(count)).0;
+        let flows: Vec<f64> = (0..count).map(flow).collect();
+        let at = |i: usize| flows[i % flows.len()];
+        (0..flows.len()).filter(|&i| at(i + 1) > at(i) && at(i + 1) >= at(i + 2)).count() as u32
+    }
+
+    #[test]
+    fn the_flow_has_the_pulses_of_its_lobes() {
+        for (stator, rotor, in_cycle, in_revolution) in
+            [(5, 3, 8, 15), (6, 4, 10, 24), (7, 5, 12, 35), (7, 4, 22, 56), (8, 5, 26, 80), (9, 6, 10, 36)]
+        {
+            let motor = with_lobes(stator, rotor, 0.3);
+            let numbers = motor.numbers();
+            assert_eq!(numbers.pulses_per_cycle(), in_cycle, "{stator}×{rotor}");
+            assert_eq!(numbers.pulses_per_revolution(), in_revolution, "{stator}×{rotor}");
+            assert_eq!(counted_pulses(&motor), in_revolution, "{stator}×{rotor}");
+        }
+    }
+
+    #[test]
+    fn pulses_order_the_ripple_and_the_ratio_of_lobes_does_not() {
+        let ripple = |stator, rotor| with_lobes(stator, rotor, 0.3).ripple().delta;
+        let expected = [(6, 4, 0.074), (7, 4, 0.018), (8, 5, 0.011), (9, 6, 0.068), (5, 3, 0.0805)];
+        for (stator, rotor, delta) in expected {
+            assert!(
+                (ripple(stator, rotor) - delta).abs() < 6e-4,
+                "{stator}×{rotor}: {}",
+                ripple(stator, rotor)
+            );
+        }
+        // 7/4 is farther from 1 than 6/4 and 5/3, 8/5 than 9/6.
+        assert!(ripple(7, 4) < ripple(6, 4) && ripple(7, 4) < ripple(5, 3) && ripple(8, 5) < ripple(9, 6));
     }
 
     /// Where, but for periods, a satellite passes a crest, a trough or a junction, or a chamber changes over.
@@ -298,6 +371,15 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
+
+        /// The flow by growing chambers is half of all growths without their signs.
+        #[test]
+        fn the_flow_is_half_of_what_all_chambers_change(motor in any_motor(), rotation in -9.0..9.0) {
+            let chambers = motor.chambers(angle(rotation)).unwrap();
+            let half: f64 = chambers.iter().map(|chamber| get(chamber.growth).abs()).sum::<f64>() / 2.0;
+            let flow = get(motor.flow_per_width(angle(rotation)).unwrap());
+            prop_assert!((half - flow).abs() < 1e-9 * get(motor.ripple().mean), "{half} {flow}");
+        }
 
         #[test]
         fn displacement_is_the_integral_of_the_flow(motor in any_motor(), start in -9.0..9.0_f64) {
