@@ -111,6 +111,8 @@ pub struct Numbers {
     pub common_divisor: u32,
     /// Whether the bearings of the wheels are unloaded: that divisor is above 1.
     pub bearing_reactions_vanish: bool,
+    /// Pulses of flow and torque in a revolution of the rotor.
+    pub pulses_per_revolution: u32,
     /// Module `m`.
     pub module_m: f64,
     /// Pitch radius of a satellite, `r = m·Z_s/2`.
@@ -379,6 +381,7 @@ impl Numbers {
             satellites: numbers.satellites(),
             common_divisor: numbers.common_divisor(),
             bearing_reactions_vanish: numbers.bearing_reactions_vanish(),
+            pulses_per_revolution: numbers.pulses_per_revolution(),
             module_m: si(motor.module()),
             satellite_radius_m: si(motor.satellite_radius()),
         }

@@ -118,10 +118,7 @@ fn numbers(numbers: &Numbers) -> Vec<Row> {
             count("rotor_lobes", "lobes of the rotor", "n", numbers.rotor_lobes),
             format!("{fewer} fewer: 1 to {}", numbers.most_lobe_difference),
         ),
-        remarked(
-            Row::new("lobe_ratio", "their ratio", "N/n", [Figure::Multiple(numbers.lobe_ratio)]),
-            "near 1: little ripple at the pitch points",
-        ),
+        Row::new("lobe_ratio", "their ratio", "N/n", [Figure::Multiple(numbers.lobe_ratio)]),
         count("stator_teeth", "teeth of the stator", "Z₃", numbers.stator_teeth),
         count("rotor_teeth", "teeth of the rotor", "Z₁", numbers.rotor_teeth),
         remarked(
@@ -142,6 +139,10 @@ fn numbers(numbers: &Numbers) -> Vec<Row> {
                 [Figure::YesNo(numbers.bearing_reactions_vanish)],
             ),
             "if that is above 1",
+        ),
+        remarked(
+            count("pulses_per_revolution", "pulses of flow a revolution", "", numbers.pulses_per_revolution),
+            "many: little ripple at the pitch points",
         ),
         one("module", "module", "m", Length, numbers.module_m),
         one("satellite_radius", "pitch radius of a satellite", "r", Length, numbers.satellite_radius_m),
