@@ -34,6 +34,25 @@ pub struct Arm {
     pub hole: Option<Hole>,
 }
 
+impl Arm {
+    /// Length of an arm from the hub to some way beyond the planets' centres: `L = r_w + e − R`.
+    ///
+    /// | symbol | argument | meaning | unit |
+    /// |---|---|---|---|
+    /// | `r_w` | `planet_radius` | radius of the planets' centres | m |
+    /// | `e` | `beyond` | from there to the outer end, as of [`Hole::from_outer_end`] | m |
+    /// | `R` | `hub_radius` | outside radius of the hub | m |
+    ///
+    /// Not above 0 where the hub reaches farther; [`Carrier::new`] refuses such an arm.
+    ///
+    /// # Source
+    /// excavator-dynamics, carrier: 240 + 50 − 105 = 185 mm.
+    #[must_use]
+    pub fn length_from_hub(planet_radius: Length, beyond: Length, hub_radius: Length) -> Length {
+        planet_radius + beyond - hub_radius
+    }
+}
+
 /// Ring about the gearbox axis from which the arms start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hub {

@@ -221,8 +221,8 @@ const fn printed(
 }
 
 impl PrintedSeries {
-    /// (2.11)–(2.21) and (2.33)–(2.35), in their order.
-    pub const ALL: [Self; 14] = [
+    /// (2.11)–(2.21) and (2.33)–(2.35), in their order; (2.10) for four speeds last, which (2.16) repeats with a fault.
+    pub const ALL: [Self; 15] = [
         printed("(2.11)", &[[0, 0], [0, 1]], 2, 1),
         printed("(2.12)", &[[0, -1], [0, 0]], 2, 2),
         printed("(2.13)", &[[0, 0], [1, 0], [0, 1]], 3, 1),
@@ -238,6 +238,7 @@ impl PrintedSeries {
         printed("(2.33)", &[[0, 0], [1, 0], [0, 1]], 3, 1),
         printed("(2.34)", &[[0, -1], [-1, 0], [0, 0]], 3, 3),
         printed("(2.35)", &[[-1, 0], [0, 0], [1, 0]], 3, 2),
+        printed("(2.10)", &[[0, 0], [1, 0], [2, 0], [3, 0]], 4, 1),
     ];
 
     /// The series of this number, `(2.14)`.

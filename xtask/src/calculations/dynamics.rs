@@ -148,6 +148,12 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .quantity("acceleration.planet", motion.planet)
         .quantity("acceleration.carrier", motion.carrier)
         .answer("accelerates", motion.sun.value > 0.0)
+        .answer("accelerations_have_the_signs_of_speeds", {
+            let sun = given.speed.0.value;
+            let speeds = [sun, sun * ratios.planet, sun * ratios.carrier];
+            let accelerations = [motion.sun, motion.planet, motion.carrier];
+            speeds.iter().zip(accelerations).all(|(speed, acceleration)| speed * acceleration.value > 0.0)
+        })
         .quantity("with_losses.inertia", lossy.inertia)
         .quantity("with_losses.generalized_force", lossy.force)
         .quantity("with_losses.acceleration.sun", lossy.accelerations.sun)

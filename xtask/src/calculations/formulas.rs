@@ -2,6 +2,7 @@
 //! equal as formulas or not, whatever the numbers.
 
 use super::{Refusal, Results};
+use epicyclic_formats::Number;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::Scheme;
@@ -24,6 +25,30 @@ pub(super) struct PrintedFormulaGiven {
     gives: PrintedQuantity,
     /// The formula: `(k1+1)*(k2+1)/(k1+k2+1)`.
     formula: String,
+}
+
+/// Two figures that a source prints side by side, and what it says of their quotient.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PrintedQuotientGiven {
+    /// The greater.
+    numerator: Number,
+    /// The smaller.
+    denominator: Number,
+    /// Ends of the range that the source prints.
+    range: [Number; 2],
+}
+
+pub(super) fn printed_quotient(given: &PrintedQuotientGiven) -> Result<Results, Refusal> {
+    let quotient = given.numerator.get() / given.denominator.get();
+    if !quotient.is_finite() {
+        let message = "the denominator is 0".into();
+        return Err(Refusal { name: "no-quotient".into(), message });
+    }
+    let [from, to] = given.range.map(Number::get);
+    let mut results = Results::default();
+    results.number("quotient", quotient).answer("within", (from..=to).contains(&quotient));
+    Ok(results)
 }
 
 /// A formula of named variables.

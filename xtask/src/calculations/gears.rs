@@ -31,6 +31,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
             tooth_conditions,
         ),
         Calculation::new(
+            "gears.planets_over_k",
+            "planets of sets with one sun and one module, over the ring's teeth",
+            planets_over_k,
+        ),
+        Calculation::new(
             "gears.tooth_synthesis",
             "every tooth set for a wanted ratio, the most exact first",
             tooth_synthesis,
@@ -47,6 +52,7 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "inertia of a wheel by formula (8) of excavator-dynamics, in both readings",
             wheel_inertia_by_formula_8,
         ),
+        Calculation::new("gears.carrier_arm", "length of a carrier's arm", carrier_arm),
         Calculation::new("gears.carrier", "mass, centroid and inertia of a carrier", carrier),
     ]
 }
@@ -202,6 +208,35 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
+/// Sets with the same sun, in order of their rings.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct PlanetsOverKGiven {
+    /// Teeth of the sun.
+    sun: u32,
+    /// Teeth of each ring, rising; with those of the sun even.
+    rings: Vec<u32>,
+}
+
+fn planets_over_k(given: &PlanetsOverKGiven) -> Result<Results, Refusal> {
+    let sun = ToothCount::new(given.sun)?;
+    let mut results = Results::default();
+    let (mut sizes, mut most) = (vec![], vec![]);
+    for &ring in &given.rings {
+        let planet = ToothCount::new(ring.saturating_sub(given.sun) / 2)?;
+        let k = RingToSunRatio::new(f64::from(ring) / f64::from(given.sun))?;
+        sizes.push(k.planet_to_sun());
+        most.push(TipCircle::of_planet(sun, planet, &rack(None, None)).most(0.0));
+        let (size, most) = (sizes[sizes.len() - 1], most[most.len() - 1]);
+        results.number(format!("planet_to_sun.{ring}"), size).count(format!("most_planets.{ring}"), most);
+    }
+    let falls = most.windows(2).all(|pair| pair[0] >= pair[1]) && most.first() > most.last();
+    results
+        .answer("planets_grow", sizes.windows(2).all(|pair| pair[0] < pair[1]))
+        .answer("fewer_planets_fit", falls);
+    Ok(results)
+}
+
 /// A wanted ratio and the bounds within which its tooth sets are sought.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -251,6 +286,8 @@ fn tooth_synthesis(given: &ToothSynthesisGiven) -> Result<Results, Refusal> {
         .count("ring", best.teeth.ring.get())
         .count("planets", best.teeth.planets)
         .text("exact_ratio", best.exact_ratio)
+        // Rounding of the wanted ratio aside.
+        .answer("deviates", best.ratio_error.abs() > 1e-12)
         .number("ratio_error", best.ratio_error);
     Ok(results)
 }
@@ -318,7 +355,8 @@ fn speeds(given: &SpeedsGiven) -> Result<Results, Refusal> {
     results
         .quantity("sun", speeds.sun * scale)
         .quantity("ring", speeds.ring * scale)
-        .quantity("carrier", speeds.carrier * scale);
+        .quantity("carrier", speeds.carrier * scale)
+        .answer("carrier_faster_than_sun", speeds.carrier.abs() > speeds.sun.abs());
     let planet_to_sun = match given.planet_to_sun {
         Some(ratio) => Some(ratio.get()),
         None => RingToSunRatio::new(-row.get()).ok().map(RingToSunRatio::planet_to_sun),
@@ -525,6 +563,25 @@ fn wheel_inertia_by_formula_8(given: &FormulaEightGiven) -> Result<Results, Refu
     results
         .quantity("likely_reading", by(FormulaEight::Likely)?)
         .quantity("literal_reading", by(FormulaEight::Literal)?);
+    Ok(results)
+}
+
+/// Where a carrier's arm begins and ends.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CarrierArmGiven {
+    /// Radius of the planets' centres.
+    planet_radius: Quantity<Length>,
+    /// How far it reaches beyond them.
+    beyond: Quantity<Length>,
+    /// Outer radius of the hub.
+    hub_radius: Quantity<Length>,
+}
+
+fn carrier_arm(given: &CarrierArmGiven) -> Result<Results, Refusal> {
+    let length = Arm::length_from_hub(given.planet_radius.0, given.beyond.0, given.hub_radius.0);
+    let mut results = Results::default();
+    results.quantity("length", length);
     Ok(results)
 }
 

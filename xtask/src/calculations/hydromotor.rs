@@ -1,7 +1,7 @@
 //! Calculations of hydromotors with non-circular wheels.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::Quantity;
+use epicyclic_formats::{Number, Quantity};
 use epicyclic_hydromotor::arcs::{Known, StatorArcs};
 use epicyclic_hydromotor::centrode::{CurvePoint, Wheel};
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
@@ -43,6 +43,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "hydromotor.working",
             "chambers, displacement and ripple at the pitch points",
             working,
+        ),
+        Calculation::new(
+            "hydromotor.lobes_and_ripple",
+            "pulses and ripple of motors, and whether the nearest N/n to 1 has the least ripple",
+            lobes_and_ripple,
         ),
     ]
 }
@@ -340,5 +345,37 @@ fn working(given: &MotorGiven) -> Result<Results, Refusal> {
         .number("ripple", ripple.delta)
         .quantity("least_neighbour_distance", motor.least_neighbour_distance().0)
         .quantity("outer_diameter", motor.envelope().stator_outer);
+    Ok(results)
+}
+
+/// Motors to compare, each at the same part of its family.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LobesAndRippleGiven {
+    /// Lobes and teeth of each.
+    motors: Vec<NumbersGiven>,
+    /// Module.
+    module: Quantity<Length>,
+    /// Part of the family of each, from 0 to 1.
+    part: Number,
+}
+
+fn lobes_and_ripple(given: &LobesAndRippleGiven) -> Result<Results, Refusal> {
+    let mut results = Results::default();
+    let mut compared = vec![];
+    for numbers in &given.motors {
+        let numbers = MotorNumbers::try_from(*numbers)?;
+        let arcs = Family::new(numbers, given.module.0)?.at_part(given.part.get())?;
+        let ripple = Motor::of_two_arcs(numbers, given.module.0, arcs.trough_distance())?.ripple().delta;
+        let name = format!("{}x{}", numbers.rotor_lobes(), numbers.stator_lobes());
+        results
+            .number(format!("{name}.lobe_ratio"), numbers.lobe_ratio())
+            .count(format!("{name}.pulses_per_cycle"), numbers.pulses_per_cycle())
+            .count(format!("{name}.pulses_per_revolution"), numbers.pulses_per_revolution())
+            .number(format!("{name}.ripple"), ripple);
+        compared.push((numbers.lobe_ratio(), ripple));
+    }
+    let orders = compared.iter().all(|one| compared.iter().all(|other| one.0 >= other.0 || one.1 < other.1));
+    results.answer("nearer_ratio_fluctuates_less", orders);
     Ok(results)
 }

@@ -1,6 +1,6 @@
 //! Calculations of gearboxes and of the machines they serve.
 
-use super::formulas::{GRID, evaluate, printed_formula};
+use super::formulas::{GRID, evaluate, printed_formula, printed_quotient};
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Number, Quantity};
@@ -32,6 +32,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "schemes.printed_formula",
             "whether a printed formula of a scheme equals the solver, and the catalogue, over k and η₀",
             printed_formula,
+        ),
+        Calculation::new(
+            "schemes.printed_quotient",
+            "quotient of two printed figures, and whether it lies within a printed range",
+            printed_quotient,
         ),
         Calculation::new("schemes.row_range", "the six ratios of a row over a range of k", row_range),
         Calculation::new(
@@ -94,6 +99,8 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
             results.number(format!("speed.{name}"), *speed);
         }
     }
+    let fastest = found.speeds().iter().flatten().fold(0.0_f64, |fastest, speed| fastest.max(speed.abs()));
+    results.answer("links_within_2", fastest <= 2.0);
     for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
         for (place, planet) in motion.planets.iter().enumerate() {
             let Some(planet) = planet else { continue };
@@ -128,15 +135,22 @@ struct GearRatiosGiven {
 fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
     let gearbox = given.gearbox.gearbox()?;
     let mut results = Results::default();
+    let mut slowest: Option<(&str, f64)> = None;
     for gear in gearbox.gears() {
         let (name, found) = (gear.name(), gearbox.analyze_gear(gear)?);
         results.text(format!("state.{name}"), found.state().name());
         if let Some(ratio) = found.ratio() {
+            if slowest.is_none_or(|(_, least)| ratio.abs() > least) {
+                slowest = Some((name, ratio.abs()));
+            }
             results.number(format!("ratio.{name}"), ratio).number(format!("inverse.{name}"), 1.0 / ratio);
         }
         if let Some(exact) = found.exact_ratio() {
             results.text(format!("exact.{name}"), fraction(exact));
         }
+    }
+    if let Some(slowest) = slowest {
+        results.text("slowest", slowest.0);
     }
     let of_gearbox = gearbox.warnings().iter().map(ToString::to_string);
     let teeth = gearbox.tooth_checks(&BasicRack::default()).into_iter();
@@ -369,11 +383,14 @@ fn connection_of(given: &ConnectionGiven) -> Result<Results, Refusal> {
         .number("closing_ratio", needed)
         .number("ratio2_again", connection::second_ratio(shaft, first, needed)?)
         .number("circulating_power", connection::circulating_power(shaft, first, second));
+    let mut modes = 0;
     for mode in Mode::ALL {
         if let Ok(k) = simple_set::ring_to_sun_ratio(mode, needed) {
             results.number(format!("k2.{mode}"), k.get());
+            modes += 1;
         }
     }
+    results.count("modes", modes);
     Ok(results)
 }
 
@@ -466,7 +483,7 @@ fn ratio_series(given: &RatioSeriesGiven) -> Result<Results, Refusal> {
     let speeds: Vec<Velocity> = given.speeds.iter().map(|speed| speed.0).collect();
     let printed = PrintedSeries::numbered(&given.series).ok_or_else(|| Refusal {
         name: "unknown-series".into(),
-        message: format!("no series {}: (2.11) to (2.21) and (2.33) to (2.35)", given.series),
+        message: format!("no series {}: (2.10) to (2.21) and (2.33) to (2.35)", given.series),
     })?;
     let series = RatioSeries::of_speeds(&speeds, printed.direct().min(speeds.len().max(1)))?;
     let mut results = Results::default();

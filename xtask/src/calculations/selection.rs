@@ -7,9 +7,11 @@ use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::catalogue::ThreeSpeed;
+use epicyclic_schemes::direct_drive::{direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
-use epicyclic_selection::{Candidate, Mechanism, Requirements, Selection, Space, select};
+use epicyclic_selection::size::{Rating, relative_ring_diameter};
+use epicyclic_selection::{Candidate, Limits, Mechanism, Requirements, Selection, Space, select};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;
@@ -21,6 +23,22 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "schemes.structures",
             "all two-row structures, and why a source has them",
             structures,
+        ),
+        Calculation::new("schemes.limits", "the limits by which gearboxes are judged", limits),
+        Calculation::new(
+            "schemes.size_over_k",
+            "size of a set for one torque of its carrier, over the range of k",
+            size_over_k,
+        ),
+        Calculation::new(
+            "schemes.brake_torques",
+            "brake torques of all structures for two ratios, with and without losses",
+            brake_torques,
+        ),
+        Calculation::new(
+            "schemes.direct_clutches",
+            "torque and slip of every option for the direct-drive clutch",
+            direct_clutches,
         ),
         Calculation::new("schemes.drawable", "which of the listed schemes can be drawn", drawable),
     ]
@@ -78,6 +96,8 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
         .count("accepted", found.accepted.len() as i64)
         .count("rejected", found.rejected.len() as i64)
         .count("unreachable", found.unreachable.len() as i64)
+        .count("reachable", (found.accepted.len() + found.rejected.len()) as i64)
+        .count("considered", (found.accepted.len() + found.rejected.len() + found.unreachable.len()) as i64)
         .text("best", accepted.first().map_or("none", String::as_str));
     if !given.all_structures {
         results.text("accepted_schemes", accepted.join(", "));
@@ -180,6 +200,138 @@ fn structures(given: &StructuresGiven) -> Result<Results, Refusal> {
         .count("reversed", count(&|standing| matches!(standing, Standing::Reversed { .. })))
         .count("outside_the_rule", count(&|standing| matches!(standing, Standing::OutsideRule { .. })))
         .count("drawable", drawable);
+    Ok(results)
+}
+
+/// No inputs.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LimitsGiven {}
+
+fn limits(_: &LimitsGiven) -> Result<Results, Refusal> {
+    // Of any ratios: the limits do not depend on them.
+    let requirements = Requirements::new(RatioSeries::of_braked_gears(&[2.0])?);
+    let Limits { ring_to_sun, preferred, efficiency, link_speed, planet_speed, clutch_slip, .. } =
+        requirements.limits;
+    let mut results = Results::default();
+    results
+        .number("ratio_error", requirements.tolerance)
+        .number("k.from", *ring_to_sun.start())
+        .number("k.to", *ring_to_sun.end())
+        .number("preferred_k.from", *preferred.start())
+        .number("preferred_k.to", *preferred.end())
+        .number("efficiency", efficiency)
+        .number("link_speed", link_speed)
+        .number("planet_speed", planet_speed)
+        .number("clutch_slip", clutch_slip);
+    Ok(results)
+}
+
+/// The range of `k`, and the interval in which the smallest set is said to lie.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SizeOverKGiven {
+    /// Least and greatest `k`.
+    k: [Number; 2],
+    /// Ends of the interval.
+    best: [Number; 2],
+}
+
+fn size_over_k(given: &SizeOverKGiven) -> Result<Results, Refusal> {
+    const STEPS: u32 = 870;
+    let ([low, high], [from, to]) = (given.k.map(Number::get), given.best.map(Number::get));
+    if !(low > 1.0 && low < high) {
+        return Err(Refusal {
+            name: "row-parameter-range".into(),
+            message: format!("k from {low} to {high}: above 1, the smaller first"),
+        });
+    }
+    let rating = Rating::default();
+    // The sun carries 1/(1 + k) of the carrier's torque.
+    let ring = |k: f64| relative_ring_diameter(k, 1.0 / (1.0 + k), rating.planets, &rating);
+    // The face width goes with the smaller of sun and planet.
+    let volume = |k: f64| ring(k) * ring(k) * ring(k) / k * ((k - 1.0) / 2.0).min(1.0);
+    let ks: Vec<f64> = (0..=STEPS).map(|i| low + (high - low) * f64::from(i) / f64::from(STEPS)).collect();
+    let least = |size: &dyn Fn(f64) -> f64| {
+        ks.iter().copied().min_by(|one, other| size(*one).total_cmp(&size(*other))).unwrap_or(low)
+    };
+    let (by_ring, by_volume) = (least(&ring), least(&volume));
+    let grows = |ks: &mut dyn Iterator<Item = &f64>| {
+        let sizes: Vec<f64> = ks.map(|k| ring(*k)).collect();
+        sizes.windows(2).all(|pair| pair[0] < pair[1])
+    };
+    let above = grows(&mut ks.iter().filter(|k| **k >= by_ring));
+    let below = grows(&mut ks.iter().rev().filter(|k| **k <= by_ring));
+    let mut results = Results::default();
+    results
+        .number("least_ring_at", by_ring)
+        .answer("least_ring_within", (from - 1e-9..=to + 1e-9).contains(&by_ring))
+        .answer("ring_grows_to_both_ends", above && below)
+        .number("least_volume_at", by_volume);
+    for (name, k) in [("from", from), ("to", to), ("low", low), ("high", high)] {
+        results.number(format!("ring_over_least.{name}"), ring(k) / ring(by_ring));
+        results.number(format!("volume_over_least.{name}"), volume(k) / volume(by_volume));
+    }
+    Ok(results)
+}
+
+/// Ratios of the braked gears.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct BrakedRatiosGiven {
+    /// One or two ratios.
+    ratios: Vec<Number>,
+}
+
+fn brake_torques(given: &BrakedRatiosGiven) -> Result<Results, Refusal> {
+    let ratios: Vec<f64> = given.ratios.iter().map(|ratio| ratio.get()).collect();
+    let found = select(&Requirements::new(RatioSeries::of_braked_gears(&ratios)?), &Space::All)?;
+    let candidates = || found.accepted.iter().chain(&found.rejected);
+    let mut results = Results::default();
+    results.count("gearboxes", candidates().count() as i64);
+    let (mut same_without, mut same_with) = (true, true);
+    for wanted in ratios {
+        let gears = candidates().flat_map(|candidate| &candidate.gears);
+        let gears: Vec<_> = gears.filter(|gear| (gear.ratio / wanted - 1.0).abs() < 1e-9).collect();
+        let ends = |torques: &mut dyn Iterator<Item = f64>| {
+            torques.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], torque| {
+                [least.min(torque), most.max(torque)]
+            })
+        };
+        let without = ends(&mut gears.iter().map(|gear| gear.ideal_brake_torque));
+        let with = ends(&mut gears.iter().filter_map(|gear| gear.brake_torque));
+        same_without &= without[1] - without[0] < 1e-9;
+        same_with &= with[1] - with[0] < 1e-9;
+        results
+            .number(format!("{wanted}.without_losses"), without[0])
+            .number(format!("{wanted}.least_with_losses"), with[0])
+            .number(format!("{wanted}.greatest_with_losses"), with[1]);
+    }
+    results.answer("same_without_losses", same_without).answer("same_with_losses", same_with);
+    Ok(results)
+}
+
+fn direct_clutches(given: &BrakedRatiosGiven) -> Result<Results, Refusal> {
+    let options = match *given.ratios.iter().map(|ratio| ratio.get()).collect::<Vec<_>>() {
+        [ratio] => direct_clutch_options_of_set(ratio),
+        [first, second] => direct_clutch_options([first, second]),
+        _ => {
+            let message = format!("{} ratios: one or two", given.ratios.len());
+            return Err(Refusal { name: "ratio-count".into(), message });
+        }
+    };
+    let torques = || options.iter().map(|option| option.torque.abs());
+    let mut results = Results::default();
+    for option in &options {
+        let pair = option.pair.map(Role::symbol).join(" ");
+        results.number(format!("torque.{pair}"), option.torque);
+        for (place, slip) in option.slip.iter().take(given.ratios.len()).enumerate() {
+            results.number(format!("slip.{pair}.{}", place + 1), *slip);
+        }
+    }
+    results
+        .answer("some_below_the_input", torques().any(|torque| torque < 1.0 - 1e-9))
+        .answer("some_above_the_input", torques().any(|torque| torque > 1.0 + 1e-9));
     Ok(results)
 }
 
