@@ -204,3 +204,77 @@ fn a_folder_of_other_things_is_not_replaced() {
     assert!(book(&arguments.each_ref().map(String::as_str)).status.success());
     assert!(pages.join("a.html").is_file());
 }
+
+/// What a sentence says that a document itself does: then its numbers are those of the document.
+const SAYS: [&str; 10] =
+    ["draws", "prints", "gives", "has", "calls", "says", "recommends", "sets", "names", "takes"];
+
+/// Words after which a sentence goes on with what we say against it.
+const AGAINST: [&str; 4] = [", which", " in place of ", " but ", ";"];
+
+/// The sources by what a sentence calls them at its beginning.
+fn named(sentence: &str) -> Option<&'static [&'static str]> {
+    let sources: [(&str, &[&str]); 4] = [
+        ("Excavator-dynamics ", &["excavator-dynamics"]),
+        ("Multispeed-gearboxes ", &["multispeed-gearboxes"]),
+        ("Rotary-hydromotor ", &["rotary-hydromotor"]),
+        ("The document ", &["excavator-dynamics", "multispeed-gearboxes", "rotary-hydromotor"]),
+    ];
+    sources.into_iter().find_map(|(name, sources)| {
+        let verb = sentence.strip_prefix(name)?.split([' ', ',']).next()?;
+        SAYS.contains(&verb).then_some(sources)
+    })
+}
+
+/// Numbers of a sentence, without those of its formulas, code and references.
+fn numbers(sentence: &str) -> Vec<f64> {
+    let outside =
+        |text: &str, mark: char| -> String { text.split(mark).step_by(2).collect::<Vec<_>>().join(" ") };
+    let text = outside(&outside(sentence, '`'), '$');
+    let words = text.split(|c: char| !(c.is_alphanumeric() || "().-…".contains(c)));
+    let plain = words.filter(|word| !word.contains(['(', ')', '…']));
+    plain.filter_map(|word| word.trim_end_matches('.').parse().ok()).collect()
+}
+
+#[test]
+fn what_the_book_says_that_a_document_has_stands_in_its_cases() {
+    let figures = figures();
+    let printed = |source: &str, number: f64| {
+        figures.iter().any(|figure| {
+            figure.file.contains(&format!("spec-cases/{source}/"))
+                && figure.status != Status::Reconstructed
+                && figure.published.as_ref().is_some_and(|published| numbers(published).contains(&number))
+        })
+    };
+    let mut said = 0;
+    let pages = ["", "theory", "tutorials"].map(|folder| xtask::project_root().join("docs/src").join(folder));
+    for page in pages.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
+        let page = page.unwrap().path();
+        if page.extension().is_none_or(|end| end != "md") {
+            continue;
+        }
+        let text = fs::read_to_string(&page).unwrap();
+        let paragraphs: Vec<String> = text.split("\n\n").map(|lines| lines.replace('\n', " ")).collect();
+        for sentence in paragraphs.iter().flat_map(|paragraph| paragraph.split(". ")).map(str::trim) {
+            let Some(sources) = named(sentence) else { continue };
+            said += 1;
+            // What is right in place of it is not the document's.
+            let own = AGAINST.iter().filter_map(|word| sentence.find(word)).min().unwrap_or(sentence.len());
+            for number in numbers(&sentence[..own]) {
+                let known = sources.iter().any(|source| printed(source, number));
+                assert!(known, "{}: no document prints the {number} of: {sentence}", page.display());
+            }
+        }
+    }
+    assert!(said > 5, "{said}");
+}
+
+#[test]
+fn numbers_of_a_sentence_are_those_of_its_words() {
+    assert_eq!(
+        numbers("Rotary-hydromotor draws 5 lobes and 3×5, (2) and `9`, $8$, 0.5 mm."),
+        [5.0, 3.0, 5.0, 0.5]
+    );
+    assert!(named("Rotary-hydromotor draws a motor with 55 teeth").is_some());
+    assert!(named("The document that draws").is_none());
+}

@@ -3,6 +3,7 @@
 //! A calculation is a function from a record of inputs to named results. It only translates: inputs
 //! into the domain crates' types, their results into [`Value`]s. One file a crate.
 
+mod bodies;
 mod dynamics;
 mod formulas;
 mod gears;
@@ -178,6 +179,7 @@ impl Calculation {
 #[must_use]
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
+    all.extend(bodies::calculations());
     all.extend(schemes::calculations());
     all.extend(selection::calculations());
     all.extend(dynamics::calculations());
