@@ -6,7 +6,7 @@ use super::{Breach, source::Source};
 const MOST: usize = 600;
 
 /// Longer files, and the most lines that each may have: what it had when the rule came.
-const LONGER: &[(&str, usize)] =
+const LONGER: &[(&str, usize)] = &[("xtask/src/calculations/schemes.rs", 780)];
 
 /// Files that are too long.
 #[must_use]
