@@ -40,7 +40,7 @@ pub enum Width {
     Idle,
     /// Wider than the digits.
     Wide,
-    /// Beyond [`LOOSE_HALF_UNITS`] or [`LOOSE_SHARE`].
+    /// Beyond ten half-units of the last digit, or beyond 2 %.
     Loose,
 }
 
