@@ -951,15 +951,17 @@ fn every_option_of_gearboxes_changes_the_answer() {
 
 #[test]
 fn every_option_of_machines_changes_the_answer() {
-    check(&[
-        "machine list",
-        "machine speeds",
-        "machine chain-cutter",
-        "machine drum",
-        "machine rotor",
-        "select",
-        "design",
-    ]);
+    check(&["machine list", "machine speeds", "machine chain-cutter", "machine drum", "machine rotor"]);
+}
+
+#[test]
+fn every_option_of_a_choice_changes_the_answer() {
+    check(&["select"]);
+}
+
+#[test]
+fn every_option_of_a_design_changes_the_answer() {
+    check(&["design"]);
 }
 
 #[test]
