@@ -36,9 +36,9 @@ teeth: --ratio 6 --limit 5
 teeth: --ratio 6.2 --ring-offset -3..3 --limit 5
   --aim tip-alteration
   --tip-thickness 0.7
-select: --ratios 6.17 --teeth --limit 3 --format json
+select: --ratios 6.17 --teeth --limit 3 --sun ..22 --ring ..110 --format json
   --ring-offset -3..3
-select: --ratios 6.17 --teeth --limit 3 --ring ..110 --ring-offset -1..1 --format json --planet-speed 4
+select: --ratios 6.17 --teeth --limit 3 --sun ..22 --ring ..110 --ring-offset -1..1 --format json --planet-speed 4
   --aim tip-alteration
   --tip-thickness 0.7
 synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --teeth --sun 17..60 --ring ..110 --planet-count 3 --teeth-limit 1 --limit 1 --format json
