@@ -178,7 +178,7 @@ impl<'a> Of<'a> {
             ("module", entry.module.is_some()),
             ("face_width", entry.face_width.is_some()),
             ("strength", strength.is_some()),
-            ("strength.shaper or tools.ring.shaper", strength.is_none() || shaper.is_some()),
+            ("strength.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
         Ok(Err(toothed::lacking(&known)))
@@ -334,7 +334,7 @@ impl<'a> Of<'a> {
             ("teeth", matches!(self.spec.gearing, Gearing::Teeth(..))),
             ("planet_teeth", planet.is_some()),
             ("strength", strength.is_some()),
-            ("strength.shaper or tools.ring.shaper", strength.is_none() || shaper.is_some()),
+            ("strength.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
         Ok(Err(toothed::lacking(&[&known[..], &factors].concat())))
