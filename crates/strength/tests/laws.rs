@@ -402,7 +402,7 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     let own = good.gears[0];
     refused(
         with(Gear { rim: Some(millimetres(0.0)), ..own }),
-        "rim thickness over tooth height is 0 mm; it must be finite and above 0",
+        "rim thickness of the external gear is 0 mm; it must be finite and above 0",
     );
     let soft = Material { contact_limit: Pressure::new::<megapascal>(-1.0), ..own.material };
     refused(

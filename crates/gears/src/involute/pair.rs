@@ -355,7 +355,7 @@ mod tests {
         let error = Pair::at_centre_distance(external(20, 0.0), external(30, 0.0), 23.0).unwrap_err();
         let message = error.to_string();
         assert!(
-            message.starts_with("centre distance is 23 modules; it must be above 23.4923155196477"),
+            message.starts_with("centre distance is 23 modules; it must be above 23.4923155196 modules"),
             "{message}"
         );
         let shifted = |teeth| gear(GearKind::External, teeth, -0.55, 0.0).unwrap();
