@@ -424,7 +424,7 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     let given = |given| rate(&good, &load(500.0, 1000.0, 1e4), &Method { given, ..Method::default() });
     refused(
         given(method().given.with(Symbol::Dynamic, 0.0)),
-        "factor K_v is given as 0; it must be finite and above 0",
+        "factor K_v is given as 0; it must be finite and not below 1",
     );
     refused(
         given(Given::default()),
