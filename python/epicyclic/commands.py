@@ -1230,9 +1230,9 @@ def select(
     """The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 
     The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each mechanism is
-    tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every required criterion is stated
-    with what it found. There are no weights: of the designs that meet the criteria, the order of objectives chooses
-    the first. The non-dominated designs are those that no other beats in everything.
+    tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every required criterion
+    is stated with what it found. There are no weights: of the designs that meet the criteria, the order of objectives
+    chooses the first. The non-dominated designs are those that no other beats in everything.
 
     Parameters
     ----------
