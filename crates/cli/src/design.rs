@@ -20,7 +20,6 @@ use epicyclic_answers::select::duty::{Duty, Load};
 use epicyclic_answers::strength::factors::twice;
 use epicyclic_answers::{Error, select};
 use epicyclic_formats::{Document, Number, Physical, Quantity, Span};
-use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
 use epicyclic_strength::factor::Symbol;
@@ -243,16 +242,11 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
     let requirements = requirements(speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
     let space = args.speeds.space();
     let size = args.sizes.wanted(call)?;
-    let usual = Bounds::default();
-    let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
+    let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
     let bounds = Bounds {
-        sun: options::of_wheel("--sun", args.sun, usual.sun.clone())?,
-        planet: options::of_wheel("--planet", args.planet, usual.planet.clone())?,
-        ring: options::of_wheel("--ring", args.ring, usual.ring.clone())?,
         planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),
         ring_to_sun_ratio: k,
-        tip_gap: USUAL_PLANET_GAP,
-        ..usual
+        ..options::proposed([args.sun, args.planet, args.ring])?
     };
     Ok(Wanted {
         selection: select::Wanted {

@@ -3,7 +3,9 @@
 use crate::failure::Failure;
 use epicyclic_formats::{Quantity as Given, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::synthesis::Bounds;
 use epicyclic_gears::{Error, Quantity};
 use std::ops::RangeInclusive;
 use uom::si::f64::Ratio;
@@ -47,6 +49,17 @@ pub(crate) fn of_synthesis(error: epicyclic_answers::Error) -> Failure {
         }
         error => error.into(),
     }
+}
+
+/// Bounds of the teeth of gearboxes that are proposed, by --sun, --planet and --ring: planets keep the usual gap.
+pub(crate) fn proposed([sun, planet, ring]: [Span<u32>; 3]) -> Result<Bounds, Failure> {
+    let usual = Bounds { tip_gap: USUAL_PLANET_GAP, ..Bounds::default() };
+    Ok(Bounds {
+        sun: of_wheel("--sun", sun, usual.sun)?,
+        planet: of_wheel("--planet", planet, usual.planet)?,
+        ring: of_wheel("--ring", ring, usual.ring)?,
+        ..usual
+    })
 }
 
 /// A range of tooth numbers, its open ends closed as usual; a wheel has at least one tooth.

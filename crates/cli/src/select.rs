@@ -22,7 +22,6 @@ use epicyclic_answers::select::teeth::{self, MOST_DESIGNS, Searched, SizeLimits}
 use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
@@ -434,7 +433,7 @@ fn with_teeth(
     Ok(())
 }
 
-/// The file of --save with its content; where there is no design that meets every required criterion, none, unless one of the others is asked for.
+/// The file of --save with its content. Without a design that meets every required criterion there is none, unless --nth names a design.
 fn save(
     call: &Call<'_>,
     args: &Args,
@@ -483,20 +482,13 @@ impl DutyOptions {
 }
 
 fn bounds(args: &Args) -> Result<Bounds, Failure> {
-    let usual = Bounds::default();
     let given = &args.teeth_bounds;
     let closed =
         |option, span: Span<u32>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
-    let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
-    Ok(Bounds {
-        sun: options::of_wheel("--sun", given.sun, usual.sun)?,
-        planet: options::of_wheel("--planet", given.planet, usual.planet)?,
-        ring: options::of_wheel("--ring", given.ring, usual.ring)?,
-        planets: closed("--planet-count", given.planet_count, usual.planets)?,
-        ring_to_sun_ratio: k,
-        tip_gap: USUAL_PLANET_GAP,
-        ..Bounds::default()
-    })
+    let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
+    let usual = options::proposed([given.sun, given.planet, given.ring])?;
+    let planets = closed("--planet-count", given.planet_count, usual.planets)?;
+    Ok(Bounds { planets, ring_to_sun_ratio: k, ..usual })
 }
 
 impl RatioOptions {

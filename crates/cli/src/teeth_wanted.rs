@@ -5,7 +5,6 @@ use crate::options;
 use crate::profile_shift::ShiftOptions;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_formats::Span;
-use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use std::ops::RangeInclusive;
@@ -76,18 +75,11 @@ impl TeethOptions {
         if !self.teeth {
             return Ok(None);
         }
-        let usual = Bounds::default();
+        let usual = options::proposed([self.sun, self.planet, self.ring])?;
         let planets = self.planet_count.closed(usual.planets);
+        let planets = planets.map_err(|error| Failure::Range { option: "--planet-count", error })?;
         let wanted = TeethWanted {
-            bounds: Bounds {
-                sun: options::of_wheel("--sun", self.sun, usual.sun)?,
-                planet: options::of_wheel("--planet", self.planet, usual.planet)?,
-                ring: options::of_wheel("--ring", self.ring, usual.ring)?,
-                planets: planets.map_err(|error| Failure::Range { option: "--planet-count", error })?,
-                ring_to_sun_ratio: ANY_K,
-                tip_gap: USUAL_PLANET_GAP,
-                ..Bounds::default()
-            },
+            bounds: Bounds { planets, ring_to_sun_ratio: ANY_K, ..usual },
             shifts: self.shifts.wanted(),
             alike: Alike { rings: self.equal_rings, suns: self.equal_suns, sets: self.equal_sets },
             aim: match self.teeth_aim {

@@ -2,7 +2,7 @@
 
 use crate::drive::{BoredGear, Computed, Given};
 use crate::link_name::{LinkName, Property};
-use epicyclic_gears::shown;
+use epicyclic_gears::with_unit;
 use epicyclic_train::State;
 
 /// A mechanism that cannot move as described.
@@ -36,7 +36,7 @@ pub enum Error {
         value: f64,
     },
     /// A quantity of the drive that must be finite and above 0.
-    #[error("{quantity} is {} {unit}; it must be finite and above 0", shown(*value))]
+    #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
     NotPositive {
         /// Which.
         quantity: Given,

@@ -4,7 +4,7 @@ use crate::gear_kind::GearKind;
 use crate::involute::check::Check;
 use crate::involute::fault::{ShiftFault, ToolFault};
 use crate::involute::left_out::RatioLeftOut;
-use crate::message::shown;
+use crate::message::{shown, with_unit};
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
@@ -158,7 +158,7 @@ pub enum Error {
     },
 
     /// A quantity that must be finite and above 0.
-    #[error("{quantity} is {}; it must be finite and above 0", of_unit(*value, unit))]
+    #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
     NotPositive {
         /// The quantity's name.
         quantity: Quantity,
@@ -169,7 +169,7 @@ pub enum Error {
     },
 
     /// A quantity that must be finite and not below 0.
-    #[error("{quantity} is {}; it must be finite and not below 0", of_unit(*value, unit))]
+    #[error("{quantity} is {}; it must be finite and not below 0", with_unit(*value, unit))]
     Negative {
         /// The quantity's name.
         quantity: Quantity,
@@ -180,7 +180,7 @@ pub enum Error {
     },
 
     /// A quantity outside the range that the other dimensions leave for it.
-    #[error("{quantity} is {}; it must lie between {low} and {}", of_unit(*value, unit), of_unit(*high, unit))]
+    #[error("{quantity} is {}; it must lie between {low} and {}", with_unit(*value, unit), with_unit(*high, unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: Quantity,
@@ -195,7 +195,7 @@ pub enum Error {
     },
 
     /// A quantity that must exceed another dimension.
-    #[error("{quantity} is {}; it must be above {}", of_unit(*value, unit), of_unit(*low, unit))]
+    #[error("{quantity} is {}; it must be above {}", with_unit(*value, unit), with_unit(*low, unit))]
     NotAbove {
         /// The quantity's name.
         quantity: Quantity,
@@ -479,12 +479,6 @@ fn short(value: f64) -> String {
     } else {
         value.to_string()
     }
-}
-
-/// A number with its unit, if it has one.
-fn of_unit(value: f64, unit: &str) -> String {
-    let value = shown(value);
-    if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
 }
 
 fn planets(from: u32, to: u32) -> String {

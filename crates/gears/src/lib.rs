@@ -72,6 +72,6 @@ pub mod willis;
 mod words;
 
 pub use error::Error;
-pub use message::shown;
+pub use message::{shown, with_unit};
 pub use quantity::Quantity;
 pub use teeth::ToothCount;

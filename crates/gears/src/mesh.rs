@@ -24,7 +24,7 @@ use crate::rack::BasicRack;
 use crate::teeth::ToothCount;
 use std::f64::consts::PI;
 
-/// The gap between the tip circles of neighbouring planets that searches leave, in modules: what practice leaves for pitch, runout and pins.
+/// Usual gap between the tip circles of neighbouring planets, in modules. It covers errors of pitch, runout and pins.
 pub const USUAL_PLANET_GAP: f64 = 0.5;
 
 /// A gear as its meshes see it; lengths in modules.

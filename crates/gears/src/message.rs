@@ -5,3 +5,10 @@
 pub fn shown(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
+
+/// A number for a message with its unit, if it has one.
+#[must_use]
+pub fn with_unit(value: f64, unit: &str) -> String {
+    let value = shown(value);
+    if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
+}

@@ -95,7 +95,7 @@ impl Course {
                     place: place + 1,
                     value: points[place][0],
                     before: points[place - 1][0],
-                    unit: " s",
+                    unit: "s",
                     allowed: "times ascend, and a jump has two points at its time",
                 });
             }

@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use epicyclic_gears::shown;
+use epicyclic_gears::with_unit;
 
 /// A model that cannot be built, or a motion that does not exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -33,7 +33,7 @@ pub enum Error {
         name: String,
     },
     /// Points of a table that are not in order.
-    #[error("point {place} of {field} is at {}{unit}, and the point before it at {}{unit}: {allowed}", shown(*value), shown(*before))]
+    #[error("point {place} of {field} is at {}, and the point before it at {}: {allowed}", with_unit(*value, unit), with_unit(*before, unit))]
     Order {
         /// The table.
         field: String,
@@ -43,7 +43,7 @@ pub enum Error {
         value: f64,
         /// That of the point before it, SI.
         before: f64,
-        /// Its unit, behind a space; empty of a plain number.
+        /// Unit of both; empty of plain numbers.
         unit: &'static str,
         /// What is allowed.
         allowed: &'static str,

@@ -211,7 +211,7 @@ impl Model {
                     place: place + 1,
                     value: *speed,
                     before: points[place - 1][0],
-                    unit: " rad/s",
+                    unit: "rad/s",
                     allowed: "speeds ascend",
                 });
             }
@@ -284,7 +284,7 @@ impl Model {
                     place: place + 1,
                     value: time,
                     before: program[place - 1].0,
-                    unit: " s",
+                    unit: "s",
                     allowed: "times ascend",
                 });
             }

@@ -182,7 +182,7 @@ fn speed_table(points: &[(AngularVelocity, Torque)]) -> Result<Vec<[f64; 2]>, Er
                 place: place + 1,
                 value: *speed,
                 before: points[place - 1][0],
-                unit: " rad/s",
+                unit: "rad/s",
                 allowed: "speeds ascend",
             });
         }

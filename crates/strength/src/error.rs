@@ -1,7 +1,7 @@
 //! What the crate refuses.
 
 use crate::symbol::Symbol;
-use epicyclic_gears::shown;
+use epicyclic_gears::{shown, with_unit};
 
 epicyclic_gears::words! {
     /// A quantity that an error refuses; displays as in messages, `face width`.
@@ -248,10 +248,4 @@ impl Error {
             Self::Gears(error) => error.name(),
         }
     }
-}
-
-/// A value and its unit, if it has one; without the rounding of binary fractions, 50 µm for 49.99999999999999 µm.
-fn with_unit(value: f64, unit: &str) -> String {
-    let value = shown(value);
-    if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
 }

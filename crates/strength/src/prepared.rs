@@ -126,12 +126,10 @@ impl<'a> Prepared<'a> {
         within(Quantity::LongLifeFactor, method.long_life_factor, [0.85, 1.0], "")?;
         // Grades of ISO 1328-1:1995; those of 2013 are 1 to 11.
         within(Quantity::AccuracyGrade, f64::from(method.accuracy_grade), [0.0, 12.0], "")?;
-        for gear in &mesh.gears {
+        for (gear, kind) in mesh.gears.iter().zip(mesh.pair.gears().map(|gear| gear.kind())) {
             gear.material.check()?;
             positive(Quantity::FlankRoughness, um(gear.flank_roughness), "µm")?;
             positive(Quantity::RootRoughness, um(gear.root_roughness), "µm")?;
-        }
-        for (gear, kind) in mesh.gears.iter().zip(mesh.pair.gears().map(|gear| gear.kind())) {
             let rim = match kind {
                 GearKind::External => Quantity::Rim,
                 GearKind::Internal => Quantity::RingRim,

@@ -53,7 +53,7 @@ impl Symbol {
         Self::ALL.iter().find(of).copied()
     }
 
-    /// Whether its factor, calculated, is 1 or more: a load factor beside `K_A`, which torques above the nominal one may bring below 1.
+    /// Whether its factor is at least 1, as all load factors are but `K_A`: that may be lower where the nominal torque is the greatest.
     #[must_use]
     pub const fn is_at_least_one(self) -> bool {
         matches!(

@@ -122,7 +122,7 @@ pub enum Error {
         suggestion: Option<String>,
     },
     /// A shift element that a gear names twice.
-    #[error("{place} engages `{name}` twice: each shift element stands there once")]
+    #[error("{place} engages `{name}` twice; name it once")]
     EngagedTwice {
         /// The gear.
         place: Place,

@@ -56,7 +56,7 @@ pub fn count(found: u64, shown: usize) -> String {
     }
 }
 
-/// What is said of planets nearer to each other than practice leaves them.
+/// A sentence about sets whose planets are too near to each other; empty if there are none.
 fn near(gaps: impl Iterator<Item = f64>) -> String {
     let sets = match gaps.filter(|gap| *gap < USUAL_PLANET_GAP).count() {
         0 => return String::new(),

@@ -47,10 +47,10 @@ pub enum Verdict {
     Agrees,
     /// It does not follow from the source's own inputs.
     Contradicted,
-    /// It follows from the source's inputs by a restored reading: the copy lost or garbled the formula, or the document
+    /// The figure follows from the source's inputs by a restored reading: the copy lost or garbled the formula, or the document
     /// never had it. Judged as [`Verdict::Agrees`], counted apart.
     Reconstructed,
-    /// It repeats the definition of its own quantity, our copy of a table, or an input that was solved for. Judged as
+    /// The figure repeats the definition of its own quantity, our copy of a table, or an input that was solved for. Judged as
     /// [`Verdict::Agrees`], counted apart. Needs `because`.
     Definition,
     /// The source sets it: an input, not a result.

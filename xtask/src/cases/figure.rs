@@ -18,7 +18,7 @@ pub enum Status {
     Agrees,
     /// Computed and a restored reading agree; the print is lost or garbled, or there never was one.
     Reconstructed,
-    /// A definition tested by itself.
+    /// The figure repeats a definition; the case says which.
     Definition,
     /// The source contradicts its own inputs, as the case says.
     Contradicted,
@@ -87,7 +87,7 @@ pub struct Figure {
     pub tolerance: Option<String>,
     /// Why the tolerance is loose, where it is.
     pub cause: Option<Cause>,
-    /// The first figure that compares the same print of the source; none where there is no print.
+    /// Name of the first figure that compares the same print; `None` without a print.
     pub print: Option<String>,
     /// The unit the source prints, where it is wrong.
     pub printed_unit: Option<String>,
@@ -97,7 +97,7 @@ pub struct Figure {
     pub arithmetic: Option<String>,
     /// Why the case does not hold.
     pub failure: Option<String>,
-    /// What to do about it.
+    /// The remedy for a failure.
     pub remedy: Option<String>,
 }
 
@@ -126,7 +126,7 @@ pub struct Judgement {
     pub tolerance: Option<String>,
     /// Why it does not hold.
     pub failure: Option<String>,
-    /// What to do about it.
+    /// The remedy for a failure.
     pub remedy: Option<String>,
 }
 

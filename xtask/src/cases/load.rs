@@ -301,7 +301,7 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
     faults
 }
 
-/// What is wrong with a stated tolerance. What does not read is told when the figure is judged.
+/// The fault of a stated tolerance. A tolerance that cannot be read is refused when the figure is judged.
 fn tolerance_fault(expectation: &Expectation) -> Option<(&'static str, &'static str)> {
     let width = || {
         let tolerance = expectation.tolerance.as_deref()?;
@@ -323,7 +323,7 @@ fn tolerance_fault(expectation: &Expectation) -> Option<(&'static str, &'static 
     }
 }
 
-/// What is wrong with a figure that names another one of the same print.
+/// The fault of `print_of`, which names another figure of the same print.
 fn print_fault(source: &Source, expectation: &Expectation) -> Option<(&'static str, &'static str)> {
     let (case, quantity) = expectation.print_of.as_deref()?.split_once('/').unwrap_or_default();
     let first = source.cases.iter().find(|other| other.case.case == case);

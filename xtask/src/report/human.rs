@@ -95,7 +95,7 @@ fn loose(text: &mut String, figure: &Figure) {
     wrapped(text, 6, &format!("allowed ±{allowed}, for {cause}: {because}"));
 }
 
-/// What does not hold, of every source: the last that is read.
+/// Failures of every source, at the end of the report.
 fn failures(text: &mut String, outcomes: &[Outcome]) {
     let mut section = |heading: &str, is_in: &dyn Fn(&Fault) -> bool, has_figures: bool| {
         let mut shown = String::new();

@@ -1,4 +1,4 @@
-//! What the README and the book must say of the outcomes: the counts, and every finding.
+//! Checks that README and book state the counts and every finding.
 
 use crate::cases::figure::{Figure, Kind, Status};
 use crate::cases::load::Fault;

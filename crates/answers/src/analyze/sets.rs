@@ -28,7 +28,7 @@ pub struct SetFacts {
     pub efficiency: Option<f64>,
     /// How many planets of each kind there are; `null` where the file does not say it.
     pub planets: Option<u32>,
-    /// Whether these can be assembled where they stand: at equal angles, or as the file says.
+    /// Whether the planets can be assembled at their angles, which are equal unless the file states others.
     pub assembly: Fit,
     /// Whether the tip circles of neighbours clear each other, with the profile shifts that are stated.
     pub clearance: Fit,

@@ -14,7 +14,7 @@ use epicyclic_strength::factor::Symbol;
 pub struct Basis {
     /// The key `strength` of each set.
     pub strength: Value,
-    /// The key `tools` of each set; the usual tools where there is none.
+    /// The key `tools` of each set. Without it the tools are the usual ones.
     pub tools: Option<Value>,
     /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
@@ -38,8 +38,8 @@ impl Default for Basis {
 }
 
 impl Basis {
-    /// The basis of a file: `strength` at its top, or of the first set that has it, with the `tools` beside it, and those of its keys that
-    /// a basis has; what the file does not say is as [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
+    /// The basis that a file gives: `strength` and `tools`, at its top or of the first set with `strength`, and its keys such as `life`.
+    /// The keys that it lacks are [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
     ///
     /// # Errors
     /// [`Error::Document`] for a file without `strength`.

@@ -1,4 +1,4 @@
-//! What is said where no design meets every required criterion.
+//! The error where no design meets every required criterion.
 
 use super::Args;
 use crate::failure::Failure;

@@ -380,7 +380,7 @@ impl InvoluteGear {
         self.ball_touching((self.signed_reference() + 2.0 * self.shift).abs())
     }
 
-    /// Diameters of the balls that touch the flanks at the form circle and at the tip circle: those between touch them, too.
+    /// Least and greatest diameter of a ball that touches the flanks: at the form circle and at the tip circle.
     #[must_use]
     pub fn ball_diameters(&self) -> [f64; 2] {
         [self.form_diameter(), self.tip_diameter()].map(|diameter| self.ball_touching(diameter))
