@@ -1243,7 +1243,7 @@ def select(
     all_structures
         All 111 structures of two sets (or the 6 of one), and not only the source's
     teeth
-        Tooth numbers of the one set or of both: all combinations, none left out
+        Tooth numbers of the one set or of both: all combinations
     limit
         Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table up to
         10000

@@ -1,6 +1,9 @@
 //! A planetary drive from power, speed and ratio to its starting time.
 
+mod masses;
 mod warning;
+
+pub use masses::{CarrierMass, CarrierShape, GearMass, Masses};
 
 use crate::fault::Fault as _;
 use crate::number::{maybe_si, plain, si};
@@ -65,6 +68,8 @@ pub struct ToothNumbers {
     pub planet_angles_rad: Vec<f64>,
     /// Clearance between the tips of the planets that stand nearest to each other; negative where they overlap.
     pub tip_gap_m: f64,
+    /// Basic ratio `i₀ = −z₃/z₁`, speed of the sun over speed of the ring with the carrier at rest.
+    pub basic_ratio: f64,
     /// Ratio `U`, speed of the sun over speed of the carrier.
     pub ratio: f64,
     /// The same, exactly.
@@ -119,8 +124,10 @@ pub struct Powers {
     pub input_w: f64,
     /// Rolling power: through the meshes, relative to the carrier.
     pub rolling_w: f64,
-    /// Lost in the meshes.
+    /// Lost in the meshes and in the bearings of the planets.
     pub lost_w: f64,
+    /// On the shafts of the planets as the source counts, `N₁·η₁₂·η_b`: as if the carrier stood still.
+    pub planets_w: f64,
     /// Out of the carrier, `N_H`.
     pub output_w: f64,
 }
@@ -232,40 +239,6 @@ pub struct Bearing {
     pub width_m: f64,
 }
 
-/// Masses and inertias of the parts.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Masses {
-    /// The sun.
-    pub sun: GearMass,
-    /// One planet.
-    pub planet: GearMass,
-    /// The carrier without planets.
-    pub carrier: CarrierMass,
-}
-
-/// Mass of a gear.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GearMass {
-    /// Diameter of its bore; 0 for none.
-    pub bore_m: f64,
-    /// Mass of teeth and body.
-    pub mass_kg: f64,
-    /// Inertia about its own axis.
-    pub inertia_kg_m2: f64,
-}
-
-/// Mass of the carrier.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct CarrierMass {
-    /// Its mass; null where its shape is not known.
-    pub mass_kg: Option<f64>,
-    /// Its inertia about the gearbox axis.
-    pub inertia_kg_m2: f64,
-}
-
 /// The equivalent inertia, referred to the sun's shaft, and its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -285,6 +258,18 @@ pub struct EquivalentInertia {
     /// The whole, `J_pr`.
     pub total_kg_m2: f64,
     /// Kinetic energy at the nominal speed, `T`.
+    pub kinetic_energy_j: f64,
+    /// The same by the shapes alone; null where nothing else is given of a part.
+    pub of_shapes: Option<OfShapes>,
+}
+
+/// What the shapes of the parts give in place of masses and inertias that are given.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OfShapes {
+    /// Equivalent inertia.
+    pub total_kg_m2: f64,
+    /// Kinetic energy at the nominal speed.
     pub kinetic_energy_j: f64,
 }
 
@@ -389,7 +374,7 @@ impl Drive {
     /// The design as a record.
     #[must_use]
     pub fn of(title: Option<String>, design: &DriveDesign) -> Self {
-        let DriveDesign { speeds, torques, powers, forces, shafts, masses, .. } = design;
+        let DriveDesign { speeds, torques, powers, forces, shafts, .. } = design;
         let parts = &design.equivalent_inertia;
         Self {
             title,
@@ -414,6 +399,7 @@ impl Drive {
                 input_w: si(powers.input),
                 rolling_w: si(powers.mesh),
                 lost_w: si(powers.lost),
+                planets_w: si(powers.planets),
                 output_w: si(powers.output),
             },
             gear_set: GearSet::of(&design.gear_set),
@@ -432,14 +418,7 @@ impl Drive {
                 planet_pin: Shaft::of(&shafts.planet),
                 carrier: Shaft::of(&shafts.carrier),
             },
-            masses: Masses {
-                sun: GearMass::of(&masses.sun),
-                planet: GearMass::of(&masses.planet),
-                carrier: CarrierMass {
-                    mass_kg: maybe_si(masses.carrier),
-                    inertia_kg_m2: si(masses.carrier_inertia),
-                },
-            },
+            masses: Masses::of(design),
             equivalent_inertia: EquivalentInertia {
                 sun_kg_m2: si(parts.sun),
                 motor_kg_m2: si(parts.motor),
@@ -449,6 +428,10 @@ impl Drive {
                 machine_kg_m2: si(parts.machine),
                 total_kg_m2: si(parts.total),
                 kinetic_energy_j: si(parts.kinetic_energy),
+                of_shapes: design.inertia_of_shapes.as_ref().map(|shapes| OfShapes {
+                    total_kg_m2: si(shapes.total),
+                    kinetic_energy_j: si(shapes.kinetic_energy),
+                }),
             },
             start: Starting {
                 driving_torque_n_m: si(design.driving_torque),
@@ -473,6 +456,7 @@ impl ToothNumbers {
             equal_spacing: teeth.spacing.is_equal(),
             planet_angles_rad: teeth.spacing.angles().into_iter().map(si).collect(),
             tip_gap_m: si(teeth.tip_gap),
+            basic_ratio: numbers.basic_ratio().get(),
             ratio: plain(teeth.ratio),
             exact_ratio: Fraction::of(teeth.exact_ratio),
             ratio_error: plain(teeth.ratio_error),
@@ -533,13 +517,6 @@ impl Bearing {
     }
 }
 
-impl GearMass {
-    fn of(gear: &dynamics::GearMass) -> Self {
-        let total = gear.body.total();
-        Self { bore_m: si(gear.bore), mass_kg: si(total.mass), inertia_kg_m2: si(total.polar_inertia) }
-    }
-}
-
 impl Motion {
     fn of(motion: &dynamics::Motion) -> Self {
         let (outcome, time) = match motion.start {
@@ -589,6 +566,37 @@ mod tests {
             + parts.machine_kg_m2;
         assert!((sum / parts.total_kg_m2 - 1.0).abs() < 1e-12);
         assert!(drive.warnings.iter().any(|warning| warning.name == "carrier-neglected"));
+    }
+
+    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source, against the sums written out.
+    #[test]
+    fn what_is_given_of_a_part_replaces_its_shape() {
+        let text = std::fs::read_to_string("../../examples/xe215cll-drive-as-printed.yaml").unwrap();
+        let drive = of(&text).unwrap();
+        let inertia = &drive.equivalent_inertia;
+        let due = 0.008_18 + 4.0 * 31.5 * 0.24 * 0.24 / 36.0 + 4.0 * 0.3 / 16.0 + 0.144 / 36.0;
+        assert!((inertia.total_kg_m2 / due - 1.0).abs() < 1e-12 && (due - 0.288_78).abs() < 1e-9);
+        assert!((inertia.kinetic_energy_j / (0.5 * due * 204.1 * 204.1) - 1.0).abs() < 1e-12);
+        assert!((inertia.kinetic_energy_j - 6014.8).abs() < 0.05);
+        let motion = &drive.start.without_losses;
+        assert!((motion.acceleration_sun_rad_s2 / ((521.8 - 2974.26 / 6.0) / due) - 1.0).abs() < 1e-12);
+        assert!((motion.acceleration_sun_rad_s2 - 90.35).abs() < 0.005);
+        assert!((drive.powers.planets_w / 102_271.95 - 1.0).abs() < 1e-12);
+        let shapes = inertia.of_shapes.as_ref().unwrap();
+        let by_shape = |gear: &GearMass| (gear.shape_mass_kg, gear.shape_inertia_kg_m2);
+        let (sun, (planet_kg, planet)) = (by_shape(&drive.masses.sun).1, by_shape(&drive.masses.planet));
+        let carrier = drive.masses.carrier.shape.as_ref().unwrap().inertia_kg_m2;
+        let of_shapes = sun + 4.0 * planet_kg * 0.24 * 0.24 / 36.0 + 4.0 * planet / 16.0 + carrier / 36.0;
+        assert!((shapes.total_kg_m2 / of_shapes - 1.0).abs() < 1e-12);
+        let same = drive_without("parts", &text);
+        assert_eq!(same.equivalent_inertia.of_shapes, None);
+        assert!((same.equivalent_inertia.total_kg_m2 / of_shapes - 1.0).abs() < 1e-12);
+    }
+
+    /// The drive of a file without one key of one line.
+    fn drive_without(key: &str, text: &str) -> Drive {
+        let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with(key)).collect();
+        of(&(lines.join("\n") + "\n")).unwrap()
     }
 
     #[test]

@@ -19,7 +19,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 pub struct SpeedRange {
     /// The greatest speed over the least.
     pub range: f64,
-    /// Number of speeds recommended for the range; `null` where the range is not above 1.
+    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range is not above 1.
     pub recommended: Option<u32>,
     /// Whether the source prints that number; otherwise it is this program's choice.
     pub recommendation_is_printed: Option<bool>,
@@ -40,8 +40,8 @@ impl SpeedRange {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machines {
-    /// How many of these machines are shifted in steps.
-    pub stepped: usize,
+    /// How many of these machines are bucket wheels that are shifted in steps; the source recommends numbers of speeds for no others.
+    pub stepped_bucket_wheels: usize,
     /// How many of those have the recommended number of speeds.
     pub as_recommended: usize,
     /// The machines, in the order of the tables.
@@ -62,12 +62,12 @@ pub struct Machine {
     pub range: f64,
     /// Its number of speeds; `null` where its speed is stepless.
     pub speeds: Option<u32>,
-    /// Number of speeds recommended for the range.
-    pub recommended: u32,
-    /// Whether it has that number; `null` where its speed is stepless.
+    /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
+    pub recommended: Option<u32>,
+    /// Whether it has that number; `null` where its speed is stepless, and where none is recommended.
     pub as_recommended: Option<bool>,
-    /// Whether the source prints the recommendation; otherwise it is this program's choice.
-    pub recommendation_is_printed: bool,
+    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where there is none.
+    pub recommendation_is_printed: Option<bool>,
 }
 
 impl Answer for Machines {
@@ -85,7 +85,7 @@ pub fn list(name: Option<&str>) -> Result<Machines, Error> {
     };
     let alike = || machines.iter().filter_map(|machine| machine.as_recommended);
     Ok(Machines {
-        stepped: alike().count(),
+        stepped_bucket_wheels: alike().count(),
         as_recommended: alike().filter(|alike| *alike).count(),
         machines,
     })
@@ -100,9 +100,9 @@ impl Machine {
             table: machine.table.number(),
             range: machine.speed_range,
             speeds: machine.steps,
-            recommended: recommended.speeds,
+            recommended: recommended.map(|found| found.speeds),
             as_recommended: machine.is_as_recommended(),
-            recommendation_is_printed: recommended.printed,
+            recommendation_is_printed: recommended.map(|found| found.printed),
         }
     }
 }

@@ -46,6 +46,8 @@ pub struct Wanted {
     pub speeds: Vec<Velocity>,
     /// How many of the accepted candidates are told, and how many of the rejected.
     pub most: usize,
+    /// Number of the candidate that is shown in full and saved, from 1.
+    pub nth: usize,
     /// Speed and load of the input.
     pub duty: Duty,
 }
@@ -54,7 +56,9 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
-    /// Speeds of the first candidate, asked for and reached, the slowest first; empty where none is accepted.
+    /// Number of the candidate that tables show in full; `null` where there is none of that number, or none is accepted and none was asked for.
+    pub shown_in_full: Option<u32>,
+    /// Speeds of that candidate, asked for and reached, the slowest first; empty where there is none.
     pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,
@@ -135,6 +139,14 @@ impl Answer for Select {
     const NAME: &'static str = "select";
 }
 
+impl Select {
+    /// The candidate that tables show in full.
+    #[must_use]
+    pub fn in_full(&self) -> Option<&Candidate> {
+        self.candidates.iter().find(|one| Some(one.no) == self.shown_in_full)
+    }
+}
+
 impl Unreachable {
     fn of(one: &selection::Unreachable) -> Self {
         Self {
@@ -152,15 +164,15 @@ impl Unreachable {
 /// # Errors
 /// [`Error::Selection`] of requirements that cannot be, [`Error::Duty`].
 pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
-    solve(wanted, None).map(|(answer, _)| answer)
+    solve(wanted).map(|(answer, _)| answer)
 }
 
-/// The same, with the candidate of a number, from 1, as a gearbox; none where there is no such number.
+/// The same, with the candidate that is shown in full as a gearbox.
 ///
 /// # Errors
 /// As [`answer`].
-pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved>), Error> {
-    solved(wanted, saved).map(|(answer, saved, _)| (answer, saved))
+pub fn solve(wanted: &Wanted) -> Result<(Select, Option<Saved>), Error> {
+    solved(wanted).map(|(answer, saved, _)| (answer, saved))
 }
 
 /// The same with the mechanisms of the accepted candidates, the best first, each once.
@@ -168,18 +180,24 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
 /// # Errors
 /// As [`answer`].
 pub fn with_mechanisms(wanted: &Wanted) -> Result<(Select, Vec<Mechanism>), Error> {
-    solved(wanted, None).map(|(answer, _, mechanisms)| (answer, mechanisms))
+    solved(wanted).map(|(answer, _, mechanisms)| (answer, mechanisms))
 }
 
-fn solved(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Error> {
-    let Wanted { requirements, order, space, speeds, most, duty } = wanted;
+fn solved(wanted: &Wanted) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Error> {
+    let Wanted { requirements, order, space, speeds, most, nth, duty } = wanted;
     duty.torque()?;
     let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
     let ranked = ranked(&found);
     let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
     let first = ranked.first().filter(|_| accepted > 0).map(|first| first.candidate);
     let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, &found, wanted))?;
-    let told = (0..accepted.min(*most)).chain(accepted..accepted + rejected.min(*most));
+    // A rejected one is shown only where it was asked for.
+    let in_full = nth.checked_sub(1).filter(|place| *place < ranked.len() && (accepted > 0 || *place > 0));
+    let is_told = |place: &usize| {
+        let of_its_kind = if *place < accepted { *place } else { *place - accepted };
+        of_its_kind < *most || in_full == Some(*place)
+    };
+    let told = (0..ranked.len()).filter(is_told);
     let measured = |one: &selection::Candidate| (one.mixes_directions(), one.objectives);
     let behind = |place: usize| decisive(*order, &measured(first?), &measured(ranked[place].candidate));
     let candidates: Vec<Candidate> = told
@@ -198,14 +216,14 @@ fn solved(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved
             mechanisms.push(one.candidate.mechanism);
         }
     }
-    let saved = saved
-        .and_then(|no| ranked.get(no.checked_sub(1)?))
-        .map(|one| Saved::of(one.candidate, requirements, &[], vec![]))
-        .transpose()?;
+    let saved =
+        in_full.map(|place| Saved::of(ranked[place].candidate, requirements, &[], vec![])).transpose()?;
     let asked = Asked { speeds, ratios: requirements.series.braked(), input: duty.input_speed };
-    let best = candidates.first().filter(|first| first.accepted);
+    let shown_in_full = in_full.map(|place| ranked[place].no);
+    let shown = candidates.iter().find(|one| Some(one.no) == shown_in_full);
     let answer = Select {
-        speeds: best.map(|best| asked.reached_by(&best.gears)).unwrap_or_default(),
+        shown_in_full,
+        speeds: shown.map(|shown| asked.reached_by(&shown.gears)).unwrap_or_default(),
         required: Required::of(requirements, *order, duty)?,
         accepted,
         rejected,
@@ -380,6 +398,7 @@ mod tests {
             space: Space::Catalogue,
             speeds: vec![],
             most,
+            nth: 1,
             duty: Duty::default(),
         }
     }

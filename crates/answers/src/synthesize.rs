@@ -40,6 +40,7 @@ pub use usable::LimitsOfUse;
 pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
+use crate::tooth_checks::TeethLeftOut;
 use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
@@ -84,6 +85,8 @@ pub struct Synthesis {
     pub equal_k: Option<usize>,
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
+    /// Pairs of sun and ring that are left out since a check of their teeth does not hold, of simple and of double-planet sets; empty where there are none.
+    pub teeth_left_out: Vec<TeethLeftOut>,
     /// Sets of shift elements that have all gears, and what left them out.
     pub left_out: Vec<LeftOut>,
     /// What a gearbox of use keeps; `null` where the search ended at the first class with gearboxes, whatever they are worth.
@@ -340,6 +343,7 @@ pub fn solve_by<E: From<Error>>(
     let mut answer = Synthesis {
         wanted: gears.clone(),
         tolerance: wanted.tolerance,
+        teeth_left_out: choices.as_ref().map(Choices::left_out).unwrap_or_default(),
         k_range: [*wanted.k.start(), *wanted.k.end()],
         k_range_of_double_planets: (*wanted.double_planets.end() > 0)
             .then(|| [*wanted.k_double.start(), *wanted.k_double.end()]),
@@ -556,8 +560,7 @@ impl Solution {
             greatest_deviation: gears
                 .iter()
                 .filter_map(|gear| gear.deviation)
-                .map(f64::abs)
-                .fold(0.0, f64::max),
+                .fold(0.0, |most: f64, one| most.max(one.abs())),
             gears,
             missing_gears: (0..wished.len())
                 .filter(|gear| !selection.contains(gear))
@@ -590,10 +593,7 @@ impl Edge {
     /// The end of a range at which a value is.
     fn of(value: f64, range: &RangeInclusive<f64>) -> Option<Self> {
         let near = |end: f64| (value - end).abs() <= AT_EDGE * end;
-        match (near(*range.start()), near(*range.end())) {
-            (true, _) => Some(Self::Lower),
-            (_, true) => Some(Self::Upper),
-            _ => None,
-        }
+        let ends = [(*range.start(), Self::Lower), (*range.end(), Self::Upper)];
+        ends.into_iter().find(|(end, _)| near(*end)).map(|(_, edge)| edge)
     }
 }

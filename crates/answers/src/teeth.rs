@@ -12,7 +12,7 @@ pub mod shifted;
 
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
-use crate::tooth_checks::ToothChecks;
+use crate::tooth_checks::{TeethLeftOut, ToothChecks};
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
@@ -58,6 +58,8 @@ pub struct Teeth {
     pub tolerance: f64,
     /// How many sets there are.
     pub found: u64,
+    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` where there are none.
+    pub left_out: Option<TeethLeftOut>,
     /// How many of them are told here.
     pub shown: usize,
     /// These.
@@ -121,6 +123,7 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
         mode: Motion::of(mode),
         tolerance,
         found: found.found,
+        left_out: found.left_out.as_deref().map(TeethLeftOut::of),
         shown: tooth_numbers.len(),
         tooth_checks: wanted.checks(&tooth_numbers, ToothNumbers::gearbox)?,
         tooth_numbers,

@@ -2,6 +2,7 @@
 
 use crate::Warning;
 use epicyclic_gears::involute::check::Severity as CheckSeverity;
+use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_train::tooth_checks::{SetCheck, SetChecks, Subject as CheckSubject};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -64,6 +65,26 @@ pub struct NotChecked {
     pub set: String,
     /// The keys without which they cannot be made.
     pub missing: Vec<&'static str>,
+}
+
+/// Sets of teeth that a search leaves out since a check of their teeth does not hold.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TeethLeftOut {
+    /// How many.
+    pub count: u64,
+    /// Name of the check that the first of them does not pass.
+    pub check: &'static str,
+    /// How many they are, and what the first of them misses, for people.
+    pub message: String,
+}
+
+impl TeethLeftOut {
+    /// Those of a search.
+    #[must_use]
+    pub fn of(left_out: &LeftOut) -> Self {
+        Self { count: left_out.count, check: left_out.rule.name(), message: left_out.to_string() }
+    }
 }
 
 impl From<CheckSeverity> for Severity {

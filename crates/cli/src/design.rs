@@ -254,6 +254,7 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
             order,
             space,
             speeds: speeds.of_machine(),
+            nth: 1,
             most: usize::MAX,
             duty,
         },

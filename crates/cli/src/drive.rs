@@ -30,12 +30,13 @@ Keys of the file, all but the first four optional:
   title
   ratio_tolerance
   teeth: sun, planet, ring, planets (a number or a range), spacing, tip_gap
-  mesh_efficiency: sun_planet, planet_ring
+  mesh_efficiency: sun_planet, planet_ring, planet_bearings
   shafts: allowable_stress, bearing_series,
           sun, planet, carrier: { diameter, bearing }
   carrier: inertia, or arms: { length, width, thickness,
                                hole: { radius, from_outer_end } }
                     and hub: { outside_radius, inside_radius, width }
+  parts: sun, planet, carrier: { mass, inertia }
   attached: motor, machine (inertias)
   start: driving_torque, load")]
 pub(crate) struct Args {

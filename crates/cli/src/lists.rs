@@ -1,5 +1,6 @@
 //! Options that take several values: `0.8 m/s, 3.15 m/s`.
 
+use epicyclic_formats::quantity::QuantityError;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Number, Physical, Quantity};
 use std::str::FromStr;
@@ -27,18 +28,48 @@ where
     }
 }
 
-impl<T: FromStr<Err: ToString>> FromStr for List<T> {
+/// Why a value of a list is refused.
+pub(crate) trait Refusal: ToString {
+    /// What to write in its place, where that is known.
+    fn corrected(&self) -> Option<&str> {
+        None
+    }
+}
+
+impl Refusal for QuantityError {
+    fn corrected(&self) -> Option<&str> {
+        self.corrected()
+    }
+}
+
+impl Refusal for String {}
+
+impl Refusal for epicyclic_selection::Error {}
+
+impl Refusal for epicyclic_synthesis::rank::UnknownObjective {}
+
+impl<T: FromStr<Err: Refusal>> FromStr for List<T> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let parts = parts(text);
-        let of_several = |part: &str| {
-            let close = parts.len() == 1 && text.matches(',').count() > 0;
-            let hint = if close { "; several are parted by a comma and a space" } else { "" };
-            part.parse().map_err(|error: T::Err| format!("{}{hint}", one_line(&error.to_string())))
-        };
-        parts.iter().map(|part| of_several(part)).collect::<Result<_, _>>().map(Self)
+        let values: Result<Vec<T>, T::Err> = parts.iter().map(|part| part.parse()).collect();
+        values.map(Self).map_err(|error| {
+            let error = one_line(&error.to_string()).into_owned();
+            if parts.len() > 1 {
+                let corrected: Option<Vec<String>> = parts.iter().map(|part| corrected::<T>(part)).collect();
+                let all = corrected.map(|all| format!("; all of them: '{}'", one_line(&all.join(", "))));
+                return format!("{error}{}", all.unwrap_or_default());
+            }
+            let close = text.matches(',').count() > 0;
+            format!("{error}{}", if close { "; several are parted by a comma and a space" } else { "" })
+        })
     }
+}
+
+/// A value as it is to be written; nothing where that is not known.
+fn corrected<T: FromStr<Err: Refusal>>(part: &str) -> Option<String> {
+    part.parse::<T>().map_or_else(|error| error.corrected().map(str::to_owned), |_| Some(part.to_owned()))
 }
 
 fn parts(text: &str) -> Vec<&str> {
@@ -75,6 +106,11 @@ mod tests {
     #[test]
     fn a_decimal_comma_is_still_corrected() {
         let refused = "0,8 m/s, 3,15 m/s".parse::<Quantities<Velocity>>().unwrap_err();
+        assert_eq!(refused, "0,8 m/s: decimal comma; write 0.8 m/s; all of them: '0.8 m/s, 3.15 m/s'");
+        let refused = "0,8 м/с; 3.15 m/s; 4".parse::<Quantities<Velocity>>().unwrap_err();
+        assert_eq!(refused, "0,8 м/с: decimal comma; write 0.8 m/s; all of them: '0.8 m/s, 3.15 m/s, 4 m/s'");
+        assert!("0.8 m/s, 3.15 m/s, 4 m/s".parse::<Quantities<Velocity>>().is_ok());
+        let refused = "0,8 m/s, fast".parse::<Quantities<Velocity>>().unwrap_err();
         assert_eq!(refused, "0,8 m/s: decimal comma; write 0.8 m/s");
         let refused = "1.465,2.56".parse::<Numbers>().unwrap_err();
         assert!(refused.ends_with("several are parted by a comma and a space"), "{refused}");

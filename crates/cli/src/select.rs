@@ -64,7 +64,7 @@ pub(crate) struct Args {
     #[command(flatten)]
     speeds: Speeds,
 
-    /// Tooth numbers of the one set or of both: all combinations, none left out.
+    /// Tooth numbers of the one set or of both: all combinations.
     #[arg(long)]
     teeth: bool,
 
@@ -80,8 +80,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
-    /// With --save: the design with this number in place of the best.
-    #[arg(long, value_name = "N", requires = "save", default_value = "1")]
+    /// The design that is shown in full and saved, by its number.
+    #[arg(long, value_name = "N", default_value = "1")]
     nth: usize,
 
     /// How far a ratio may be off: 10%, or 0.1.
@@ -307,14 +307,16 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     };
     let space = args.speeds.space();
     let eta0 = requirements.eta0;
-    let nth = args.save.is_some().then_some(args.nth);
-    let speeds = args.speeds.of_machine();
-    let found = select::solve(&Wanted { requirements, order, space, speeds, most, duty }, nth);
+    let (nth, speeds) = (args.nth, args.speeds.of_machine());
+    let found = select::solve(&Wanted { requirements, order, space, speeds, most, nth, duty });
     let (found, saved) = found.map_err(|error| refuse(args, error))?;
     let designs = found.accepted + found.rejected;
+    if found.shown_in_full.is_none() && args.nth != 1 {
+        return Err(no_such_design(args, designs));
+    }
     let files = save(call, args, saved, found.accepted, designs)?;
     if args.output.is_page() {
-        let best = found.candidates.first().filter(|one| one.accepted);
+        let best = found.in_full();
         let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
         let sheet = page::selection::sheet(&found, drawn.as_ref(), imprint::command(call));
         args.output.deliver_page(call, files, &found, sheet, &args.page.imprint())?;
@@ -350,9 +352,10 @@ fn with_teeth(
     order: Order,
     duty: Duty,
 ) -> Result<(), Failure> {
-    let nth = args.save.is_some().then_some(args.nth);
-    let limit = args.limit.unwrap_or(SHOWN);
-    let most = limit.max(nth.unwrap_or(0));
+    let nth = args.nth;
+    // What is not shown needs no search beyond the limit.
+    let is_needed = args.save.is_some() || nth > 1;
+    let most = args.limit.unwrap_or(SHOWN).max(if is_needed { nth } else { 0 });
     let for_programs = args.output.format() != Format::Table;
     let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
     let limits = SizeLimits {
@@ -370,7 +373,8 @@ fn with_teeth(
     let space = args.speeds.space();
     let speeds = args.speeds.of_machine();
     let of_one_set = requirements.series.braked().len() == 1;
-    let wanted = teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, speeds, duty };
+    let wanted =
+        teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, nth, speeds, duty };
     let shown = Progress::new(call);
     if of_one_set && !is_shifted {
         let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
@@ -392,7 +396,11 @@ fn with_teeth(
     });
     drop(shown);
     let found = found.map_err(|error| refuse(args, error))?;
-    let saved = nth.map(|nth| found.saved(nth)).transpose().map_err(|error| refuse(args, error))?.flatten();
+    if found.shown() > 0 && nth > found.shown() {
+        return Err(no_such_design(args, found.shown()));
+    }
+    let saved = args.save.as_ref().map(|_| found.saved(nth)).transpose();
+    let saved = saved.map_err(|error| refuse(args, error))?.flatten();
     let files = save(call, args, saved, found.shown(), found.shown())?;
     let (accepted, count) = (found.searched().accepted, found.shown());
     if for_programs {
@@ -416,7 +424,7 @@ fn with_teeth(
     } else {
         let answer = found.answer().map_err(|error| refuse(args, error))?;
         if args.output.is_page() {
-            let best = answer.designs.first().map(|design| &design.candidate);
+            let best = answer.in_full().map(|design| &design.candidate);
             let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
             let sheet = page::selection::sheet_with_teeth(&answer, drawn.as_ref(), imprint::command(call));
             args.output.deliver_page(call, files, &answer, sheet, &args.page.imprint())?;
@@ -433,6 +441,10 @@ fn with_teeth(
     Ok(())
 }
 
+fn no_such_design(args: &Args, designs: usize) -> Failure {
+    Failure::Option { option: "--nth", message: format!("{}: there are designs 1 to {designs}", args.nth) }
+}
+
 /// The file of --save with its content. Without a design that meets every required criterion there is none, unless --nth names a design.
 fn save(
     call: &Call<'_>,
@@ -446,8 +458,7 @@ fn save(
         if accepted == 0 {
             return Ok(vec![]);
         }
-        let message = format!("{}: there are designs 1 to {designs}", args.nth);
-        return Err(Failure::Option { option: "--nth", message });
+        return Err(no_such_design(args, designs));
     };
     let mut comments = vec![format!(
         "Design {} of epicyclic select: {}, with the direct-drive clutch chosen.",

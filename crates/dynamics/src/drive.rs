@@ -61,7 +61,8 @@ pub use result::{
     Powers, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
 };
 pub use spec::{
-    Bore, CarrierSpec, DriveSpec, GearSetSpec, Given, ShaftSpec, ShaftsSpec, TeethSpec, default_bounds,
+    Bore, CarrierSpec, DriveSpec, GearSetSpec, Given, KnownPart, KnownParts, ShaftSpec, ShaftsSpec,
+    TeethSpec, default_bounds,
 };
 pub use warning::Warning;
 
@@ -90,7 +91,11 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     check(spec)?;
     let wanted = Wanted { ratio: spec.ratio, tolerance: spec.ratio_tolerance };
-    let meshes = Meshes { sun_planet: spec.sun_planet_efficiency, planet_ring: spec.planet_ring_efficiency };
+    let meshes = Meshes {
+        sun_planet: spec.sun_planet_efficiency,
+        planet_bearings: spec.planet_bearing_efficiency,
+        planet_ring: spec.planet_ring_efficiency,
+    };
     let ends = Ends { motor: spec.motor_inertia, machine: spec.machine_inertia };
     let mut warnings = Vec::new();
 
@@ -100,12 +105,18 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
         loads::carried(spec.power, spec.speed, meshes, &set, &teeth)?;
     let shafts = shafts::shafts(&spec.shafts, &torques, &mut warnings)?;
     let series = spec.shafts.bearing_series;
-    let masses =
+    let of_shapes =
         bodies::masses(&spec.gear_set, &spec.carrier, series, planets, &geometry, &shafts, &mut warnings)?;
+    let masses = of_shapes.with(&spec.known);
     let forces = forces::forces(meshes, planets, &geometry, &torques, speeds.carrier, &masses.planet)?;
 
-    let drive = bodies::planetary_drive(set, geometry.centre_distance, &masses, ends);
-    let equivalent_inertia = motion::equivalent_inertia(&drive, &masses, ends, spec.speed)?;
+    let turning = |masses: &Masses| -> Result<_, Error> {
+        let drive = bodies::planetary_drive(set, geometry.centre_distance, masses, ends);
+        let inertia = motion::equivalent_inertia(&drive, masses, ends, spec.speed)?;
+        Ok((drive, inertia))
+    };
+    let (drive, equivalent_inertia) = turning(&masses)?;
+    let inertia_of_shapes = if masses == of_shapes { None } else { Some(turning(&of_shapes)?.1) };
     let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
     let load = spec.load.unwrap_or(torques.carrier);
     let start = Starting { speed: spec.speed, driving: driving_torque, load };
@@ -124,6 +135,7 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
         shafts,
         masses,
         equivalent_inertia,
+        inertia_of_shapes,
         driving_torque,
         load,
         warnings,

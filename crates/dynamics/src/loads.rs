@@ -43,6 +43,13 @@ pub fn planet_torque(sun: Torque, sun_planet: MeshEfficiency, planet_to_sun: f64
     sun * sun_planet.get() * planet_to_sun
 }
 
+/// Power on the shafts of all planets as the source counts, `N_2 = N_1·η_12·η_b`: as if the carrier stood still, so that all of the power passed through the
+/// planets. On a turning carrier the rolling power does.
+#[must_use]
+pub fn planet_power(input: Power, sun_planet: MeshEfficiency, bearings: MeshEfficiency) -> Power {
+    input * MeshEfficiency::of_meshes(&[sun_planet, bearings]).get()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -56,6 +63,8 @@ mod tests {
         assert!((n_m(carrier_torque(torque(521.8), 6.0, 0.95)) - 2974.26).abs() < 1e-9);
         let eta = MeshEfficiency::new(0.97).unwrap();
         assert!((n_m(planet_torque(torque(521.8), eta, 2.0)) - 1012.292).abs() < 1e-9);
+        let bearings = MeshEfficiency::new(0.99).unwrap();
+        assert!((watts(planet_power(power(106.5e3), eta, bearings)) - 102_271.95).abs() < 1e-6);
     }
 
     #[test]

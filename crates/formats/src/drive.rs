@@ -15,7 +15,7 @@ use epicyclic_gears::synthesis::Placement;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{
-    Angle, AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
+    Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
 };
 
 use crate::{Document, Error, FileKind, Number, Path, Problem, Quantity, Span};
@@ -53,6 +53,8 @@ pub struct DriveFile {
     pub shafts: Option<ShaftsFile>,
     /// The carrier. Default: taken as massless, with a warning.
     pub carrier: Option<CarrierFile>,
+    /// Masses and inertias that are known of single parts. Default: those of the shapes.
+    pub parts: Option<PartsFile>,
     /// Inertias attached to the drive.
     pub attached: Option<AttachedFile>,
     /// Torques while the drive starts.
@@ -111,6 +113,30 @@ pub struct MeshEfficiencyFile {
     pub sun_planet: Option<Quantity<Ratio>>,
     /// Of planet and ring. Default 0.98.
     pub planet_ring: Option<Quantity<Ratio>>,
+    /// Of the bearings of a planet on its pin. Default 1: nothing lost in them.
+    pub planet_bearings: Option<Quantity<Ratio>>,
+}
+
+/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the shapes.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartsFile {
+    /// Of the sun.
+    pub sun: Option<PartFile>,
+    /// Of one planet.
+    pub planet: Option<PartFile>,
+    /// Of the carrier without planets.
+    pub carrier: Option<PartFile>,
+}
+
+/// What is known of a part.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartFile {
+    /// Its mass. Default: that of its shape.
+    pub mass: Option<Quantity<Mass>>,
+    /// Its inertia about its own axis, of the carrier about that of the gearbox. Default: that of its shape.
+    pub inertia: Option<Quantity<MomentOfInertia>>,
 }
 
 /// Module, width and material of the gears.

@@ -5,11 +5,13 @@
 
 use std::f64::consts::PI;
 
-use uom::si::f64::{Length, MassDensity, MomentOfInertia};
+use uom::si::f64::{Area, Length, MassDensity, MomentOfInertia};
 
 use crate::mass::{self, MassProperties};
 use crate::quantity::Counted;
-use crate::units::{inertia, kilograms, length, length_from_to, metres, positive_density, positive_length};
+use crate::units::{
+    area, inertia, kilograms, length, length_from_to, metres, positive_density, positive_length,
+};
 use crate::{Error, Quantity};
 
 /// Round hole through an arm, on its centre line.
@@ -84,7 +86,7 @@ pub struct Hub {
 /// # Example
 /// ```
 /// use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
-/// use uom::si::f64::{Length, MassDensity};
+/// use uom::si::f64::{Area, Length, MassDensity};
 /// use uom::si::length::millimeter;
 /// use uom::si::mass_density::kilogram_per_cubic_meter;
 /// use uom::si::moment_of_inertia::kilogram_square_meter;
@@ -194,6 +196,13 @@ impl Carrier {
     #[must_use]
     pub fn total(&self) -> MassProperties {
         self.arms() + self.hub
+    }
+
+    /// Area of an arm without its hole, and that of the hole.
+    #[must_use]
+    pub fn arm_areas(&self) -> [Area; 2] {
+        let (plate, hole) = self.plate_and_hole();
+        [area(plate.area), area(hole.area)]
     }
 
     /// Distance `x_s` of an arm's centroid from its outer end.

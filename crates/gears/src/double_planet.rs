@@ -50,12 +50,15 @@
 //! None of the documents: derived here. The tests place every gear by coordinates and turn every tooth.
 
 use crate::Error;
+use crate::involute::check::Check;
+use crate::involute::left_out::LeftOut;
+use crate::involute::plain::DoublePlanetMeshes;
 use crate::mesh::{Gear, Mesh, TipCircle};
 use crate::mode::Mode;
 use crate::rack::BasicRack;
 use crate::simple_set::{BasicRatio, Fraction};
 use crate::spacing::PlanetSpacing;
-use crate::synthesis::{Bounds, Placement, Search};
+use crate::synthesis::{Bounds, Placement, Ranked, Search};
 use crate::teeth::ToothCount;
 use crate::tolerance::TOUCH;
 use crate::units::radians;
@@ -90,10 +93,10 @@ pub struct DoublePlanetNumbers {
     pub pairs: u32,
 }
 
-/// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
 /// Rings of one sun after which whoever watches a search is asked.
 const RINGS: u32 = 64;
 
+/// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
 impl fmt::Display for DoublePlanetNumbers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}+{}/{} ×{}", self.sun, self.inner, self.outer, self.ring, self.pairs)
@@ -171,7 +174,7 @@ impl DoublePlanetNumbers {
     /// use epicyclic_gears::synthesis::Bounds;
     /// # fn main() -> Result<(), epicyclic_gears::Error> {
     /// let bounds = Bounds { sun: 30..=30, ring: 80..=80, ..Bounds::default() };
-    /// let set = bounds.double_planet_choices()?[0];
+    /// let set = bounds.double_planet_choices()?.0[0];
     /// // From the ring to the sun with the carrier at rest, and from the sun to the carrier.
     /// assert_eq!(set.exact_ratio(Mode::new(Member::Ring, Member::Sun)?), Fraction::new(3, 8));
     /// assert_eq!(set.exact_ratio(Mode::SUN_TO_CARRIER), Fraction::new(-5, 3));
@@ -223,7 +226,8 @@ pub struct DoublePlanetCandidate {
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs fit this sun and ring within the bounds, this one among them.
+    /// How many choices of both planets and of the number of pairs close, assemble and clear each other between this sun and ring within the bounds, this
+    /// one among them; their teeth are not checked.
     pub choices: u64,
     /// Whether a rack would undercut the sun.
     pub undercut_sun: bool,
@@ -233,15 +237,6 @@ pub struct DoublePlanetCandidate {
     pub undercut_outer: bool,
     /// Where the pairs sit.
     pub spacing: PlanetSpacing,
-}
-
-/// The double-planet sets for a ratio: how many pairs of sun and ring, and the first of them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RankedDoublePlanets {
-    /// How many there are.
-    pub found: u64,
-    /// The first, the most exact before the others.
-    pub first: Vec<DoublePlanetCandidate>,
 }
 
 /// The smallest angle between neighbouring pairs.
@@ -255,6 +250,9 @@ impl Angle {
         Self { whole_rad: radians(spacing.smallest_gap()), half_sine: spacing.half_gap_sine() }
     }
 }
+
+/// A set, and the check that its teeth do not pass.
+type Missed = (DoublePlanetNumbers, Check<&'static str>);
 
 /// Sun, ring and number of pairs at the angles where they assemble, and the bounds of their planets.
 struct Frame<'a> {
@@ -317,15 +315,19 @@ impl<'a> Frame<'a> {
         planets.map(of_inner).sum()
     }
 
-    /// The planets that [`Bounds::double_planet_choices`] prefers.
-    fn best(&self) -> Option<DoublePlanetNumbers> {
+    /// All planets that fit, those that [`Bounds::double_planet_choices`] prefers before the others.
+    fn by_preference(&self) -> impl Iterator<Item = DoublePlanetNumbers> + '_ {
         let planets = self.planets();
         let (least, most) = (*planets.start(), *planets.end());
-        planets.rev().find_map(|smaller| {
-            // If this does not fit, none with more teeth does.
-            let larger = smaller.max(self.together().saturating_sub(smaller)).max(least);
-            let within = larger <= most;
-            within.then(|| self.with(smaller, larger).or_else(|| self.with(larger, smaller))).flatten()
+        planets.rev().flat_map(move |smaller| {
+            let from = smaller.max(self.together().saturating_sub(smaller)).max(least);
+            let alike = move |larger: u32| {
+                let outside = self.with(smaller, larger);
+                let inside = (larger != smaller).then(|| self.with(larger, smaller)).flatten();
+                // Beyond the first larger planet that fits on neither side none does.
+                (outside.is_some() || inside.is_some()).then_some([outside, inside])
+            };
+            (from..=most).map_while(alike).flatten().flatten()
         })
     }
 }
@@ -357,23 +359,29 @@ impl Bounds {
 
     /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since the ratio does not depend on
     /// them: the most pairs; of those the most teeth on the smaller planet, so that the planets turn as slowly as they can; of those
-    /// the fewest on the larger; of two such the larger outside.
+    /// the fewest on the larger; of two such the larger outside; and of these the first whose teeth can be cut and turned together. Pairs of sun and ring without such planets are left out, and counted.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
-    /// assert_eq!(Bounds::default().double_planet_choices()?.len(), 7566);
+    /// let (sets, left_out) = Bounds::default().double_planet_choices()?;
+    /// assert_eq!((sets.len(), left_out), (7566, None));
     /// # Ok::<(), epicyclic_gears::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers).
-    pub fn double_planet_choices(&self) -> Result<Vec<DoublePlanetNumbers>, Error> {
-        let mut found = Vec::new();
+    pub fn double_planet_choices(&self) -> Result<(Vec<DoublePlanetNumbers>, Option<Box<LeftOut>>), Error> {
+        let (mut found, mut left_out) = (Vec::new(), None);
+        let mut meshes = DoublePlanetMeshes::new(&self.rack);
         self.each_sun_and_ring(|sun, ring| {
-            found.extend(self.best_planets(sun, ring));
+            match self.best_planets(sun, ring, &mut meshes)? {
+                Ok(set) => found.push(set),
+                Err(Some((set, check))) => LeftOut::add(&mut left_out, || set.to_string(), &check),
+                Err(None) => {}
+            }
             Ok(())
         })?;
-        Ok(found)
+        Ok((found, left_out))
     }
 
     /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first `most` of them, each with the
@@ -398,7 +406,7 @@ impl Bounds {
         tolerance: f64,
         most: usize,
         mut done: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<RankedDoublePlanets, Error> {
+    ) -> Result<Ranked<DoublePlanetCandidate>, Error> {
         self.check()?;
         let mut search = Search::new(wanted, tolerance)?;
         let order = |one: &(f64, DoublePlanetNumbers), other: &(f64, DoublePlanetNumbers)| {
@@ -406,7 +414,8 @@ impl Bounds {
             one.0.abs().total_cmp(&other.0.abs()).then_with(|| key(one).cmp(&key(other)))
         };
         let mut held: Vec<(f64, DoublePlanetNumbers)> = Vec::new();
-        let mut found = 0;
+        let (mut found, mut left_out) = (0, None);
+        let mut meshes = DoublePlanetMeshes::new(&self.rack);
         let suns = f64::from(self.sun.end() - self.sun.start()) + 1.0;
         let mut last = 0;
         self.each_sun_and_ring(|sun, ring| {
@@ -421,7 +430,14 @@ impl Bounds {
             if !search.is_near(ratio) && !search.is_nearer(ratio) {
                 return Ok(());
             }
-            let Some(set) = self.best_planets(sun, ring) else { return Ok(()) };
+            let set = match self.best_planets(sun, ring, &mut meshes)? {
+                Ok(set) => set,
+                Err(Some((set, check))) if search.is_near(ratio) => {
+                    LeftOut::add(&mut left_out, || set.to_string(), &check);
+                    return Ok(());
+                }
+                Err(_) => return Ok(()),
+            };
             if let Some(error) = search.take(ratio) {
                 found += 1;
                 held.push((error, set));
@@ -434,7 +450,13 @@ impl Bounds {
         })?;
         let _ = done(1.0);
         if found == 0 {
-            return Err(Error::NoDoublePlanetSet { wanted, mode, tolerance, nearest: search.nearest() });
+            return Err(Error::NoDoublePlanetSet {
+                wanted,
+                mode,
+                tolerance,
+                nearest: search.nearest(),
+                left_out,
+            });
         }
         held.sort_by(order);
         held.truncate(most);
@@ -451,13 +473,26 @@ impl Bounds {
                 spacing: teeth.spacing()?,
             })
         };
-        Ok(RankedDoublePlanets { found, first: held.into_iter().filter_map(candidate).collect() })
+        Ok(Ranked { found, left_out, first: held.into_iter().filter_map(candidate).collect() })
     }
 
-    /// The planets that are chosen for a sun and a ring.
-    fn best_planets(&self, sun: ToothCount, ring: ToothCount) -> Option<DoublePlanetNumbers> {
-        let mut frames = self.planets.clone().rev().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
-        frames.find_map(|frame| frame.best())
+    /// The planets that are chosen for a sun and a ring; in place of them the first that fit, and the check that their teeth do not pass.
+    fn best_planets(
+        &self,
+        sun: ToothCount,
+        ring: ToothCount,
+        meshes: &mut DoublePlanetMeshes,
+    ) -> Result<Result<DoublePlanetNumbers, Option<Missed>>, Error> {
+        let mut first = None;
+        for frame in self.planets.clone().rev().filter_map(|pairs| Frame::new(self, sun, ring, pairs)) {
+            for set in frame.by_preference() {
+                match meshes.miss([set.sun, set.inner, set.outer, set.ring])? {
+                    None => return Ok(Ok(set)),
+                    Some(check) => first = first.or(Some((set, check))),
+                }
+            }
+        }
+        Ok(Err(first))
     }
 
     /// How many choices of planets and of pairs fit a sun and a ring.

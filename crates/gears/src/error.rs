@@ -3,7 +3,7 @@
 use crate::gear_kind::GearKind;
 use crate::involute::check::Check;
 use crate::involute::fault::{ShiftFault, ToolFault};
-use crate::involute::left_out::RatioLeftOut;
+use crate::involute::left_out::LeftOut;
 use crate::message::{shown, with_unit};
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
@@ -104,7 +104,7 @@ pub enum Error {
         "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}{}",
         short(*wanted),
         (tolerance * 1e8).round() / 1e6,
-        left_out.as_ref().map(|left_out| format!("; {left_out}")).unwrap_or_default(),
+        left_out.as_ref().map(|left_out| format!("; of this ratio {left_out}")).unwrap_or_default(),
         nearest.map_or_else(|| if left_out.is_some() { String::new() } else { String::from("; none assembles at all: widen the bounds") },
             |ratio| if ratio * wanted < 0.0 {
                 String::from("; this mode has the other sign: a negative ratio needs the carrier at rest (ab^H), a positive one the carrier turning (aH^b)")
@@ -122,14 +122,15 @@ pub enum Error {
         /// The nearest ratio within the bounds, where there is any set of tooth numbers.
         nearest: Option<f64>,
         /// The sets of this ratio that a check leaves out.
-        left_out: Option<Box<RatioLeftOut>>,
+        left_out: Option<Box<LeftOut>>,
     },
     /// A ratio that no double-planet set within the bounds reaches.
     #[error(
-        "no double-planet set within the bounds has the ratio {} ({mode}) within {}%{}",
+        "no double-planet set within the bounds has the ratio {} ({mode}) within {}%{}{}",
         short(*wanted),
         (tolerance * 1e8).round() / 1e6,
-        nearest.map_or(String::from("; none assembles at all: widen the bounds"),
+        left_out.as_ref().map(|left_out| format!("; of this ratio {left_out}")).unwrap_or_default(),
+        nearest.map_or_else(|| if left_out.is_some() { String::new() } else { String::from("; none assembles at all: widen the bounds") },
             |ratio| if ratio * wanted < 0.0 {
                 String::from("; this mode has the other sign: with the ring at rest (aH^b) the ratio is negative, with the carrier or the sun at rest (ab^H, bH^a) positive")
             } else {
@@ -145,6 +146,8 @@ pub enum Error {
         tolerance: f64,
         /// The nearest ratio that was met, where there is any set of tooth numbers.
         nearest: Option<f64>,
+        /// The pairs of sun and ring of this ratio whose planets a check leaves out.
+        left_out: Option<Box<LeftOut>>,
     },
     /// A count below its least value.
     #[error("{count} {what}: at least {at_least} needed")]

@@ -22,7 +22,7 @@
 //! and the factor is an integer that shares no divisor with `N`.
 
 use crate::involute::check::Check;
-use crate::involute::left_out::RatioLeftOut;
+use crate::involute::left_out::LeftOut;
 use crate::involute::plain;
 use crate::mesh::{TipCircle, coaxial_ring};
 use crate::quantity::SimpleGear;
@@ -222,6 +222,28 @@ impl Bounds {
         })
     }
 
+    /// Whether its gears without profile shift can be cut and turned together; where they cannot, it is counted among those left out.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// let bounds = Bounds { sun: 8..=20, planet: 7..=16, ring: 24..=52, ..Bounds::default() };
+    /// let mut left_out = None;
+    /// let mut sets = bounds.tooth_numbers()?;
+    /// sets.retain(|set| bounds.can_turn(set, &mut left_out).unwrap_or(false));
+    /// assert!(!sets.is_empty() && left_out.is_some());
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`plain::miss`].
+    pub fn can_turn(&self, set: &ToothNumbers, left_out: &mut Option<Box<LeftOut>>) -> Result<bool, Error> {
+        let miss = plain::miss([set.sun, set.planet, set.ring], &self.rack)?;
+        if let Some(check) = &miss {
+            LeftOut::add(left_out, || set.to_string(), check);
+        }
+        Ok(miss.is_none())
+    }
+
     /// The planets that a sun leaves, by the ranges of ring and `k`.
     pub(crate) fn planets_of(&self, sun: u32) -> RangeInclusive<u32> {
         let z_a = f64::from(sun);
@@ -328,7 +350,7 @@ impl Bounds {
             one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
         };
         let mut held: Vec<Near> = Vec::new();
-        let found = self.each_for_ratio(wanted, mode, tolerance, done, |near| {
+        let (found, left_out) = self.each_for_ratio(wanted, mode, tolerance, done, |near| {
             held.push(near);
             if held.len() >= most.saturating_mul(2) {
                 held.select_nth_unstable_by(most, order);
@@ -337,10 +359,14 @@ impl Bounds {
         })?;
         held.sort_by(order);
         held.truncate(most);
-        Ok(Ranked { found, first: held.into_iter().map(|near| self.candidate(near, mode)).collect() })
+        Ok(Ranked {
+            found,
+            left_out,
+            first: held.into_iter().map(|near| self.candidate(near, mode)).collect(),
+        })
     }
 
-    /// Each set of tooth numbers for a ratio in turn, in no order that matters, and how many there were; nothing is held. `done` as
+    /// Each set of tooth numbers for a ratio in turn, in no order that matters, how many there were, and those that a check of their teeth leaves out; nothing is held. `done` as
     /// in [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
@@ -352,7 +378,7 @@ impl Bounds {
         tolerance: f64,
         done: impl FnMut(f64) -> ControlFlow<()>,
         mut each: impl FnMut(Near),
-    ) -> Result<u64, Error> {
+    ) -> Result<(u64, Option<Box<LeftOut>>), Error> {
         let mut search = Search::new(wanted, tolerance)?;
         let (mut found, mut left_out) = (0, None);
         // The same gears come with several numbers of planets.
@@ -370,7 +396,7 @@ impl Bounds {
             last = Some((gears, miss));
             if let Some(check) = miss {
                 if search.is_near(ratio) {
-                    RatioLeftOut::add(&mut left_out, gears.map(ToothCount::get), check);
+                    LeftOut::add(&mut left_out, || teeth.to_string(), &check);
                 }
             } else if let Some(ratio_error) = search.take(ratio) {
                 found += 1;
@@ -382,7 +408,7 @@ impl Bounds {
             let nearest = search.nearest();
             return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out });
         }
-        Ok(found)
+        Ok((found, left_out))
     }
 
     /// How many combinations of sun, planet and number of planets are gone through, before their clearances and assembly are looked
@@ -485,13 +511,15 @@ pub struct Near {
     pub ratio_error: f64,
 }
 
-/// The sets of tooth numbers for a ratio: how many, and the first of them.
+/// The sets of tooth numbers for a ratio, of double-planet sets the pairs of sun and ring: how many, and the first of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ranked {
+pub struct Ranked<Set = Candidate> {
     /// How many there are.
     pub found: u64,
     /// The first, the most exact before the others.
-    pub first: Vec<Candidate>,
+    pub first: Vec<Set>,
+    /// Those of this ratio that a check of their teeth leaves out.
+    pub left_out: Option<Box<LeftOut>>,
 }
 
 /// A set of tooth numbers that meets a wanted ratio, and what there is to know of it.

@@ -6,8 +6,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
+use uom::si::area::square_meter;
 use uom::si::f64::{
-    Angle, AngularVelocity, Force, Length, Mass, MassDensity, MomentOfInertia, Pressure, Time, Torque, Volume,
+    Angle, AngularVelocity, Area, Force, Length, Mass, MassDensity, MomentOfInertia, Pressure, Time, Torque,
+    Volume,
 };
 use uom::si::force::newton;
 use uom::si::length::{meter, millimeter};
@@ -56,6 +58,11 @@ pub(crate) fn angle(angle_rad: f64) -> Angle {
 
 pub(crate) fn length(value_m: f64) -> Length {
     Length::new::<meter>(value_m)
+}
+
+/// An area in square metres.
+pub(crate) fn area(value_m2: f64) -> Area {
+    Area::new::<square_meter>(value_m2)
 }
 
 pub(crate) fn length_from_mm(value_mm: f64) -> Length {

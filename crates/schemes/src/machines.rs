@@ -94,17 +94,16 @@ impl Machine {
         Some(Self { table: Table::numbered(table)?, kind, name, steps, speed_range: range.parse().ok()? })
     }
 
-    /// How many speeds table 2.1 recommends for its range.
+    /// How many speeds table 2.1 recommends for its range; `None` of conveyors, for which the table is not drawn up.
     #[must_use]
-    pub fn recommended(&self) -> Recommendation {
-        recommended_speeds(self.speed_range)
-            .unwrap_or_else(|_| unreachable!("the ranges of the tables are above 1, by test"))
+    pub fn recommended(&self) -> Option<Recommendation> {
+        (self.table == Table::BucketWheels).then(|| recommended_speeds(self.speed_range).ok()).flatten()
     }
 
-    /// Whether it has as many speeds as recommended; `None` where its control is stepless.
+    /// Whether it has as many speeds as recommended; `None` where its control is stepless, and of conveyors.
     #[must_use]
     pub fn is_as_recommended(&self) -> Option<bool> {
-        Some(self.steps? == self.recommended().speeds)
+        Some(self.steps? == self.recommended()?.speeds)
     }
 }
 
@@ -118,7 +117,7 @@ pub fn machines() -> &'static [Machine] {
 ///
 /// ```
 /// let wheel = epicyclic_schemes::machines::machine("РЕ-1")?;
-/// assert_eq!((wheel.steps, wheel.recommended().speeds), (Some(2), 3));
+/// assert_eq!((wheel.steps, wheel.recommended().map(|found| found.speeds)), (Some(2), Some(3)));
 /// # Ok::<(), epicyclic_schemes::Error>(())
 /// ```
 ///

@@ -5,7 +5,7 @@
 
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::search::ProfileShift;
-use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::{Role, SetRoles};
 use epicyclic_selection::drawing::drawable_direct_clutches;
@@ -73,7 +73,7 @@ fn by_trial(search: &OneSetSearch) -> (BTreeMap<Key, [f64; 5]>, usize) {
     for target in search.requirements.targets() {
         for &set in &search.sets {
             let tried = match &search.shift {
-                None => tooth_numbers_by_trial(&search.bounds).unwrap(),
+                None => brute_common::that_turn_by_trial(&search.bounds),
                 Some(shift) => brute_common::shifted_by_trial(&search.bounds, shift),
             };
             for teeth in tried {

@@ -24,6 +24,7 @@ use crate::structure::{Link, Members, Structure};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::{DoublePlanetNumbers, Pair};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::plain::DoublePlanetMeshes;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_train::compound::{CentralKind, CompoundSpec, PlanetSpec};
 use std::ops::RangeInclusive;
@@ -188,7 +189,7 @@ impl Compound {
         let scale = f64::from(MOST_TEETH) / largest;
         let gears: Vec<[f64; 2]> = gears.iter().map(|of| of.map(|teeth| scale * teeth)).collect();
         let bounds = Bounds { planet: LEAST_TEETH..=MOST_TEETH, ..Bounds::default() };
-        self.fill(&gears, PLANETS, &bounds).is_none().then_some(Obstacle::Room)
+        self.fill(&gears, PLANETS, &bounds, &mut |_| true).is_none().then_some(Obstacle::Room)
     }
 
     /// Teeth of sun and ring of each set in proportion, the first sun's 1.
@@ -212,18 +213,32 @@ impl Compound {
     }
 
     /// Teeth of all planets with which so many of each, at equal angles, fit suns and rings with these teeth: those of simple sets by equal
-    /// centre distances, the others as large as they can be, each the earlier the larger.
-    fn fill(&self, gears: &[[f64; 2]], pairs: u32, bounds: &Bounds) -> Option<Vec<f64>> {
+    /// centre distances, the others as large as they can be for gears that do turn, each the earlier the larger.
+    fn fill(
+        &self,
+        gears: &[[f64; 2]],
+        pairs: u32,
+        bounds: &Bounds,
+        do_turn: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> Option<Vec<f64>> {
         let mut teeth: Vec<Option<f64>> = vec![None; self.planet_count()];
         for (own, [sun, ring]) in self.planets.iter().zip(gears) {
             if let [planet] = own[..] {
                 teeth[planet] = Some((ring - sun) / 2.0);
             }
         }
-        self.fill_from(&mut teeth, gears, pairs, bounds).then(|| teeth.into_iter().flatten().collect())
+        self.fill_from(&mut teeth, gears, pairs, bounds, do_turn)
+            .then(|| teeth.into_iter().flatten().collect())
     }
 
-    fn fill_from(&self, teeth: &mut [Option<f64>], gears: &[[f64; 2]], pairs: u32, bounds: &Bounds) -> bool {
+    fn fill_from(
+        &self,
+        teeth: &mut [Option<f64>],
+        gears: &[[f64; 2]],
+        pairs: u32,
+        bounds: &Bounds,
+        do_turn: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> bool {
         let fits = |own: &[usize], [sun, ring]: [f64; 2]| {
             let [inner, outer] = own else { return true };
             let (Some(inner), Some(outer)) = (teeth[*inner], teeth[*outer]) else { return true };
@@ -233,14 +248,17 @@ impl Compound {
         if !self.planets.iter().zip(gears).all(|(own, gears)| fits(own, *gears)) {
             return false;
         }
-        let Some(next) = teeth.iter().position(Option::is_none) else { return true };
+        let Some(next) = teeth.iter().position(Option::is_none) else {
+            let all: Vec<f64> = teeth.iter().copied().flatten().collect();
+            return do_turn(&all);
+        };
         // Planets of a double-planet set have fewer teeth than half the difference of its ring and sun.
         let most = self.planets.iter().zip(gears).filter(|(own, _)| own.contains(&next));
         let most = most.map(|(_, [sun, ring])| (ring - sun) / 2.0).fold(f64::INFINITY, f64::min);
         let most = (most as u32).min(*bounds.planet.end());
         for count in (*bounds.planet.start()..=most).rev() {
             teeth[next] = Some(f64::from(count));
-            if self.fill_from(teeth, gears, pairs, bounds) {
+            if self.fill_from(teeth, gears, pairs, bounds, do_turn) {
                 return true;
             }
         }
@@ -261,7 +279,7 @@ impl Compound {
         })
     }
 
-    /// The teeth of its sets, in their order, with common planets for these suns and rings: as many of each planet as there is room for.
+    /// The teeth of its sets, in their order, with common planets for these suns and rings: as many of each planet as there is room for, and such whose teeth can be cut and turned together.
     pub(crate) fn with_planets(&self, chosen: &[&SetTeeth], bounds: &Bounds) -> Option<Vec<SetTeeth>> {
         let of: Vec<&SetTeeth> = self.sets.iter().map(|set| chosen[*set]).collect();
         let gears: Vec<[f64; 2]> = of.iter().map(|set| [set.sun().as_f64(), set.ring().as_f64()]).collect();
@@ -279,6 +297,7 @@ impl Compound {
         };
         // A common planet may leave fewer pairs room than the planets of a set's own, never more.
         let most = of.iter().map(most).min()?;
+        let mut meshes = DoublePlanetMeshes::new(&bounds.rack);
         let count: RangeInclusive<u32> = *bounds.planets.start()..=most.min(*bounds.planets.end());
         count.rev().find_map(|count| {
             let assembles = |set: &&SetTeeth| {
@@ -289,19 +308,30 @@ impl Compound {
             if !of.iter().all(assembles) {
                 return None;
             }
-            let planets = self.fill(&gears, count, bounds)?;
-            let planet = |number: usize| ToothCount::new(planets[number] as u32).ok();
-            let set = |(own, set): (&Vec<usize>, &&SetTeeth)| match (own.as_slice(), set) {
+            let planet = |planets: &[f64], number: usize| ToothCount::new(planets[number] as u32).ok();
+            let set = |planets: &[f64], own: &[usize], set: &SetTeeth| match (own, set) {
                 ([_], SetTeeth::Simple(of)) => {
                     Some(SetTeeth::Simple(epicyclic_gears::synthesis::ToothNumbers { planets: count, ..*of }))
                 }
                 ([inner, outer], SetTeeth::DoublePlanet(of)) => {
-                    let (inner, outer) = (planet(*inner)?, planet(*outer)?);
+                    let (inner, outer) = (planet(planets, *inner)?, planet(planets, *outer)?);
                     Some(SetTeeth::DoublePlanet(DoublePlanetNumbers { inner, outer, pairs: count, ..*of }))
                 }
                 _ => None,
             };
-            self.planets.iter().zip(&of).map(set).collect()
+            let sets = |planets: &[f64]| -> Option<Vec<SetTeeth>> {
+                self.planets.iter().zip(&of).map(|(own, of)| set(planets, own, of)).collect()
+            };
+            // Simple sets are chosen from those that turn.
+            let mut does_turn = |set: &SetTeeth| match set {
+                SetTeeth::Simple(_) => true,
+                SetTeeth::DoublePlanet(of) => {
+                    meshes.miss([of.sun, of.inner, of.outer, of.ring]).is_ok_and(|miss| miss.is_none())
+                }
+            };
+            let mut do_turn =
+                |planets: &[f64]| sets(planets).is_some_and(|sets| sets.iter().all(&mut does_turn));
+            sets(&self.fill(&gears, count, bounds, &mut do_turn)?)
         })
     }
 

@@ -23,6 +23,7 @@ use crate::sharing::Compound;
 use crate::tolerance::WIDENING;
 use crate::watch::Watch;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::synthesis::{self, ToothNumbers};
@@ -154,10 +155,13 @@ impl<'a> Sets<'a> {
 
 /// Tooth numbers of a set to choose from, by rising `k`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Choice(Vec<SetTeeth>);
+pub struct Choice {
+    sets: Vec<SetTeeth>,
+    left_out: Option<Box<LeftOut>>,
+}
 
 impl Choice {
-    /// All of simple sets within bounds, each pair of sun and ring once.
+    /// All of simple sets within bounds whose gears can be cut and turned together, each pair of sun and ring once.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
@@ -167,7 +171,13 @@ impl Choice {
             let known = by_teeth.entry((set.sun, set.ring)).or_insert(set);
             known.planets = known.planets.max(set.planets);
         }
-        Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
+        let (mut sets, mut left_out) = (vec![], None);
+        for set in by_teeth.into_values() {
+            if bounds.can_turn(&set, &mut left_out).map_err(Error::Teeth)? {
+                sets.push(SetTeeth::Simple(set));
+            }
+        }
+        Ok(Self { left_out, ..Self::sorted(sets) })
     }
 
     /// All of simple sets with profile shift within bounds, each pair of sun and ring once: of the planets with which it closes those with the
@@ -201,27 +211,33 @@ impl Choice {
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
     pub fn of_double_planets(bounds: &synthesis::Bounds) -> Result<Self, Error> {
-        let all = bounds.double_planet_choices().map_err(Error::Teeth)?;
-        Ok(Self::sorted(all.into_iter().map(SetTeeth::DoublePlanet).collect()))
+        let (all, left_out) = bounds.double_planet_choices().map_err(Error::Teeth)?;
+        Ok(Self { left_out, ..Self::sorted(all.into_iter().map(SetTeeth::DoublePlanet).collect()) })
     }
 
     fn sorted(mut all: Vec<SetTeeth>) -> Self {
         all.sort_by(|one, other| one.k_of_word().total_cmp(&other.k_of_word()));
-        Self(all)
+        Self { sets: all, left_out: None }
     }
 
     /// How many there are.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.0.len()
+        self.sets.len()
+    }
+
+    /// Pairs of sun and ring without profile shift that are left out since a check of their teeth does not hold.
+    #[must_use]
+    pub fn left_out(&self) -> Option<&LeftOut> {
+        self.left_out.as_deref()
     }
 
     /// Those within a range, also where rounding, as of `k − 1`, leaves them just outside.
     fn between(&self, [least, most]: [f64; 2]) -> &[SetTeeth] {
         let slack = |end: f64| 4.0 * f64::EPSILON * (1.0 + end);
-        let from = self.0.partition_point(|set| set.k_of_word() < least - slack(least));
-        let to = self.0.partition_point(|set| set.k_of_word() <= most + slack(most));
-        &self.0[from.min(to)..to]
+        let from = self.sets.partition_point(|set| set.k_of_word() < least - slack(least));
+        let to = self.sets.partition_point(|set| set.k_of_word() <= most + slack(most));
+        &self.sets[from.min(to)..to]
     }
 }
 
@@ -498,8 +514,8 @@ mod tests {
     fn by_trial(choice: &Choice, alike: Alike, range: &RangeInclusive<f64>) -> Vec<[SetTeeth; 2]> {
         let (ratios, gears) = four_speed();
         let mut found = Vec::new();
-        for one in &choice.0 {
-            for two in &choice.0 {
+        for one in &choice.sets {
+            for two in &choice.sets {
                 let k = [one.k_of_word(), two.k_of_word()];
                 let within = k.iter().all(|k| range.contains(k))
                     && ratios.iter().zip(&gears).all(|(ratio, gear)| gear.contain(ratio.value(&k)))
@@ -575,7 +591,7 @@ mod tests {
         }
         let found: BTreeMap<_, _> = Choice::shifted(&bounds, &shift)
             .unwrap()
-            .0
+            .sets
             .into_iter()
             .map(|set| match set {
                 SetTeeth::Simple(of) => {

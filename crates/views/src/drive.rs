@@ -4,10 +4,10 @@ use crate::AsReport;
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked};
 use crate::report::{Part, Report, Row, Section, warned};
-use epicyclic_answers::drive::{Bearing, Drive, Gear, Motion, Outcome, Shaft};
+use epicyclic_answers::drive::{Bearing, CarrierShape, Drive, Gear, GearMass, Motion, Outcome, Shaft};
 use epicyclic_formats::Dimension::{
-    self, Angle, AngularAcceleration, AngularSpeed, Energy, Force, Inertia, Length, Mass, Power, Pressure,
-    Time, Torque,
+    self, Angle, AngularAcceleration, AngularSpeed, Area, Energy, Force, Inertia, Length, Mass, Power,
+    Pressure, Time, Torque, Volume,
 };
 use epicyclic_formats::quantity::format::trimmed;
 
@@ -15,10 +15,19 @@ const GEARS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", 
 const SHAFTS: &[(&str, &str)] =
     &[("sun", "sun's shaft"), ("planet_pin", "planet pin"), ("carrier", "carrier's shaft")];
 const PARTS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("carrier", "carrier")];
+/// Place of the section after that of the masses.
+const AFTER_MASSES: usize = 10;
+
 const MOTIONS: &[(&str, &str)] = &[("without_losses", "without losses"), ("with_losses", "with mesh losses")];
 
 const PIN: &str = "A planet pin carries no torque. The method sizes it by the torque on the planets all the same; check \
                    its bending by the force on the planet bearings.";
+
+const PLANETS: &str =
+    "N₂ = N₁·η₁₂·η_b: excavator-dynamics sends the whole power through planets on a carrier at rest.";
+
+const SOURCE: &str = "As excavator-dynamics, the source, counts: its formulas take the bore of a gear off twice, and the arms of the carrier for thin rods. \
+                      Nothing else is calculated from these.";
 
 const FORCES: &str = "The forces at both meshes, which hold the friction of the teeth, add to the tangential force on the \
                       planet bearings. The nominal forces, for the strength of teeth, lay the whole torque on the pitch \
@@ -31,30 +40,34 @@ impl AsReport for Drive {
             |name, title, columns, rows| Part::Facts(Section { name, title, columns, rows, note: "" });
         let noted =
             |name, title, columns, rows, note| Part::Facts(Section { name, title, columns, rows, note });
-        Report {
-            title: self.title.clone(),
-            parts: vec![
-                section("tooth_numbers", "Tooth numbers", &[], tooth_numbers(self)),
-                section("efficiencies", "Efficiencies", &[], efficiencies(self)),
-                section("speeds", "Speeds", &[], speeds(self)),
-                section("torques", "Torques", &[], torques(self)),
-                section("powers", "Powers", &[], powers(self)),
-                section("gear_set", "Gears", GEARS, gears(self)),
-                section("gear_set", "Gear set", &[], gear_set(self)),
-                noted("forces", "Forces, planets sharing evenly", &[], forces(self), FORCES),
-                noted("shafts", "Shafts by torsion, and bearings", SHAFTS, shafts(self), PIN),
-                section("masses", "Masses and inertias", PARTS, masses(self)),
-                section(
-                    "equivalent_inertia",
-                    "Equivalent inertia, referred to the sun's shaft",
-                    &[],
-                    equivalent_inertia(self),
-                ),
-                section("start", "Start", &[], starting_torques(self)),
-                section("start", "Motion from rest", MOTIONS, motions(self)),
-            ],
-            warnings: warned(&self.warnings),
-        }
+        let carrier = self
+            .masses
+            .carrier
+            .shape
+            .as_ref()
+            .map(|shape| section("carrier", "Carrier by its shape", &[], carrier(shape)));
+        let mut parts = vec![
+            section("tooth_numbers", "Tooth numbers", &[], tooth_numbers(self)),
+            section("efficiencies", "Efficiencies", &[], efficiencies(self)),
+            section("speeds", "Speeds", &[], speeds(self)),
+            section("torques", "Torques", &[], torques(self)),
+            noted("powers", "Powers", &[], powers(self), PLANETS),
+            section("gear_set", "Gears", GEARS, gears(self)),
+            section("gear_set", "Gear set", &[], gear_set(self)),
+            noted("forces", "Forces, planets sharing evenly", &[], forces(self), FORCES),
+            noted("shafts", "Shafts by torsion, and bearings", SHAFTS, shafts(self), PIN),
+            noted("masses", "Masses and inertias", PARTS, masses(self), SOURCE),
+            section(
+                "equivalent_inertia",
+                "Equivalent inertia, referred to the sun's shaft",
+                &[],
+                equivalent_inertia(self),
+            ),
+            section("start", "Start", &[], starting_torques(self)),
+            section("start", "Motion from rest", MOTIONS, motions(self)),
+        ];
+        parts.splice(AFTER_MASSES..AFTER_MASSES, carrier);
+        Report { title: self.title.clone(), parts, warnings: warned(&self.warnings) }
     }
 }
 
@@ -78,6 +91,7 @@ fn tooth_numbers(drive: &Drive) -> Vec<Row> {
         count("most_planets", "planets that clear each other, at most", "", numbers.most_planets),
         Row::new("planet_angles", "angles of the planets", "", [angles]),
         one("tip_gap", "clearance between planets", "", Length, numbers.tip_gap_m),
+        Row::new("basic_ratio", "basic ratio, carrier at rest", "i₀", [Figure::Number(numbers.basic_ratio)]),
         Row::new("ratio", "ratio", "U", [Figure::Number(numbers.ratio)]),
         Row::new("exact_ratio", "exactly", "", [Figure::Text(numbers.exact_ratio.to_string())]),
         Row::new("ratio_error", "off the wanted one by", "", [Figure::Share(numbers.ratio_error)]),
@@ -120,7 +134,8 @@ fn powers(drive: &Drive) -> Vec<Row> {
     vec![
         one("input", "into the sun", "N₁", Power, powers.input_w),
         one("rolling", "rolling power, relative to the carrier", "", Power, powers.rolling_w),
-        one("lost", "lost in the meshes", "", Power, powers.lost_w),
+        one("lost", "lost in meshes and planet bearings", "", Power, powers.lost_w),
+        one("planets", "planets, as the source counts", "N₂", Power, powers.planets_w),
         one("output", "out of the carrier", "N_H", Power, powers.output_w),
     ]
 }
@@ -234,11 +249,16 @@ fn shafts(drive: &Drive) -> Vec<Row> {
 
 fn masses(drive: &Drive) -> Vec<Row> {
     let masses = &drive.masses;
+    let shape = masses.carrier.shape.as_ref();
+    let gears =
+        |figure: fn(&GearMass) -> f64| [Some(figure(&masses.sun)), Some(figure(&masses.planet)), None];
     let row = |name, label, symbol, dimension, values: [Option<f64>; 3]| {
         Row::new(name, label, symbol, values.map(|si| optional(dimension, si)))
     };
-    vec![
+    let mut rows = vec![
         row("bore", "bore", "", Length, [Some(masses.sun.bore_m), Some(masses.planet.bore_m), None]),
+        row("teeth_volume", "volume of the teeth", "", Volume, gears(|gear| gear.teeth_volume_m3)),
+        row("body_volume", "volume of the body", "", Volume, gears(|gear| gear.body_volume_m3)),
         row(
             "mass",
             "mass",
@@ -253,6 +273,52 @@ fn masses(drive: &Drive) -> Vec<Row> {
             Inertia,
             [masses.sun.inertia_kg_m2, masses.planet.inertia_kg_m2, masses.carrier.inertia_kg_m2].map(Some),
         ),
+        row(
+            "source_inertia",
+            "inertia as the source counts",
+            "",
+            Inertia,
+            [
+                masses.sun.source_inertia_kg_m2,
+                masses.planet.source_inertia_kg_m2,
+                shape.map(|shape| shape.source_inertia_kg_m2),
+            ],
+        ),
+    ];
+    if drive.equivalent_inertia.of_shapes.is_some() {
+        rows.extend([
+            row("shape_mass", "mass by its shape", "", Mass, {
+                let [sun, planet, _] = gears(|gear| gear.shape_mass_kg);
+                [sun, planet, shape.map(|shape| shape.mass_kg)]
+            }),
+            row("shape_inertia", "inertia by its shape", "", Inertia, {
+                let [sun, planet, _] = gears(|gear| gear.shape_inertia_kg_m2);
+                [sun, planet, shape.map(|shape| shape.inertia_kg_m2)]
+            }),
+        ]);
+    }
+    rows
+}
+
+/// The steps from the arms and the hub to the carrier's inertia.
+fn carrier(shape: &CarrierShape) -> Vec<Row> {
+    vec![
+        one("plate_area", "area of an arm, without its hole", "", Area, shape.plate_area_m2),
+        one("hole_area", "area of its hole", "", Area, shape.hole_area_m2),
+        one("arm_volume", "volume of an arm", "", Volume, shape.arm_volume_m3),
+        one("arm_mass", "mass of an arm", "", Mass, shape.arm_mass_kg),
+        one(
+            "arm_centroid_from_outer_end",
+            "its centroid from the outer end",
+            "x_s",
+            Length,
+            shape.arm_centroid_from_outer_end_m,
+        ),
+        one("arm_centroid_radius", "its centroid from the axis", "x", Length, shape.arm_centroid_radius_m),
+        one("arms_inertia", "inertia of all arms", "", Inertia, shape.arms_inertia_kg_m2),
+        one("hub_volume", "volume of the hub", "", Volume, shape.hub_volume_m3),
+        one("hub_mass", "mass of the hub", "", Mass, shape.hub_mass_kg),
+        one("hub_inertia", "inertia of the hub", "", Inertia, shape.hub_inertia_kg_m2),
     ]
 }
 
@@ -264,7 +330,7 @@ fn equivalent_inertia(drive: &Drive) -> Vec<Row> {
             format!("{:.1} %", 100.0 * part / parts.total_kg_m2),
         )
     };
-    vec![
+    let mut rows = vec![
         row("sun", "sun", "", parts.sun_kg_m2),
         row("motor", "motor", "", parts.motor_kg_m2),
         row("planets_orbiting", "planets, on their orbit", "", parts.planets_orbiting_kg_m2),
@@ -273,7 +339,16 @@ fn equivalent_inertia(drive: &Drive) -> Vec<Row> {
         row("machine", "driven machine", "", parts.machine_kg_m2),
         row("total", "equivalent inertia", "J_pr", parts.total_kg_m2),
         one("kinetic_energy", "kinetic energy at full speed", "T", Energy, parts.kinetic_energy_j),
-    ]
+    ];
+    if let Some(shapes) = &parts.of_shapes {
+        let by = |ours: f64, shapes: f64| format!("{:+.1} %", 100.0 * (shapes / ours - 1.0));
+        let total = one("shape_total", "equivalent inertia by the shapes", "", Inertia, shapes.total_kg_m2);
+        rows.push(remarked(total, by(parts.total_kg_m2, shapes.total_kg_m2)));
+        let energy =
+            one("shape_kinetic_energy", "kinetic energy by the shapes", "", Energy, shapes.kinetic_energy_j);
+        rows.push(remarked(energy, by(parts.kinetic_energy_j, shapes.kinetic_energy_j)));
+    }
+    rows
 }
 
 fn starting_torques(drive: &Drive) -> Vec<Row> {

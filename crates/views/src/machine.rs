@@ -40,9 +40,9 @@ impl AsReport for Machines {
         })];
         if self.machines.len() > 1 {
             parts.push(Part::Text(Text::paragraph(format!(
-                "{} of {} stepped machines have the recommended number. The recommendation was drawn up for bucket \
-                 wheels; at the ends of its intervals, and for d above 4, the number is this program's choice.",
-                self.as_recommended, self.stepped
+                "{} of {} stepped bucket wheels have the number that table 2.1 recommends. The table is drawn up for \
+                 bucket wheels, and applied to no other machine. At the ends of its intervals, and for d above 4, the number is this program's choice.",
+                self.as_recommended, self.stepped_bucket_wheels
             ))));
         }
         report(parts)
@@ -56,9 +56,9 @@ fn machine(machine: &Machine) -> Vec<Figure> {
         text(machine.table),
         Figure::Printed(machine.range, 2),
         machine.speeds.map_or_else(|| Figure::answer("stepless", "stepless"), Figure::Count),
-        Figure::Count(machine.recommended),
+        machine.recommended.map_or(Figure::None, Figure::Count),
         machine.as_recommended.map_or(Figure::None, Figure::YesNo),
-        Figure::YesNo(machine.recommendation_is_printed),
+        machine.recommendation_is_printed.map_or(Figure::None, Figure::YesNo),
     ]
 }
 
@@ -68,7 +68,7 @@ fn range_rows(label: &'static str, range: &SpeedRange) -> Vec<Row> {
     rows.extend(range.recommended.map(|speeds| Row {
         remark: match range.recommendation_is_printed {
             Some(false) => "this program's choice: the source leaves this range open".to_owned(),
-            _ => String::new(),
+            _ => "table 2.1, for bucket wheels alone".to_owned(),
         },
         ..Row::new("recommended", "speeds recommended", "", [Figure::Count(speeds)])
     }));

@@ -2,6 +2,7 @@
 
 mod best;
 mod reached;
+mod side_by_side;
 pub mod teeth;
 mod words;
 
@@ -38,8 +39,9 @@ impl AsReport for Select {
             parts.push(Part::Records(candidates(rejected, vec![rejected_view(self, rejected)])));
         }
         parts.push(Part::Text(words::why(self, accepted)));
-        if let Some(first) = accepted.first() {
-            parts.extend(best::parts(first));
+        parts.extend(side_by_side::parts(&self.candidates));
+        if let Some(one) = self.in_full() {
+            parts.extend(best::parts(one));
         }
         Report { title: Some(title(&self.required)), parts, warnings: None }
     }
@@ -145,9 +147,9 @@ fn rejected_view(select: &Select, rejected: &[Candidate]) -> View {
         format!("Rejected, {} of {}", rejected.len(), select.rejected)
     };
     let columns: &[&str] = if has_two_gears(rejected) {
-        &["scheme", "ratio_1", "ratio_2", "k1", "k2", "because"]
+        &["no", "scheme", "ratio_1", "ratio_2", "k1", "k2", "because"]
     } else {
-        &["scheme", "ratio_1", "k1", "because"]
+        &["no", "scheme", "ratio_1", "k1", "because"]
     };
     View::new(heading, columns)
 }

@@ -42,6 +42,9 @@ impl AsReport for Synthesis {
         if let Some(near) = &self.near_miss {
             parts.push(Part::Text(Text::paragraph(near_miss(near))));
         }
+        for of in &self.teeth_left_out {
+            parts.push(Part::Text(Text::paragraph(format!("Of the tooth numbers {}.", of.message))));
+        }
         if !self.left_out.is_empty() {
             parts.push(Part::Text(left_out("Left out, each counted once", &self.left_out)));
         }

@@ -8,7 +8,7 @@ use crate::report::{Column, Part, Records, Report, Text, View};
 use crate::{AsReport, tooth_checks};
 use epicyclic_answers::shared::Motion;
 use epicyclic_answers::teeth::{Teeth, ToothNumbers, USUAL_PLANET_GAP};
-use epicyclic_answers::tooth_checks::ToothChecks;
+use epicyclic_answers::tooth_checks::{TeethLeftOut, ToothChecks};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
@@ -20,6 +20,7 @@ impl AsReport for Teeth {
                 sets(self),
                 &self.tooth_checks,
                 count(self.found, self.shown)
+                    + &left_out(self.left_out.as_ref())
                     + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),
             ),
             warnings: None,
@@ -54,6 +55,11 @@ pub fn count(found: u64, shown: usize) -> String {
     } else {
         format!("{found} {sets} found, {shown} shown; --limit shows more.")
     }
+}
+
+/// A sentence about sets that a check of their teeth leaves out; empty if there are none.
+pub(crate) fn left_out(of: Option<&TeethLeftOut>) -> String {
+    of.map(|of| format!(" Besides, {}.", of.message)).unwrap_or_default()
 }
 
 /// A sentence about sets whose planets are too near to each other; empty if there are none.

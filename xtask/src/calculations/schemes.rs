@@ -532,16 +532,23 @@ fn machine_table(given: &MachinesGiven) -> Result<Results, Refusal> {
         message: format!("no table {}: 1.1 or 1.2", given.table),
     })?;
     let listed: Vec<_> = machines::machines().iter().filter(|machine| machine.table == table).collect();
+    // Also of conveyors, for which the table is not drawn up: what it would give is compared with what they have.
+    let recommended = |machine: &machines::Machine| {
+        machines::recommended_speeds(machine.speed_range).map(|found| found.speeds)
+    };
     let mut results = Results::default();
     for machine in &listed {
         if let Some(steps) = machine.steps {
             results.count(format!("{}.steps", machine.name), steps);
         }
         results.number(format!("{}.range", machine.name), machine.speed_range);
-        results.count(format!("{}.recommended", machine.name), machine.recommended().speeds);
+        results.count(format!("{}.recommended", machine.name), recommended(machine)?);
     }
     let ranges = || listed.iter().map(|machine| machine.speed_range);
-    let as_recommended = |wanted| listed.iter().filter(|m| m.is_as_recommended() == wanted).count() as i64;
+    let is_as_recommended = |machine: &&&machines::Machine| {
+        machine.steps.zip(recommended(machine).ok()).map(|(steps, recommended)| steps == recommended)
+    };
+    let as_recommended = |wanted| listed.iter().filter(|m| is_as_recommended(m) == wanted).count() as i64;
     results
         .count("most_steps", listed.iter().filter_map(|machine| machine.steps).max().unwrap_or(0))
         .count("least_steps", listed.iter().filter_map(|machine| machine.steps).min().unwrap_or(0))

@@ -125,6 +125,7 @@ fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) 
         }),
         limits: SizeLimits::default(),
         most,
+        nth: 1,
         speeds: wanted.selection.speeds.clone(),
         duty: wanted.selection.duty,
     }

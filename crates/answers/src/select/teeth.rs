@@ -1,5 +1,6 @@
 //! The choice of a gearbox over all tooth numbers of its one set, or of both.
 
+mod searched;
 mod streamed;
 
 use super::candidate::{BrakedGear, Candidate, Objectives, Ranked};
@@ -19,10 +20,11 @@ use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, Directions, Found, OneSetSearch, Progress, ToothSearch};
+use epicyclic_selection::search::{Directions, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
 use schemars::JsonSchema;
+pub use searched::Searched;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -50,6 +52,8 @@ pub struct Wanted {
     pub limits: SizeLimits,
     /// How many designs are told.
     pub most: usize,
+    /// Number of the design that is shown in full, from 1.
+    pub nth: usize,
     /// Speeds of the machine, the slowest first, where these give the ratios.
     pub speeds: Vec<Velocity>,
     /// Speed and load of the input.
@@ -99,7 +103,9 @@ impl SizeLimits {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
-    /// Speeds of the first design, asked for and reached, the slowest first; empty where there is none.
+    /// Number of the design that tables show in full; `null` where there is none of that number.
+    pub shown_in_full: Option<u32>,
+    /// Speeds of that design, asked for and reached, the slowest first; empty where there is none.
     pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,
@@ -146,22 +152,6 @@ pub struct RequiredSize {
     pub least_module_m: Option<f64>,
     /// Greatest module.
     pub greatest_module_m: Option<f64>,
-}
-
-/// What was searched.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Searched {
-    /// Combinations of tooth numbers of a set.
-    pub tooth_numbers: usize,
-    /// Structures, each counted once for every assignment of the ratios.
-    pub structures: usize,
-    /// Designs in all: combinations of tooth numbers, of two sets pairs of them, in all structures.
-    pub designs: u128,
-    /// Ring-to-sun ratios, of two sets pairs of them, tried in full.
-    pub tried: u64,
-    /// Of these, how many meet every required criterion.
-    pub accepted: u64,
 }
 
 /// A design with tooth numbers.
@@ -215,7 +205,7 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
 }
 
 /// How far a search is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct At {
     /// The share that is done, from 0 to 1.
     pub share: f64,
@@ -249,12 +239,12 @@ pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Err
     };
     let part = |directions: Directions, [from, to]: [f64; 2]| {
         let watch = |at: At| watch(At { share: from + (to - from) * at.share, ..at });
-        let (found, of_structures, counts) = if of_one_set {
+        let (found, of_structures, searched) = if of_one_set {
             of_one(wanted, directions, &watch)?
         } else {
             of_two(wanted, directions, &watch)?
         };
-        Ok(Searches { wanted, searched: Searched::of(counts), found, of_structures })
+        Ok(Searches { wanted, searched, found, of_structures })
     };
     if some(Directions::Same) && some(Directions::Mixed) {
         // Designs that reverse follow all others.
@@ -279,19 +269,25 @@ impl<'a> Searches<'a> {
         self.searched.designs += more.searched.designs;
         self.searched.tried += more.searched.tried;
         self.searched.accepted += more.searched.accepted;
+        self.searched.left_out = self.searched.left_out.or(more.searched.left_out);
         self
     }
 
     /// What was searched.
     #[must_use]
-    pub fn searched(&self) -> Searched {
-        self.searched
+    pub const fn searched(&self) -> &Searched {
+        &self.searched
     }
 
     /// How many designs are told.
     #[must_use]
     pub fn shown(&self) -> usize {
         self.found.len().min(self.wanted.most)
+    }
+
+    /// Place of the design that tables show in full.
+    fn in_full(&self) -> Option<usize> {
+        self.wanted.nth.checked_sub(1).filter(|place| *place < self.shown())
     }
 
     /// The designs, each measured in full when it is asked for.
@@ -354,6 +350,7 @@ impl<'a> Searches<'a> {
         let head = self.without_designs()?;
         finite::check(&head)?;
         let SelectTeeth {
+            shown_in_full,
             speeds,
             required,
             size_limits,
@@ -365,6 +362,7 @@ impl<'a> Searches<'a> {
         } = head;
         let designs = Designs { of: self, told };
         Ok(Streamed {
+            shown_in_full,
             speeds,
             required,
             size_limits,
@@ -379,7 +377,8 @@ impl<'a> Searches<'a> {
     fn without_designs(&self) -> Result<SelectTeeth, Error> {
         let Wanted { requirements, order, limits, duty, .. } = self.wanted;
         Ok(SelectTeeth {
-            speeds: if self.shown() > 0 { self.speeds(0) } else { vec![] },
+            shown_in_full: self.in_full().map(|place| u32::try_from(place + 1).unwrap_or(u32::MAX)),
+            speeds: self.in_full().map(|place| self.speeds(place)).unwrap_or_default(),
             required: Required::of(requirements, *order, duty)?,
             size_limits: RequiredSize {
                 greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
@@ -387,7 +386,7 @@ impl<'a> Searches<'a> {
                 greatest_module_m: limits.greatest_module.map(Physical::si),
             },
             profile_shift: self.wanted.shifts.as_ref().map(RequiredShifts::of),
-            searched: self.searched,
+            searched: self.searched.clone(),
             shown: self.shown(),
             designs: vec![],
             best_of_structures: self
@@ -457,7 +456,7 @@ fn of_one(
     wanted: &Wanted,
     directions: Directions,
     watch: &Watch,
-) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
+) -> Result<(Vec<First>, Vec<First>, Searched), Error> {
     let search = OneSetSearch {
         directions,
         sets: wanted.space.sets(),
@@ -496,14 +495,15 @@ fn of_one(
             }
         }
     }
-    Ok((found.entries().iter().take(wanted.most).filter_map(first).collect(), of_structures, found.counts()))
+    let searched = Searched::of(found.counts(), found.left_out());
+    Ok((found.entries().iter().take(wanted.most).filter_map(first).collect(), of_structures, searched))
 }
 
 fn of_two(
     wanted: &Wanted,
     directions: Directions,
     watch: &Watch,
-) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
+) -> Result<(Vec<First>, Vec<First>, Searched), Error> {
     let search = ToothSearch {
         directions,
         bounds: wanted.bounds.clone(),
@@ -516,7 +516,8 @@ fn of_two(
     };
     // What is tried once for all structures is tried once more for each by itself.
     let told = |share: f64, progress: Progress| {
-        watch(At { share: share.min(1.0), searched: Some(Searched::of(progress.counts)) })
+        let is_counted = progress.counts.tooth_sets > 0;
+        watch(At { share: share.min(1.0), searched: is_counted.then(|| Searched::of(progress.counts, None)) })
     };
     let share = |progress: Progress| progress.done as f64 / progress.of.max(1) as f64;
     let watch = |progress: Progress| told(0.5 * share(progress), progress);
@@ -536,7 +537,7 @@ fn of_two(
             others: count.saturating_sub(1),
         })
     };
-    let counts = found.counts();
+    let searched = Searched::of(found.counts(), found.left_out());
     let pieces = AtomicUsize::new(0);
     let of_all = search.structures.len().max(1) as f64;
     let each = search.best_of_each_watched(&|progress| {
@@ -546,18 +547,14 @@ fn of_two(
     })?;
     let of_structures = each.iter().filter_map(|one| first(one, one.entries().first()?)).collect();
     let found = found.entries().iter().take(wanted.most).filter_map(|entry| first(&found, entry)).collect();
-    Ok((found, of_structures, counts))
+    Ok((found, of_structures, searched))
 }
 
-impl Searched {
-    fn of(counts: Counts) -> Self {
-        Self {
-            tooth_numbers: counts.tooth_sets,
-            structures: counts.patches,
-            designs: counts.designs,
-            tried: counts.tried,
-            accepted: counts.feasible,
-        }
+impl SelectTeeth {
+    /// The design that tables show in full.
+    #[must_use]
+    pub fn in_full(&self) -> Option<&Design> {
+        self.designs.get(usize::try_from(self.shown_in_full?).ok()?.checked_sub(1)?)
     }
 }
 
@@ -616,6 +613,7 @@ mod tests {
             bounds: Bounds { ring: 12..=60, ..Bounds::default() },
             shifts: None,
             limits: SizeLimits::default(),
+            nth: 1,
             most: 3,
             speeds: vec![],
             duty: Duty::default(),

@@ -5,6 +5,7 @@ use super::{Kept, saved};
 use crate::Error;
 use crate::shared::Fraction;
 use crate::teeth::shifted::{RequiredShifts, SetShifts, WantedShifts};
+use crate::tooth_checks::TeethLeftOut;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::Bounds as ToothBounds;
@@ -107,6 +108,12 @@ impl Choices {
             None => Choice::within(&teeth.bounds)?,
         };
         Ok(Self { simple, double_planet })
+    }
+
+    /// What a check leaves out.
+    pub(super) fn left_out(&self) -> Vec<TeethLeftOut> {
+        let all = [Some(&self.simple), self.double_planet.as_ref()];
+        all.into_iter().flatten().filter_map(Choice::left_out).map(TeethLeftOut::of).collect()
     }
 
     /// That of each set of a structure.

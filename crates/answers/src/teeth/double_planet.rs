@@ -3,7 +3,7 @@
 use super::{MOST_SETS, Wanted, gearbox};
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
-use crate::tooth_checks::ToothChecks;
+use crate::tooth_checks::{TeethLeftOut, ToothChecks};
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
@@ -27,6 +27,8 @@ pub struct DoublePlanetTeeth {
     pub tolerance: f64,
     /// How many pairs of sun and ring there are.
     pub found: u64,
+    /// Pairs of sun and ring of this ratio that are left out since none of their planets passes the checks of the teeth; `null` where there are none.
+    pub left_out: Option<TeethLeftOut>,
     /// How many of them are told here.
     pub shown: usize,
     /// These.
@@ -55,8 +57,8 @@ pub struct DoublePlanetNumbers {
     pub exact_ratio: Fraction,
     /// How far it is from the ratio wanted, as a share of it.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs fit this sun and ring within the bounds, this one among them: the one
-    /// with the most pairs, whose smaller planet has the most teeth.
+    /// How many choices of both planets and of the number of pairs close, assemble and clear each other with this sun and ring within the
+    /// bounds, whether or not their teeth pass the checks. This one is the first that passes them, by the most pairs, then the most teeth of the smaller planet.
     pub choices: u64,
     /// Whether the rack undercuts the sun.
     pub undercut_sun: bool,
@@ -92,6 +94,7 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
         mode: Motion::of(mode),
         tolerance,
         found: found.found,
+        left_out: found.left_out.as_deref().map(TeethLeftOut::of),
         shown: tooth_numbers.len(),
         tooth_checks: wanted.checks(&tooth_numbers, DoublePlanetNumbers::gearbox)?,
         tooth_numbers,

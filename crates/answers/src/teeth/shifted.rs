@@ -4,7 +4,7 @@ use super::{MOST_SETS, Wanted, gearbox};
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::{ROUNDED, rounded};
 use crate::tool::CuttingTool;
-use crate::tooth_checks::ToothChecks;
+use crate::tooth_checks::{TeethLeftOut, ToothChecks};
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
@@ -14,7 +14,7 @@ use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::search::{ProfileShift, Shifted};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Profile};
-use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_gears::synthesis::{Bounds, Ranked, ToothNumbers};
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use schemars::JsonSchema;
@@ -149,6 +149,8 @@ pub struct ShiftedTeeth {
     pub least_tip_thickness_in_modules: f64,
     /// How many sets there are.
     pub found: u64,
+    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` where there are none.
+    pub left_out: Option<TeethLeftOut>,
     /// How many of them are told here.
     pub shown: usize,
     /// These.
@@ -218,7 +220,8 @@ pub fn answer(
 ) -> Result<ShiftedTeeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let search = shifts.within(bounds).within(bounds);
-    let (found, first) = search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    let Ranked { found, first, left_out } =
+        search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
     if most > MOST_SETS && found > MOST_SETS as u64 {
         return Err(Error::TooMany { found, most: MOST_SETS });
     }
@@ -230,6 +233,7 @@ pub fn answer(
         aim: shifts.aim,
         least_tip_thickness_in_modules: shifts.tip_thickness,
         found,
+        left_out: left_out.as_deref().map(TeethLeftOut::of),
         shown: tooth_numbers.len(),
         tooth_checks: wanted.checks(&tooth_numbers, ShiftedNumbers::gearbox)?,
         tooth_numbers,

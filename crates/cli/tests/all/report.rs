@@ -171,7 +171,7 @@ fn the_page_of_a_choice_has_the_best_and_its_scheme_first() {
         assert_eq!(page.matches("<svg").count(), 1);
         let first = page.split_once("<nav").unwrap().0;
         assert!(
-            first.contains("Kinematic scheme of the best") && first.contains("<td>direct</td>"),
+            first.contains("Kinematic scheme, the half above") && first.contains("<td>direct</td>"),
             "{name}"
         );
     }

@@ -44,14 +44,15 @@ pub(super) fn masses(
         warnings.extend(too_narrow(given, &shafts.planet));
     }
     let planet = gear_mass(BoredGear::Planet, &gear_set.planet, planet_bore, width, density)?;
-    let (mass, carrier_inertia) = match *carrier {
+    let (carrier_shape, carrier_inertia) = match *carrier {
         CarrierSpec::Neglected => {
             warnings.push(Warning::CarrierNeglected);
             (None, inertia(0.0))
         }
         CarrierSpec::Inertia(given) => (None, given),
         CarrierSpec::Shape { arm, hub } => {
-            let whole = Carrier::new(planets, arm, hub, density)?.total();
+            let shape = Carrier::new(planets, arm, hub, density)?;
+            let whole = shape.total();
             if let Some(hole) = arm.hole {
                 let hole_mm = millimeters(hub.outer_radius + arm.length - hole.from_outer_end);
                 let centre_distance_mm = millimeters(gear_set.centre_distance);
@@ -60,11 +61,12 @@ pub(super) fn masses(
                 }
             }
             finite(Computed::CarrierMass, kilograms(whole.mass))?;
-            (Some(whole.mass), whole.polar_inertia)
+            (Some(shape), whole.polar_inertia)
         }
     };
     finite(Computed::CarrierInertia, kg_m2(carrier_inertia))?;
-    Ok(Masses { sun, planet, carrier: mass, carrier_inertia })
+    let mass = carrier_shape.map(|shape| shape.total().mass);
+    Ok(Masses { sun, planet, carrier: mass, carrier_inertia, carrier_shape })
 }
 
 /// Diameter of the hole in a gear.
@@ -120,9 +122,10 @@ fn gear_mass(
         return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
     let body = GearBody::external(gear, width, bore, density)?;
-    finite(Computed::GearMass, kilograms(body.total().mass))?;
-    finite(Computed::GearInertia, kg_m2(body.total().polar_inertia))?;
-    Ok(GearMass { bore, body })
+    let total = body.total();
+    finite(Computed::GearMass, kilograms(total.mass))?;
+    finite(Computed::GearInertia, kg_m2(total.polar_inertia))?;
+    Ok(GearMass { bore, body, mass: total.mass, inertia: total.polar_inertia })
 }
 
 /// The drive with everything that turns on its shafts.
@@ -132,12 +135,11 @@ pub(super) fn planetary_drive(
     masses: &Masses,
     ends: Ends,
 ) -> PlanetaryDrive {
-    let planet = masses.planet.body.total();
     PlanetaryDrive {
         set,
-        sun_inertia: masses.sun.body.total().polar_inertia + ends.motor,
-        planet_inertia: planet.polar_inertia,
-        planet_mass: planet.mass,
+        sun_inertia: masses.sun.inertia + ends.motor,
+        planet_inertia: masses.planet.inertia,
+        planet_mass: masses.planet.mass,
         planet_radius: centre_distance,
         carrier_inertia: masses.carrier_inertia + ends.machine,
     }

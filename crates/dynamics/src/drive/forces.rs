@@ -29,14 +29,16 @@ pub(super) fn forces(
         push(torques.sun, &gear_set.sun, GearKind::External),
         push(torques.ring_reaction, &gear_set.ring, GearKind::Internal),
     ];
-    let share = MeshEfficiency::share_of_loss(meshes.sun_planet, meshes.planet_ring);
+    let share = {
+        let [to_planet, to_ring] = meshes.two();
+        MeshEfficiency::share_of_loss(to_planet, to_ring)
+    };
     let [sun_mesh, ring_mesh] = planet_bearing::two_mesh_forces(&pushes, share, planets, radius)?;
     let angle = gear_set.planet.rack().pressure_angle;
     let meshes = [(GearKind::External, sun_mesh, angle), (GearKind::Internal, ring_mesh, angle)];
     let planet_bearing_tangential = planet_bearing::tangential_force(torques.carrier, planets, radius)?;
     let planet_bearing_meshes = planet_bearing::radial_force_of(&meshes)?;
-    let planet_bearing_centrifugal =
-        planet_bearing::centrifugal_force(planet.body.total().mass, radius, carrier_speed)?;
+    let planet_bearing_centrifugal = planet_bearing::centrifugal_force(planet.mass, radius, carrier_speed)?;
     let resultant = planet_bearing::resultant(
         planet_bearing_tangential,
         planet_bearing_meshes + planet_bearing_centrifugal,

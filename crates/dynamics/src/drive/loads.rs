@@ -17,11 +17,19 @@ pub(super) struct Carried {
     pub(super) powers: Powers,
 }
 
-/// Efficiencies of the meshes.
+/// Efficiencies of the meshes, and of the bearings that a planet turns in between them.
 #[derive(Clone, Copy)]
 pub(super) struct Meshes {
     pub(super) sun_planet: MeshEfficiency,
+    pub(super) planet_bearings: MeshEfficiency,
     pub(super) planet_ring: MeshEfficiency,
+}
+
+impl Meshes {
+    /// From the sun to the planets' teeth, and from there through their bearings to the ring.
+    pub(super) fn two(self) -> [MeshEfficiency; 2] {
+        [self.sun_planet, MeshEfficiency::of_meshes(&[self.planet_bearings, self.planet_ring])]
+    }
 }
 
 pub(super) fn carried(
@@ -31,7 +39,7 @@ pub(super) fn carried(
     set: &GearSet,
     teeth: &TeethDesign,
 ) -> Result<Carried, Error> {
-    let eta0 = MeshEfficiency::of_meshes(&[meshes.sun_planet, meshes.planet_ring]);
+    let eta0 = MeshEfficiency::of_meshes(&meshes.two());
     let overall = efficiency::efficiency(teeth.numbers.basic_ratio(), eta0, MODE)?;
     let ratios = set.ratios();
     let (planet, carrier) = (speed * ratios.planet, speed * ratios.carrier);
@@ -50,6 +58,7 @@ pub(super) fn carried(
         input: power,
         mesh,
         lost: mesh * (1.0 - eta0.get()),
+        planets: loads::planet_power(power, meshes.sun_planet, meshes.planet_bearings),
         output: loads::shaft_power(carrier, speeds.carrier),
     };
     Ok(Carried { efficiency: Efficiency { basic: eta0.get(), overall }, speeds, torques, powers })

@@ -38,7 +38,7 @@ pub(super) fn equivalent_inertia(
         ..Link::central(LinkName::Planets, inertia(0.0), ratios.planet)
     };
     let found = EquivalentInertia {
-        sun: central(LinkName::Sun, masses.sun.body.total().polar_inertia, 1.0)?,
+        sun: central(LinkName::Sun, masses.sun.inertia, 1.0)?,
         motor: central(LinkName::Motor, ends.motor, 1.0)?,
         planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.equivalent_inertia()?,
         planets_turning: Link { inertia: drive.planet_inertia, ..planets }.equivalent_inertia()?,
@@ -70,7 +70,7 @@ pub(super) fn without_losses(drive: &PlanetaryDrive, start: Starting) -> Result<
 
 pub(super) fn with_losses(drive: &PlanetaryDrive, start: Starting, meshes: Meshes) -> Result<Motion, Error> {
     let Starting { speed, driving, load } = start;
-    let Meshes { sun_planet: eta_12, planet_ring: eta_23 } = meshes;
+    let [eta_12, eta_23] = meshes.two();
     let held = drive.held_loads(driving, eta_12, eta_23);
     let moving = |motion: LossyMotion, start| {
         finite(Computed::Acceleration, rad_per_s2(motion.accelerations.sun))?;

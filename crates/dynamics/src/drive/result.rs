@@ -1,8 +1,10 @@
 //! What a drive turns out to be.
 
+use super::spec::{KnownPart, KnownParts};
 use super::warning::Warning;
 use crate::planetary::Accelerations;
 use epicyclic_gears::bearing::Bearing;
+use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
 use epicyclic_gears::mass::GearBody;
 use epicyclic_gears::simple_set::Fraction;
@@ -35,6 +37,8 @@ pub struct DriveDesign {
     pub masses: Masses,
     /// The inertia of all links referred to the sun's shaft.
     pub equivalent_inertia: EquivalentInertia,
+    /// The same by the shapes alone; `None` where nothing else is known of a part.
+    pub inertia_of_shapes: Option<EquivalentInertia>,
     /// Torque on the sun while the drive starts, `M_1`.
     pub driving_torque: Torque,
     /// Torque on the carrier against it, `M_H`.
@@ -112,8 +116,10 @@ pub struct Powers {
     pub input: Power,
     /// Rolling power, relative to the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
     pub mesh: Power,
-    /// Lost in the meshes.
+    /// Lost in the meshes and in the bearings of the planets.
     pub lost: Power,
+    /// On the shafts of the planets as the source counts, see [`planet_power`](crate::loads::planet_power).
+    pub planets: Power,
     /// Out of the carrier, `N_H = T_H·ω_H`.
     pub output: Power,
 }
@@ -202,10 +208,26 @@ pub struct Masses {
     pub sun: GearMass,
     /// One planet.
     pub planet: GearMass,
-    /// The carrier's mass, where its shape is known.
+    /// The carrier's mass, where it or the shape is known.
     pub carrier: Option<Mass>,
     /// The carrier's inertia about the gearbox axis.
     pub carrier_inertia: MomentOfInertia,
+    /// The carrier's shape, where it is known.
+    pub carrier_shape: Option<Carrier>,
+}
+
+impl Masses {
+    /// The same with what is known of single parts.
+    #[must_use]
+    pub(super) fn with(self, known: &KnownParts) -> Self {
+        Self {
+            sun: self.sun.with(known.sun),
+            planet: self.planet.with(known.planet),
+            carrier: known.carrier.mass.or(self.carrier),
+            carrier_inertia: known.carrier.inertia.unwrap_or(self.carrier_inertia),
+            carrier_shape: self.carrier_shape,
+        }
+    }
 }
 
 /// Mass of a gear.
@@ -213,8 +235,18 @@ pub struct Masses {
 pub struct GearMass {
     /// Diameter of the hole; 0 for none.
     pub bore: Length,
-    /// Teeth and body.
+    /// Teeth and body by their shape.
     pub body: GearBody,
+    /// The mass that is known of it, else that of its shape.
+    pub mass: Mass,
+    /// The inertia about its own axis that is known of it, else that of its shape.
+    pub inertia: MomentOfInertia,
+}
+
+impl GearMass {
+    fn with(self, known: KnownPart) -> Self {
+        Self { mass: known.mass.unwrap_or(self.mass), inertia: known.inertia.unwrap_or(self.inertia), ..self }
+    }
 }
 
 /// All moving parts as one inertia at the sun's shaft.

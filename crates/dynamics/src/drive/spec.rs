@@ -8,7 +8,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement, ToothNumbers};
 use std::fmt;
 use std::ops::RangeInclusive;
-use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
+use uom::si::f64::{AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 
 /// A drive as it is asked for.
 ///
@@ -29,12 +29,16 @@ pub struct DriveSpec {
     pub sun_planet_efficiency: MeshEfficiency,
     /// Efficiency of the mesh of planet and ring, `η_23`. Default 0.98, the source's.
     pub planet_ring_efficiency: MeshEfficiency,
+    /// Efficiency of the bearings of a planet on its pin, `η_b`: they take their share of the power that the planet carries from mesh to mesh. Default 1.
+    pub planet_bearing_efficiency: MeshEfficiency,
     /// Shape of sun, planets and ring.
     pub gear_set: GearSetSpec,
     /// Shafts and bearings.
     pub shafts: ShaftsSpec,
     /// The carrier. Default: neglected.
     pub carrier: CarrierSpec,
+    /// What is known of single parts. Default: nothing, their shapes decide.
+    pub known: KnownParts,
     /// Inertia on the sun's shaft beside the sun: rotor of the motor, coupling. Default 0.
     pub motor_inertia: MomentOfInertia,
     /// Inertia of the driven machine, at the carrier. Default 0.
@@ -144,6 +148,26 @@ pub enum CarrierSpec {
     },
 }
 
+/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the shapes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct KnownParts {
+    /// Of the sun.
+    pub sun: KnownPart,
+    /// Of one planet.
+    pub planet: KnownPart,
+    /// Of the carrier without planets.
+    pub carrier: KnownPart,
+}
+
+/// What is known of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct KnownPart {
+    /// Its mass.
+    pub mass: Option<Mass>,
+    /// Its inertia about its own axis, of the carrier about that of the gearbox.
+    pub inertia: Option<MomentOfInertia>,
+}
+
 impl DriveSpec {
     /// A drive of which only the least is known.
     #[must_use]
@@ -157,6 +181,7 @@ impl DriveSpec {
             teeth: TeethSpec::Within(default_bounds(rack)),
             sun_planet_efficiency: usual_efficiency(0.97),
             planet_ring_efficiency: usual_efficiency(0.98),
+            planet_bearing_efficiency: MeshEfficiency::IDEAL,
             gear_set: GearSetSpec {
                 module,
                 face_width,
@@ -173,6 +198,7 @@ impl DriveSpec {
                 carrier: ShaftSpec::default(),
             },
             carrier: CarrierSpec::Neglected,
+            known: KnownParts::default(),
             motor_inertia: MomentOfInertia::default(),
             machine_inertia: MomentOfInertia::default(),
             load: None,

@@ -1,6 +1,8 @@
 //! What a drive file means: defaults filled in, values brought together.
 
-use epicyclic_dynamics::drive::{Bore, CarrierSpec, DriveSpec, ShaftSpec, TeethSpec, default_bounds};
+use epicyclic_dynamics::drive::{
+    Bore, CarrierSpec, DriveSpec, KnownPart, KnownParts, ShaftSpec, TeethSpec, default_bounds,
+};
 use epicyclic_gears::bearing::{self, Series};
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -10,7 +12,7 @@ use epicyclic_gears::{Error as GearError, ToothCount};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Ratio};
 
-use super::{BoreText, CarrierFile, DriveFile, Misfit, ShaftFile, TeethFile};
+use super::{BoreText, CarrierFile, DriveFile, Misfit, PartFile, ShaftFile, TeethFile};
 use crate::{Number, Path, Physical, Problem, Quantity, Span};
 
 impl DriveFile {
@@ -48,6 +50,8 @@ impl DriveFile {
                 eta(mesh.sun_planet, spec.sun_planet_efficiency, "mesh_efficiency.sun_planet")?;
             spec.planet_ring_efficiency =
                 eta(mesh.planet_ring, spec.planet_ring_efficiency, "mesh_efficiency.planet_ring")?;
+            spec.planet_bearing_efficiency =
+                eta(mesh.planet_bearings, spec.planet_bearing_efficiency, "mesh_efficiency.planet_bearings")?;
         }
         spec.gear_set.rack = rack;
         spec.gear_set.density = or(gear_set.density, spec.gear_set.density);
@@ -63,6 +67,13 @@ impl DriveFile {
         }
         if let Some(given) = &self.carrier {
             spec.carrier = carrier(given)?;
+        }
+        if let Some(parts) = &self.parts {
+            spec.known = KnownParts {
+                sun: known(parts.sun.as_ref(), "parts.sun")?,
+                planet: known(parts.planet.as_ref(), "parts.planet")?,
+                carrier: known(parts.carrier.as_ref(), "parts.carrier")?,
+            };
         }
         if let Some(attached) = &self.attached {
             spec.motor_inertia = or(attached.motor, spec.motor_inertia);
@@ -157,6 +168,21 @@ fn shaft(given: Option<&ShaftFile>, path: &str) -> Result<ShaftSpec, Misfit> {
             .map_err(|error| Misfit::of_gear(&format!("{path}.bearing"), &error))
     });
     Ok(ShaftSpec { diameter: given.diameter.map(|given| given.0), bearing: bearing.transpose()? })
+}
+
+fn known(given: Option<&PartFile>, path: &str) -> Result<KnownPart, Misfit> {
+    let Some(given) = given else { return Ok(KnownPart::default()) };
+    let negative = |key: &str, is_negative: bool| match is_negative {
+        true => Err(Misfit::new(
+            &format!("{path}.{key}"),
+            "negative",
+            format!("a {key} below 0; write the one of the part"),
+        )),
+        false => Ok(()),
+    };
+    negative("mass", given.mass.is_some_and(|mass| mass.0.si() < 0.0))?;
+    negative("inertia", given.inertia.is_some_and(|inertia| inertia.0.si() < 0.0))?;
+    Ok(KnownPart { mass: given.mass.map(|given| given.0), inertia: given.inertia.map(|given| given.0) })
 }
 
 fn carrier(given: &CarrierFile) -> Result<CarrierSpec, Misfit> {

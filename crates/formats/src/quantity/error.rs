@@ -109,6 +109,44 @@ pub enum QuantityError {
 }
 
 impl QuantityError {
+    /// What to write in place of the text, where that is known.
+    #[must_use]
+    pub fn corrected(&self) -> Option<&str> {
+        match self {
+            Self::DecimalComma { corrected, .. }
+            | Self::ThousandsSeparator { corrected, .. }
+            | Self::MissingUnit { corrected, .. }
+            | Self::UnexpectedUnit { corrected, .. } => Some(corrected),
+            Self::UnknownUnit { corrected, .. } => corrected.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The same with corrections that can be read: one fault may hide another, a decimal comma the unit behind it.
+    pub(super) fn settled(mut self, read: impl Fn(&str) -> Option<QuantityError>) -> Self {
+        let settle = |text: &mut String| {
+            // Comma, unit: no text has a third fault of these kinds.
+            for _ in 0..3 {
+                match read(text).as_ref().and_then(Self::corrected) {
+                    Some(better) => *text = better.to_owned(),
+                    None => return,
+                }
+            }
+        };
+        match &mut self {
+            Self::DecimalComma { corrected, thousands, .. } => {
+                settle(corrected);
+                thousands.iter_mut().for_each(settle);
+            }
+            Self::ThousandsSeparator { corrected, .. }
+            | Self::MissingUnit { corrected, .. }
+            | Self::UnexpectedUnit { corrected, .. }
+            | Self::UnknownUnit { corrected: Some(corrected), .. } => settle(corrected),
+            _ => {}
+        }
+        self
+    }
+
     /// The name of the variant, which does not change: `decimal-comma`.
     #[must_use]
     pub const fn name(&self) -> &'static str {

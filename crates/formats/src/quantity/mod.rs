@@ -56,7 +56,8 @@ impl Measured {
 /// # Errors
 /// One variant of [`QuantityError`] for each fault.
 pub fn parse(text: &str) -> Result<Measured, QuantityError> {
-    parse_in(text, None)
+    let read = |text: &str| parse_in(text, None);
+    read(text).map_err(|error| error.settled(|text| read(text).err()))
 }
 
 /// Reads a quantity of the dimension due.
@@ -64,6 +65,11 @@ pub fn parse(text: &str) -> Result<Measured, QuantityError> {
 /// # Errors
 /// Those of [`parse`], [`QuantityError::MissingUnit`] and [`QuantityError::WrongDimension`].
 pub fn parse_as(text: &str, expected: Dimension) -> Result<Measured, QuantityError> {
+    let read = |text: &str| parse_once_as(text, expected);
+    read(text).map_err(|error| error.settled(|text| read(text).err()))
+}
+
+fn parse_once_as(text: &str, expected: Dimension) -> Result<Measured, QuantityError> {
     let measured = parse_in(text, Some(expected))?;
     let text = text.trim();
     if measured.dimension() == expected {
@@ -123,6 +129,34 @@ mod tests {
     use super::*;
 
     #[test]
+    fn units_in_cyrillic_letters_are_corrected() {
+        for (text, corrected) in [
+            ("0.8 м/с", "0.8 m/s"),
+            ("0,8м/с", "0.8 m/s"),
+            ("12 м/мин", "12 m/min"),
+            ("5 км/год", "5 km/h"),
+            ("1950 об/мин", "1950 rpm"),
+            ("1950 об/хв", "1950 rpm"),
+            ("1950 мин⁻¹", "1950 rpm"),
+            ("521,8 Нм", "521.8 N·m"),
+            ("2.97 кН·м", "2.97 kN·m"),
+            ("0,171 кг·м²", "0.171 kg·m²"),
+            ("7900 кг/м3", "7900 kg/m³"),
+            ("20 мпа", "20 MPa"),
+            ("75 квт", "75 kW"),
+            ("100 л.с.", "100 PS"),
+            ("8 мм", "8 mm"),
+            ("20 град", "20 deg"),
+            ("16 л/мин", "16 l/min"),
+        ] {
+            let error = parse(text).unwrap_err();
+            assert_eq!(error.corrected(), Some(corrected), "{error}");
+            assert!(parse(corrected).is_ok());
+        }
+        assert_eq!(parse("3 щи").unwrap_err().corrected(), None);
+    }
+
+    #[test]
     fn what_engineers_write_is_read() {
         for (text, number, unit, si) in [
             ("106.5 kW", "106.5", "kW", 106.5e3),
@@ -155,6 +189,14 @@ mod tests {
                 "kW: this does not start with a number; write a number and a unit of power, such as 3.94 kW",
             ),
             ("106,5 kW", Power, "decimal-comma", "106,5 kW: decimal comma; write 106.5 kW"),
+            ("106,5 кВт", Power, "decimal-comma", "106,5 кВт: decimal comma; write 106.5 kW"),
+            ("106,5", Power, "decimal-comma", "106,5: decimal comma; write 106.5 kW"),
+            (
+                "1,950 об/мин",
+                AngularSpeed,
+                "decimal-comma",
+                "1,950 об/мин: decimal comma; write 1.950 rpm, or 1950 rpm if the comma parts thousands",
+            ),
             (
                 "1,950 rpm",
                 AngularSpeed,

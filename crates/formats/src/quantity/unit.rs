@@ -306,9 +306,76 @@ pub(super) fn ambiguity(text: &str) -> Option<&'static str> {
     AMBIGUOUS.iter().find(|(spelling, _)| *spelling == key).map(|(_, choices)| *choices)
 }
 
+/// Parts of units in Russian and Ukrainian, and ours.
+const CYRILLIC: &[(&str, &str)] = &[
+    ("мкм", "um"),
+    ("мм", "mm"),
+    ("см", "cm"),
+    ("дм", "dm"),
+    ("км", "km"),
+    ("м", "m"),
+    ("мс", "ms"),
+    ("сек", "s"),
+    ("с", "s"),
+    ("мин", "min"),
+    ("хв", "min"),
+    ("ч", "h"),
+    ("год", "h"),
+    ("об", "1"),
+    ("рад", "rad"),
+    ("град", "deg"),
+    ("мВт", "mW"),
+    ("Вт", "W"),
+    ("кВт", "kW"),
+    ("МВт", "MW"),
+    ("л.с.", "PS"),
+    ("лс", "PS"),
+    ("к.с.", "PS"),
+    ("Н", "N"),
+    ("кН", "kN"),
+    ("МН", "MN"),
+    ("Па", "Pa"),
+    ("кПа", "kPa"),
+    ("МПа", "MPa"),
+    ("ГПа", "GPa"),
+    ("бар", "bar"),
+    ("г", "g"),
+    ("кг", "kg"),
+    ("т", "t"),
+    ("Дж", "J"),
+    ("кДж", "kJ"),
+    ("л", "l"),
+];
+
+/// The unit that a text in Cyrillic letters means: `м/с`, `кН·м`, `об/мин`.
+fn of_cyrillic(key: &str) -> Option<&'static Unit> {
+    if !key.contains(|c: char| ('а'..='я').contains(&c) || ('А'..='Я').contains(&c)) {
+        return None;
+    }
+    let in_latin = |part: &str| {
+        let (word, power) =
+            part.split_at(part.find(|c: char| c == '-' || c.is_ascii_digit()).unwrap_or(part.len()));
+        let of = |same: fn(&str, &str) -> bool| CYRILLIC.iter().find(|(cyrillic, _)| same(cyrillic, word));
+        let alike = |one: &str, other: &str| one.to_lowercase() == other.to_lowercase();
+        of(|one, other| one == other).or_else(|| of(alike)).map(|(_, latin)| format!("{latin}{power}"))
+    };
+    // `Нм` without a sign between.
+    let key = if key.ends_with("Нм") { key.replace("Нм", "Н·м") } else { key.to_owned() };
+    let mut latin = String::new();
+    for piece in key.split_inclusive(['·', '/']) {
+        let sign = piece.chars().next_back().filter(|c| matches!(c, '·' | '/'));
+        latin += &in_latin(piece.trim_end_matches(['·', '/']))?;
+        latin.extend(sign);
+    }
+    find_unit(&latin)
+}
+
 /// The unit most like the unknown `text`, among those of `dimension` if it is known.
 pub(super) fn nearest_unit(text: &str, dimension: Option<Dimension>) -> Option<&'static Unit> {
     let key = key(text);
+    if let Some(unit) = of_cyrillic(&key) {
+        return Some(unit);
+    }
     let likeness = |unit: &Unit| {
         let of_spelling = |spelling: &&str| {
             if spelling.eq_ignore_ascii_case(&key) {

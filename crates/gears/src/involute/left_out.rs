@@ -1,39 +1,43 @@
 //! Sets of teeth that a check leaves out of a search.
 
-use super::check::Check;
+use super::check::{Check, Rule};
+use std::fmt;
 
-/// Sets of a wanted ratio that a check leaves out: how many, and one of them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RatioLeftOut {
+/// Sets that a check leaves out of a search: how many, and one of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
     /// How many.
     pub count: u64,
-    /// Teeth of sun, planet and ring of the first.
-    pub teeth: [u32; 3],
-    /// The check that the first does not pass.
-    pub check: Check,
+    /// Teeth of the first, as `18/12/42`.
+    pub teeth: String,
+    /// The rule that the first does not keep.
+    pub rule: Rule,
+    /// What it misses, with its figures.
+    pub miss: String,
 }
 
-impl RatioLeftOut {
-    /// One more that a check leaves out.
-    pub(crate) fn add(all: &mut Option<Box<Self>>, teeth: [u32; 3], check: Check) {
+impl LeftOut {
+    /// One more set that a check leaves out.
+    pub fn add<P: fmt::Display>(
+        all: &mut Option<Box<Self>>,
+        teeth: impl FnOnce() -> String,
+        check: &Check<P>,
+    ) {
         match all {
             Some(all) => all.count += 1,
-            None => *all = Some(Box::new(Self { count: 1, teeth, check })),
+            None => {
+                let (teeth, rule, miss) = (teeth(), check.rule, check.to_string());
+                *all = Some(Box::new(Self { count: 1, teeth, rule, miss }));
+            }
         }
     }
 }
 
-impl std::fmt::Display for RatioLeftOut {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let [sun, planet, ring] = self.teeth;
-        let (sets, are) = if self.count == 1 { ("set", "is") } else { ("sets", "are") };
-        write!(
-            f,
-            "{} {sets} of this ratio {are} left out, {sun}/{planet}/{ring} since {} ({}: {})",
-            self.count,
-            self.check,
-            self.check.rule.name(),
-            self.check.rule.remedy()
-        )
+impl fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { count, teeth, rule, miss } = self;
+        let (sets, are) = if *count == 1 { ("set", "is") } else { ("sets", "are") };
+        let (rule, remedy) = (rule.name(), rule.remedy());
+        write!(f, "{count} {sets} {are} left out; of {teeth} {miss} ({rule}: {remedy})")
     }
 }

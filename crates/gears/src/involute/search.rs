@@ -9,11 +9,11 @@
 use super::check::{Check, Rule};
 use super::closing::Closing;
 use super::family::{Choice, natural_centre_distance};
-use super::left_out::RatioLeftOut;
+use super::left_out::LeftOut;
 use crate::mesh::coaxial_ring;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
-use crate::synthesis::{Bounds, Placement, Search, ToothNumbers};
+use crate::synthesis::{Bounds, Placement, Ranked, Search, ToothNumbers};
 use crate::units::radians;
 use crate::{Error, ToothCount};
 use std::ops::{ControlFlow, RangeInclusive};
@@ -106,13 +106,13 @@ impl ShiftedSearch {
     /// use epicyclic_gears::involute::closing::Closing;
     /// use epicyclic_gears::involute::search::ShiftedSearch;
     /// use epicyclic_gears::simple_set::{Member, Mode};
-    /// use epicyclic_gears::synthesis::Bounds;
+    /// use epicyclic_gears::synthesis::{Bounds, Ranked};
     /// # fn main() -> Result<(), epicyclic_gears::Error> {
     /// let bounds = Bounds { sun: 18..=18, planets: 3..=3, ..Bounds::default() };
     /// let search = ShiftedSearch { bounds, offsets: -3..=3, closing: Closing::default() };
     /// let mode = Mode::new(Member::Sun, Member::Carrier)?;
     /// // i = 1 + 93/18: 18/36/93 and its neighbours.
-    /// let (found, sets) = search.first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| std::ops::ControlFlow::Continue(()))?;
+    /// let Ranked { found, first: sets, .. } = search.first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| std::ops::ControlFlow::Continue(()))?;
     /// let planets: Vec<u32> = sets.iter().map(|set| set.teeth.planet.get()).collect();
     /// assert_eq!((found, planets), (4, vec![37, 38, 36, 39]));
     /// # Ok(())
@@ -129,7 +129,7 @@ impl ShiftedSearch {
         tolerance: f64,
         most: usize,
         mut done: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<(u64, Vec<Shifted>), Error> {
+    ) -> Result<Ranked<Shifted>, Error> {
         self.check()?;
         let mut search = Search::new(wanted, tolerance)?;
         let order = |one: &Shifted, other: &Shifted| {
@@ -150,7 +150,7 @@ impl ShiftedSearch {
                     let choice = match choice {
                         Ok(choice) => choice,
                         Err(check) if search.is_near(ratio) => {
-                            return RatioLeftOut::add(&mut left_out, gears.map(ToothCount::get), check);
+                            return LeftOut::add(&mut left_out, || teeth.to_string(), &check);
                         }
                         Err(_) => return,
                     };
@@ -174,7 +174,7 @@ impl ShiftedSearch {
         }
         held.sort_by(order);
         held.truncate(most);
-        Ok((found, held))
+        Ok(Ranked { found, first: held, left_out })
     }
 
     /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close, ascending.
@@ -369,7 +369,7 @@ mod tests {
                     }
                 }
             }
-            let mut found: Vec<[u32; 4]> = found.map(|(_, sets)| sets).unwrap_or_default().iter()
+            let mut found: Vec<[u32; 4]> = found.map(|found| found.first).unwrap_or_default().iter()
                 .map(|set| [set.teeth.sun.get(), set.teeth.planet.get(), set.teeth.ring.get(), set.teeth.planets]).collect();
             found.sort_unstable();
             prop_assert_eq!(found, by_trial);

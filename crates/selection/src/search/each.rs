@@ -11,7 +11,7 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_of_each_watched(&self, watch: &Watch) -> Result<Vec<Found>, Error> {
-        let all = self.prepared()?;
+        let all = self.prepared(watch)?;
         let mut best = vec![];
         for structure in &self.structures {
             let of_it = all.patches.iter().filter(|patch| patch.structure == *structure);

@@ -8,6 +8,7 @@ use crate::objectives::Objectives;
 use crate::quantity::Limited;
 use crate::size::Rating;
 use crate::units::in_metres;
+use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::structures::Structure;
 use std::ops::RangeInclusive;
@@ -21,6 +22,7 @@ pub struct Found {
     pub(super) patches: Vec<Patch>,
     pub(super) levels: Vec<Level>,
     pub(super) tooth_sets: Vec<ToothNumbers>,
+    pub(super) left_out: Option<Box<LeftOut>>,
     pub(super) counts: Counts,
     pub(super) size: SizeLimits,
     pub(super) allowed: Allowed,
@@ -28,7 +30,7 @@ pub struct Found {
 }
 
 /// How many designs there were.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Combinations of tooth numbers of a set.
     pub tooth_sets: usize,
@@ -129,6 +131,12 @@ impl Found {
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts
+    }
+
+    /// Tooth numbers of a set that are left out since a check of their teeth does not hold.
+    #[must_use]
+    pub fn left_out(&self) -> Option<&LeftOut> {
+        self.left_out.as_deref()
     }
 
     /// The designs of an entry: every pair of tooth numbers with its objectives.

@@ -122,7 +122,7 @@ pub struct Progress {
     pub done: usize,
     /// Of so many.
     pub of: usize,
-    /// What is searched; how many designs are feasible is not known before the end, and 0 till then.
+    /// What is searched, all 0 until it is counted; how many designs are feasible is not known before the end, and 0 till then.
     pub counts: Counts,
 }
 
@@ -240,7 +240,7 @@ impl ToothSearch {
     /// # Errors
     /// As [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
-        let mut found = self.prepared()?;
+        let mut found = self.prepared(watch)?;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             // Nothing on the front of all is off the front of a part.
             held.keep(&non_dominated(&held.costs));
@@ -271,7 +271,7 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, Error> {
-        self.best_of(self.prepared()?, count, watch)
+        self.best_of(self.prepared(watch)?, count, watch)
     }
 
     fn best_of(&self, mut found: Found, count: usize, watch: &Watch) -> Result<Found, Error> {
@@ -363,11 +363,13 @@ impl ToothSearch {
     }
 
     /// Levels, patches and windows: all that comes before trying.
-    fn prepared(&self) -> Result<Found, Error> {
+    fn prepared(&self, watch: &Watch) -> Result<Found, Error> {
         self.requirements.check()?;
         check_order(self.order)?;
         let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, &self.requirements.rating)?;
-        let all = shifted::all(&self.bounds, self.shift.as_ref())?;
+        let (all, left_out) = shifted::all(&self.bounds, self.shift.as_ref(), |_| {
+            watch(Progress { done: 0, of: 1, counts: Counts::default() })
+        })?;
         let (count, counted) = (all.len(), all.len() as u64);
         let (levels, tooth_sets) =
             levels(all, &self.requirements.limits, &self.requirements.rating, self.shift.as_ref())?;
@@ -406,7 +408,7 @@ impl ToothSearch {
         let allowed = Allowed::new(&self.requirements);
         let rating = self.requirements.rating.clone();
         let (entries, points) = (vec![], vec![]);
-        Ok(Found { entries, points, patches, levels, tooth_sets, counts, size, allowed, rating })
+        Ok(Found { entries, points, patches, levels, tooth_sets, left_out, counts, size, allowed, rating })
     }
 
     /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts these

@@ -18,7 +18,7 @@ use super::exact;
 use super::found::{Counts, SizeLimits};
 use super::levels::{Level, levels};
 use super::patch::Allowed;
-use super::shifted::shifted;
+use super::shifted::{shifted, that_turn};
 use super::{Directions, MOST_TOOTH_SETS, check_order};
 use crate::drawing::drawable_direct_clutches;
 use crate::front::{Entry, front};
@@ -26,6 +26,7 @@ use crate::mechanism::{Mechanism, Space};
 use crate::objectives::{Costs, Objectives, Order, on_grid};
 use crate::requirements::Requirements;
 use crate::{Error, Rating};
+use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
@@ -62,6 +63,7 @@ pub struct OneSetFound {
     ways: Vec<Way>,
     levels: Vec<Level>,
     tooth_sets: Vec<ToothNumbers>,
+    left_out: Option<Box<LeftOut>>,
     counts: Counts,
     size: SizeLimits,
     rating: Rating,
@@ -103,6 +105,16 @@ struct Measured {
     ratio_error: f64,
     /// Cube of the relative ring diameter, one planet carrying all.
     cube: Double,
+}
+
+/// Tooth numbers whose ratio is near a wanted one.
+struct Nearby {
+    /// Those whose gears can be cut and turned together.
+    near: Vec<ToothNumbers>,
+    /// How many there are within the bounds, near or not.
+    tooth_sets: usize,
+    /// Those near whose gears cannot.
+    left_out: Option<Box<LeftOut>>,
 }
 
 /// From so many designs on those that others dominate are left out before all are there.
@@ -147,7 +159,7 @@ impl OneSetSearch {
         let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, rating)?;
         let allowed = Allowed::new(&self.requirements);
         let ways = self.ways()?;
-        let (near, tooth_sets) = self.near(&ways, &allowed, &mut done)?;
+        let Nearby { near, tooth_sets, left_out } = self.near(&ways, &allowed, &mut done)?;
         let (levels, near) = levels(near, limits, rating, self.shift.as_ref())?;
         let mut counts = Counts {
             tooth_sets,
@@ -189,7 +201,7 @@ impl OneSetSearch {
         }
         let entries = front(&costs, self.order, |place| Objectives::of_costs(costs[place], None));
         let rating = rating.clone();
-        Ok(OneSetFound { entries, points, ways, levels, tooth_sets: near, counts, size, rating })
+        Ok(OneSetFound { entries, points, ways, levels, tooth_sets: near, left_out, counts, size, rating })
     }
 
     /// Ways to use the set, with the ratio wanted of each; none that cannot be drawn, unless that does not matter.
@@ -214,13 +226,13 @@ impl OneSetSearch {
         Ok(found)
     }
 
-    /// Tooth numbers whose ratio is near what is wanted of any way, and how many there are in all.
+    /// Tooth numbers whose ratio is near what is wanted of any way.
     fn near(
         &self,
         ways: &[Way],
         allowed: &Allowed,
-        done: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<(Vec<ToothNumbers>, usize), Error> {
+        mut done: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Nearby, Error> {
         let k = &self.requirements.limits.ring_to_sun;
         if let Some(shift) = &self.shift {
             let all: Vec<ToothNumbers> = shifted(&self.bounds, shift, done)?;
@@ -230,11 +242,11 @@ impl OneSetSearch {
             };
             let within = all.into_iter().filter(|teeth| k.contains(&teeth.ring_to_sun_ratio()));
             let (near, far): (Vec<ToothNumbers>, Vec<ToothNumbers>) = within.partition(is_near);
-            let count = near.len() + far.len();
-            return Ok((near, count));
+            let tooth_sets = near.len() + far.len();
+            return Ok(Nearby { near, tooth_sets, left_out: None });
         }
         let (mut near, mut count, mut of_near) = (vec![], 0, 0);
-        self.bounds.each(done, |teeth| {
+        self.bounds.each(&mut done, |teeth| {
             if !k.contains(&teeth.ring_to_sun_ratio()) {
                 return;
             }
@@ -250,7 +262,8 @@ impl OneSetSearch {
         if of_near > MOST_TOOTH_SETS {
             return Err(Error::TooManyNear { tooth_sets: of_near, most: MOST_TOOTH_SETS });
         }
-        Ok((near, count))
+        let (near, left_out) = that_turn(&self.bounds, &near, |_| done(1.0))?;
+        Ok(Nearby { near, tooth_sets: count, left_out })
     }
 }
 
@@ -347,6 +360,12 @@ impl OneSetFound {
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts
+    }
+
+    /// Tooth numbers of a set that are left out since a check of their teeth does not hold.
+    #[must_use]
+    pub fn left_out(&self) -> Option<&LeftOut> {
+        self.left_out.as_deref()
     }
 
     /// The designs of an entry: all tooth numbers with its objectives.

@@ -386,7 +386,7 @@ mod tests {
             requirements.limits.drawable = false;
             let mut search = ToothSearch::new(requirements.clone());
             search.bounds = Bounds { ring: 12..=70, ..Bounds::default() };
-            let found = search.prepared().unwrap();
+            let found = search.prepared(&|_| std::ops::ControlFlow::Continue(())).unwrap();
             for patch in &found.patches {
                 let strip = patch.strips[pair.index(patch.strips.len())];
                 let places = [strip[0], strip[1] + (strip[2] - strip[1]) / 2].map(|place| place as usize);

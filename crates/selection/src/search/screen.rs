@@ -293,7 +293,7 @@ mod tests {
             let mut search = ToothSearch::new(requirements);
             search.bounds = Bounds { ring: 12..=80, ..Bounds::default() };
             search.order = Order::new(&[Objective::ALL[objective]]).unwrap();
-            let found = search.prepared().unwrap();
+            let found = search.prepared(&|_| std::ops::ControlFlow::Continue(())).unwrap();
             for patch in &found.patches {
                 let sides = patch.sides(&found.levels);
                 let columns = Columns::new(&sides[1], &found.levels);

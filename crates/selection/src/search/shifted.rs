@@ -13,6 +13,8 @@ use super::MOST_TOOTH_SETS;
 use crate::Error;
 use crate::threads::map;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::left_out::LeftOut;
+use epicyclic_gears::involute::plain;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use std::ops::ControlFlow;
@@ -20,19 +22,57 @@ use std::ops::ControlFlow;
 /// Suns that are closed before it is told how far the search is.
 const SUNS: usize = 16;
 
-/// All tooth numbers within the bounds, with profile shift or without.
+/// Sets whose teeth are checked before it is told how far the search is.
+const SETS: usize = 1024;
+
+/// All tooth numbers within the bounds whose gears can be cut and turned together, with profile shift or without; of those without the others, counted.
 ///
 /// # Errors
 /// Those of [`Bounds`] and [`shifted`]; [`Error::TooManyToothSets`], before anything is made.
-pub(super) fn all(bounds: &Bounds, shift: Option<&ProfileShift>) -> Result<Vec<ToothNumbers>, Error> {
+pub(super) fn all(
+    bounds: &Bounds,
+    shift: Option<&ProfileShift>,
+    mut done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<(Vec<ToothNumbers>, Option<Box<LeftOut>>), Error> {
     if let Some(shift) = shift {
-        return shifted(bounds, shift, |_| ControlFlow::Continue(()));
+        return Ok((shifted(bounds, shift, done)?, None));
     }
     let counted = bounds.count()?;
     if counted > MOST_TOOTH_SETS {
         return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
     }
-    Ok(bounds.tooth_numbers()?)
+    that_turn(bounds, &bounds.tooth_numbers()?, &mut done)
+}
+
+/// Those sets without profile shift whose gears can be cut and turned together, and the others, counted.
+pub(super) fn that_turn(
+    bounds: &Bounds,
+    sets: &[ToothNumbers],
+    mut done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<(Vec<ToothNumbers>, Option<Box<LeftOut>>), Error> {
+    let (mut turn, mut left_out) = (vec![], None);
+    for (place, some) in sets.chunks(SETS).enumerate() {
+        // The same gears come with several numbers of planets, one after another.
+        let with_gears: Vec<&[ToothNumbers]> =
+            some.chunk_by(|one, other| gears(one) == gears(other)).collect();
+        let misses = map(&with_gears, |alike| plain::miss(gears(&alike[0]), &bounds.rack));
+        for (alike, miss) in with_gears.iter().zip(misses) {
+            match miss? {
+                None => turn.extend_from_slice(alike),
+                Some(check) => {
+                    alike.iter().for_each(|set| LeftOut::add(&mut left_out, || set.to_string(), &check));
+                }
+            }
+        }
+        if done(((place + 1) * SETS).min(sets.len()) as f64 / sets.len() as f64).is_break() {
+            return Err(Error::Cancelled);
+        }
+    }
+    Ok((turn, left_out))
+}
+
+const fn gears(set: &ToothNumbers) -> [ToothCount; 3] {
+    [set.sun, set.planet, set.ring]
 }
 
 /// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends it.

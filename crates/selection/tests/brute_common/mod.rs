@@ -30,8 +30,14 @@ pub(crate) fn designs(
     structures: &[Structure],
     bounds: &Bounds,
 ) -> (Vec<Design>, u64) {
-    let all = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
-    designs_of(requirements, structures, &all, None)
+    designs_of(requirements, structures, &that_turn_by_trial(bounds), None)
+}
+
+/// All tooth numbers without profile shift whose gears can be cut and turned together.
+pub(crate) fn that_turn_by_trial(bounds: &Bounds) -> Vec<ToothNumbers> {
+    let mut all = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
+    all.retain(|set| bounds.can_turn(set, &mut None).expect("the rack is one"));
+    all
 }
 
 /// Every design of these structures and tooth numbers that meets the criteria, and how many were tried.

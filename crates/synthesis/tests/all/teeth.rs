@@ -79,7 +79,7 @@ fn ratios_with_a_double_planet_set_are_those_of_the_solver_and_nothing_is_lost()
         if !wish.gears[0].contain(first) {
             continue;
         }
-        for two in real.double_planet_choices().unwrap() {
+        for two in real.double_planet_choices().unwrap().0 {
             let teeth = [SetTeeth::Simple(*one), SetTeeth::DoublePlanet(two)];
             let gearbox = with_teeth(&found[0], &wish, &teeth);
             let ratios: Vec<f64> = gearbox

@@ -4,17 +4,21 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::check::Severity;
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::simple_set::Mode;
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::planet_bearings::{Lack, MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{GearOf, MeshKind};
-use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Gearbox, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 use uom::si::f64::{Length, Torque};
 use uom::si::{force::newton, length::millimeter, torque::newton_meter};
 
@@ -456,6 +460,54 @@ proptest! {
         let warned = gaps.filter(|check| check.miss.is_some()).map(|check| check.value).reduce(f64::min);
         prop_assert_eq!(warned.is_some(), overlap < 0.0);
         prop_assert!(warned.is_none_or(|warned| (warned - overlap).abs() < 1e-9));
+    }
+}
+
+/// Errors of the teeth of a set, but of tips in the fillets of a ring, which a larger shaper avoids.
+fn errors(set: SetSpec, rack: &BasicRack) -> Vec<String> {
+    let gearbox = Gearbox::builder("offered").links(["sun", "arm"]).set(set).input("sun").output("arm");
+    let checks = gearbox.gear("only", [""; 0]).build().unwrap().set_checks(rack, |_| vec![]).checks;
+    let missed = checks
+        .into_iter()
+        .filter(|check| check.severity == Severity::Error && check.rule != "fillet-interference");
+    missed.filter_map(|check| Some(format!("{}: {}", check.rule, check.miss?))).collect()
+}
+
+proptest! {
+    #![proptest_config(Config::with_cases(24))]
+
+    /// What searches for tooth numbers offer can be cut and turned, also with few teeth.
+    #[test]
+    fn tooth_numbers_offered_have_no_errors(
+        sun in 5..30_u32, planet in 4..16_u32, ring in 16..70_u32, ratio in 2.5..7.0_f64, addendum in prop_oneof![Just(1.0), 0.7..1.2_f64],
+    ) {
+        let rack = BasicRack { addendum, ..BasicRack::default() };
+        let bounds = Bounds {
+            sun: sun..=sun + 6, planet: planet..=planet + 12, ring: ring..=ring + 20, planets: 2..=5, ring_to_sun_ratio: 1.2..=9.0, rack, ..Bounds::default()
+        };
+        let members = ["sun", "ground", "arm"];
+        let go = |_| ControlFlow::Continue(());
+        let simple = |of: &ToothNumbers| {
+            SetSpec::teeth("1", SetKind::Simple, members, of.sun.get(), of.ring.get()).unwrap().planet_teeth(of.planet, None).planet_count(of.planets)
+        };
+        for of in bounds.first_for_ratio(ratio, Mode::SUN_TO_CARRIER, 0.2, 200, go).map(|found| found.first).unwrap_or_default() {
+            prop_assert_eq!(errors(simple(&of.teeth), &rack), Vec::<String>::new(), "{}", of.teeth);
+        }
+        for of in bounds.tooth_numbers().unwrap().iter().take(200) {
+            let mut left_out = None;
+            // A search takes a shaper that exists, an analysis one made for the ring: so it may leave out more.
+            if bounds.can_turn(of, &mut left_out).unwrap() {
+                prop_assert_eq!(errors(simple(of), &rack), Vec::<String>::new(), "{}", of);
+            }
+        }
+        let (double, _) = bounds.double_planet_choices().unwrap();
+        let of_ratio = bounds.double_planets_for_ratio(1.0 - ratio, Mode::SUN_TO_CARRIER, 0.2, 200, go);
+        let of_ratio = of_ratio.map(|found| found.first).unwrap_or_default().into_iter().map(|of| of.teeth);
+        for of in double.into_iter().take(200).chain(of_ratio) {
+            let set = SetSpec::teeth("1", SetKind::DoublePlanet, members, of.sun.get(), of.ring.get()).unwrap();
+            let set = set.planet_teeth(of.inner, Some(of.outer)).planet_count(of.pairs);
+            prop_assert_eq!(errors(set, &rack), Vec::<String>::new(), "{}", of);
+        }
     }
 }
 

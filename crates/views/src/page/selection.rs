@@ -16,7 +16,7 @@ use epicyclic_pictures::gearbox::scheme::{self, Show};
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
 pub fn sheet(select: &Select, drawn: Option<&Drawn>, input: String) -> Result<Sheet, Error> {
-    let best = select.candidates.first().filter(|one| one.accepted);
+    let best = select.in_full();
     page(select.report(), best, drawn, input)
 }
 
@@ -25,7 +25,7 @@ pub fn sheet(select: &Select, drawn: Option<&Drawn>, input: String) -> Result<Sh
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
 pub fn sheet_with_teeth(select: &SelectTeeth, drawn: Option<&Drawn>, input: String) -> Result<Sheet, Error> {
-    page(select.report(), select.designs.first().map(|design| &design.candidate), drawn, input)
+    page(select.report(), select.in_full().map(|design| &design.candidate), drawn, input)
 }
 
 fn page(
@@ -41,12 +41,12 @@ fn page(
     let mut answer: Vec<Block> = best.map(|best| Block::Answer(in_short(best))).into_iter().collect();
     if let Some((drawn, layout)) = drawn.and_then(|drawn| Some((drawn, drawn.layout.as_deref()?))) {
         let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, None, PICTURE_MM[0]);
-        let caption = "Kinematic scheme of the best, the half above the axis.";
+        let caption = "Kinematic scheme, the half above the axis.";
         answer.push(Block::picture(scene.map_err(Error::Picture)?, caption));
     }
-    // The reasons belong to the answer, the tables are chapters.
+    // The reasons belong to the answer, tables are in the chapters.
     let (reasons, tables): (Vec<Part>, Vec<Part>) =
-        report.parts.into_iter().partition(|part| matches!(part, Part::Text(_)));
+        report.parts.into_iter().partition(|part| matches!(part, Part::Text(text) if text.table.is_empty()));
     answer.push(Block::Answer(Report { parts: reasons, ..Report::default() }));
     let left_out = [
         "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
@@ -60,7 +60,7 @@ fn page(
         objections: best.map(unmet).unwrap_or_default(),
         sections: vec![
             Section::new(
-                "Designs and the best in full",
+                "Designs, and one in full",
                 vec![Block::Answer(Report { parts: tables, ..Report::default() })],
             ),
             Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]),

@@ -6,6 +6,7 @@ use super::{
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View, checked_rows_as_csv};
+use crate::teeth::left_out;
 use crate::teeth::shifted::aim;
 use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
@@ -28,8 +29,8 @@ impl AsReport for SelectTeeth {
             parts.push(Part::Records(of_structures(self)));
         }
         parts.push(Part::Text(Text::paragraph(searched(self))));
-        if let Some(first) = self.designs.first() {
-            parts.extend(best::parts(&first.candidate));
+        if let Some(design) = self.in_full() {
+            parts.extend(best::parts(&design.candidate));
         }
         Report { title: Some(title(&self.required)), parts, warnings: None }
     }
@@ -43,7 +44,7 @@ fn searched(select: &SelectTeeth) -> String {
         (" per set", format!("{:.2e}", counts.designs as f64), "pairs of ")
     };
     let searched = format!(
-        "{} combinations of tooth numbers{per_set}, {} structures with their ratios: {designs} designs, none left out; {} \
+        "{} combinations of tooth numbers{per_set}, {} structures with their ratios: {designs} designs, all searched; {} \
          {pairs}ring-to-sun ratios were tried in full, {} meet every required criterion.",
         counts.tooth_numbers, counts.structures, counts.tried, counts.accepted
     );
@@ -52,7 +53,7 @@ fn searched(select: &SelectTeeth) -> String {
         1 => " Shown is the first of the non-dominated designs.".to_owned(),
         shown => format!(" Shown are the first {shown} of the non-dominated designs."),
     };
-    searched + &shown
+    searched + &shown + &left_out(counts.left_out.as_ref())
 }
 
 /// Whether one set was searched and not two.

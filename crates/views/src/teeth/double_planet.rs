@@ -1,6 +1,6 @@
 //! Double-planet sets for a ratio, as tables.
 
-use super::{count, parts, percent, title, undercut};
+use super::{count, left_out, parts, percent, title, undercut};
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Records, Report, View};
@@ -11,7 +11,11 @@ impl AsReport for DoublePlanetTeeth {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}, double-planet sets", title(self.ratio, self.mode, self.tolerance))),
-            parts: parts(sets(self), &self.tooth_checks, count(self.found, self.shown)),
+            parts: parts(
+                sets(self),
+                &self.tooth_checks,
+                count(self.found, self.shown) + &left_out(self.left_out.as_ref()),
+            ),
             warnings: None,
         }
     }
@@ -20,7 +24,7 @@ impl AsReport for DoublePlanetTeeth {
 fn sets(teeth: &DoublePlanetTeeth) -> Records {
     let mut views = vec![View {
         note: "Inner planets mesh with the sun, outer ones with the ring. Choices: of planets and pairs that fit sun and ring; \
-               shown is the one with the most pairs, whose smaller planet has the most teeth."
+               shown is the first that passes the checks of the teeth, by the most pairs, then by the most teeth of the smaller planet."
             .to_owned(),
         ..View::new(
             "Tooth numbers",

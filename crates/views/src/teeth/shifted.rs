@@ -1,6 +1,6 @@
 //! Sets with profile shift for a ratio, as tables.
 
-use super::{count, near, parts, percent, title};
+use super::{count, left_out, near, parts, percent, title};
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Records, Report, View};
@@ -15,6 +15,7 @@ impl AsReport for ShiftedTeeth {
                 sets(self),
                 &self.tooth_checks,
                 count(self.found, self.shown)
+                    + &left_out(self.left_out.as_ref())
                     + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),
             ),
             warnings: None,

@@ -13,6 +13,7 @@ use std::borrow::Cow;
 /// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
 #[derive(Serialize)]
 pub struct Streamed<'a> {
+    pub(super) shown_in_full: Option<u32>,
     pub(super) speeds: Vec<ReachedSpeed>,
     pub(super) required: Required,
     pub(super) size_limits: RequiredSize,
