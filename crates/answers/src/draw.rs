@@ -98,6 +98,8 @@ pub enum View {
     Map,
     /// Of a motor: its centrodes.
     Centrodes,
+    /// Of a motor: the construction of its arcs and of the point where the rotor's arcs meet.
+    Construction,
     /// Every tooth in mesh, of a motor or of the simple sets of a gearbox.
     Teeth,
     /// Of a motor: the motor in its housing with its ports.
@@ -184,7 +186,7 @@ impl Subject {
             name: title,
             sets: vec![],
             shift_elements: vec![],
-            motor: Some(Numbers::of(motor)),
+            motor: Some(Numbers::of(motor.numbers(), motor.module())),
         }
     }
 }

@@ -60,6 +60,27 @@ pub enum Error {
     /// A speed of a hydromotor's rotor that is not above 0.
     #[error("it must be above 0; a motor that runs backwards is its mirror image")]
     RotorSpeed,
+    /// Distances of a stator's arcs with which there are no arcs, or none on which a satellite rolls.
+    #[error("{why}{}", closing(.a.as_deref()))]
+    NoConstruction {
+        /// Why.
+        why: epicyclic_hydromotor::Error,
+        /// The `a` with which the rotor closes at the given `l`, where there is one.
+        a: Option<String>,
+    },
+    /// A construction of arcs of a motor that has none.
+    #[error("a rotor by the cosine law is not made of arcs; it has no construction (1)-(8)")]
+    NoArcs,
+    /// A stator of more teeth than a list of all its satellites takes.
+    #[error(
+        "{teeth} stator teeth: without the teeth of a satellite all satellites are listed, of at most {most} stator teeth; give --zs"
+    )]
+    TooManyToList {
+        /// Teeth of the stator.
+        teeth: u32,
+        /// The most.
+        most: u32,
+    },
     /// What is said of a hydromotor beside its geometry and does not go together.
     #[error("{message}")]
     MotorKey {
@@ -357,6 +378,11 @@ pub enum Error {
     NoChute,
 }
 
+/// What would close instead.
+fn closing(a: Option<&str>) -> String {
+    a.map_or_else(String::new, |a| format!("; at this l the rotor closes with a = {a}"))
+}
+
 impl Error {
     /// The name of the error, which does not change: `no-tooth-numbers`.
     #[must_use]
@@ -373,6 +399,9 @@ impl Error {
             Self::NoSuchDesign { .. } => "no-such-design",
             Self::PressureDrop => "pressure-drop",
             Self::RotorSpeed => "rotor-speed",
+            Self::NoConstruction { why, .. } => why.name(),
+            Self::NoArcs => "no-construction",
+            Self::TooManyToList { .. } => "too-many-to-list",
             Self::MotorKey { .. } => "motor-key",
             Self::CentrodePoints { .. } => "centrode-points",
             Self::Gear(error) => error.name(),

@@ -1,7 +1,9 @@
 //! A planetary hydromotor with non-circular wheels: geometry that closes, working data, teeth.
 
+mod admissible;
 mod bodies;
 mod centrodes;
+mod construction;
 mod design;
 mod flanks;
 mod made;
@@ -12,8 +14,14 @@ pub(crate) mod saved;
 mod shape;
 mod teeth;
 
+pub use admissible::{
+    BrokenLimit, MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout, satellites_of,
+};
 pub use bodies::{Chamber, ChamberState, Push, Satellite};
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
+pub use construction::{
+    Constructed, ConstructedArcs, Departure, Junction, Misfit, MotorConstruction, construction,
+};
 pub use design::{Chosen, Designed, Place, Question, design, of_file};
 pub(crate) use flanks::contact_stresses;
 pub use flanks::{
@@ -35,9 +43,9 @@ use crate::{Answer, Error, Warning};
 use bodies::{chambers, satellites};
 use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
-use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
 use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
+use epicyclic_hydromotor::{self as hydromotor, MotorNumbers};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length};
@@ -343,7 +351,7 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
     let ripple = flanks.as_ref().map_or(work.ripple, |flanks| flanks.ripple);
     warnings.extend(practice::of_work(work.pressure_pa, ripple, made));
     Ok(Motor {
-        numbers: Numbers::of(motor),
+        numbers: Numbers::of(motor.numbers(), motor.module()),
         arcs,
         cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
         rotor: Rotor::of(motor),
@@ -364,10 +372,9 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
 }
 
 impl Numbers {
-    /// Those of a motor.
+    /// Those of a motor of these numbers.
     #[must_use]
-    pub fn of(motor: &hydromotor::Motor) -> Self {
-        let numbers = motor.numbers();
+    pub fn of(numbers: MotorNumbers, module: Length) -> Self {
         Self {
             stator_lobes: numbers.stator_lobes(),
             rotor_lobes: numbers.rotor_lobes(),
@@ -382,8 +389,8 @@ impl Numbers {
             common_divisor: numbers.common_divisor(),
             bearing_reactions_vanish: numbers.bearing_reactions_vanish(),
             pulses_per_revolution: numbers.pulses_per_revolution(),
-            module_m: si(motor.module()),
-            satellite_radius_m: si(motor.satellite_radius()),
+            module_m: si(module),
+            satellite_radius_m: si(0.5 * f64::from(numbers.satellite_teeth()) * module),
         }
     }
 }

@@ -27,6 +27,15 @@ pub fn maybe_si<T: Physical>(quantity: Option<T>) -> Option<f64> {
     quantity.map(si)
 }
 
+/// The least power of ten from `least` on that a residual of rounding keeps within: more of it says nothing.
+pub(crate) fn power_of_ten_above(residual: f64, least: f64) -> f64 {
+    let mut within = least;
+    while within < residual {
+        within *= 10.0;
+    }
+    within
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

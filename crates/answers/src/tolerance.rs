@@ -2,7 +2,7 @@
 //!
 //! | constant | of | why this size |
 //! |---|---|---|
-//! | `ROUNDED` | a loss over the power that enters, an imbalance | rounding leaves 1e-15 of a balance of some dozen terms |
+//! | `ROUNDED` | a loss over the power that enters, an imbalance, an angle that a rotor leaves open, rad | rounding leaves 1e-15 of a balance of some dozen terms |
 //! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
 //! | `SAME_RATIO` | ratios of two gears, over the larger | one ratio by two engagements differs by what rounding leaves; different teeth differ by far more |
 //! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
@@ -30,7 +30,7 @@ pub(crate) fn beside_zero(angle: Angle) -> f64 {
     if angle.si().abs() < BESIDE { 0.0 } else { angle.si() }
 }
 
-/// A share, 0 where it is only the rounding that balances and differences of speeds leave.
+/// A share or an angle, 0 where it is only the rounding that balances and differences of speeds leave.
 pub(crate) fn rounded(share: f64) -> f64 {
     if share.abs() < ROUNDED { 0.0 } else { share }
 }

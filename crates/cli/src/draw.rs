@@ -142,6 +142,8 @@ enum View {
     Map,
     /// Of a motor: its centrodes, and how the arcs are constructed.
     Centrodes,
+    /// Of a motor: half a lobe with the construction of its arcs, (1)-(8).
+    Construction,
     /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
     Teeth,
     /// Of a motor: the motor in its housing with its ports.
@@ -168,6 +170,7 @@ impl View {
         match self {
             Self::Scheme | Self::Speeds | Self::Levers | Self::Ladder | Self::Map => None,
             Self::Centrodes => Some(motor::View::Centrodes),
+            Self::Construction => Some(motor::View::Construction),
             Self::Teeth => Some(motor::View::Teeth),
             Self::Motor => Some(motor::View::Motor),
             Self::Chambers => Some(motor::View::Chambers),
@@ -188,6 +191,7 @@ impl View {
             Self::Ladder => answers::View::Ladder,
             Self::Map => answers::View::Map,
             Self::Centrodes => answers::View::Centrodes,
+            Self::Construction => answers::View::Construction,
             Self::Teeth => answers::View::Teeth,
             Self::Motor => answers::View::Motor,
             Self::Chambers => answers::View::Chambers,
@@ -297,7 +301,8 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     }
     let view = args.view.unwrap_or(View::Motor);
     let Some(of_motor) = view.of_motor() else {
-        let message = "a motor has the views centrodes, teeth, motor, chambers, dimensions".to_owned();
+        let message =
+            "a motor has the views centrodes, construction, teeth, motor, chambers, dimensions".to_owned();
         return Err(Failure::Option { option: "--view", message });
     };
     let base = formats::Path::root();

@@ -1,10 +1,12 @@
 //! The command `motor`: a planetary hydromotor from its numbers to its drawings, and two searches for one.
 
 use crate::desk::Call;
+mod construction;
 mod design;
 mod files;
 mod forms;
 mod made;
+mod satellites;
 mod search;
 mod sought;
 mod steps;
@@ -19,6 +21,7 @@ use epicyclic_answers::motor_forms::Crest;
 use epicyclic_answers::report;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::{Number, Path, Quantity};
+use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_views::page;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
@@ -26,7 +29,8 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 /// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
 ///
 /// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that roll on both.
-/// The numbers leave one distance free: --l, --a or --part choose it. Torque and flow are theoretical; --oil, --gaps and
+/// Without --zs the satellites that the other numbers admit are listed. The numbers leave one distance free: --l, --a or --part choose
+/// it. With both --l and --a the rotor need not close; the answer is then the construction of the arcs. Torque and flow are theoretical; --oil, --gaps and
 /// --friction add losses, --ports the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the
 /// stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is refused.
 #[derive(Debug, clap::Args)]
@@ -34,7 +38,7 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 #[command(override_usage = "\
 epicyclic motor [OPTIONS] <FILE>
        epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
-           --zs <TEETH> --module <MODULE>
+           --module <MODULE> [--zs <TEETH>]
        epicyclic motor search [OPTIONS]
        epicyclic motor forms [OPTIONS]")]
 #[command(after_help = "\
@@ -44,6 +48,9 @@ Example:
   epicyclic motor motor.yaml --view teeth --svg teeth.svg
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
       --l '80 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm'
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --module '2 mm'
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --l '80 mm' --a '31 mm' -o construction.svg
   epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
       --angle '30 deg' --view chambers --svg chambers.svg
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
@@ -78,6 +85,7 @@ const OF_A_MOTOR: [&str; 12] =
 
 /// A motor and what is wanted of it.
 #[derive(Debug, clap::Args)]
+#[command(group = clap::ArgGroup::new("place").multiple(true))]
 pub(crate) struct Design {
     /// File of a motor in YAML, in place of the options that describe one; - for standard input.
     #[arg(value_name = "FILE", conflicts_with_all = OF_A_MOTOR)]
@@ -99,8 +107,8 @@ pub(crate) struct Design {
     #[arg(long, value_name = "TEETH")]
     z1: Option<u32>,
 
-    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2.
-    #[arg(long, value_name = "TEETH", required_unless_present = "file")]
+    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with a motor.
+    #[arg(long, value_name = "TEETH")]
     zs: Option<u32>,
 
     /// Module of the teeth.
@@ -111,21 +119,27 @@ pub(crate) struct Design {
     #[arg(long, group = "place", allow_hyphen_values = true)]
     l: Option<Quantity<Length>>,
 
-    /// Instead of --l the distance a of the centres of the arcs at the crests.
+    /// Instead of --l the distance a of the centres of the arcs at the crests. Together with --l: --construction of arcs that need not
+    /// close.
     #[arg(long, group = "place", allow_hyphen_values = true)]
     a: Option<Quantity<Length>>,
 
     /// Instead of --l the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l.
-    #[arg(long, value_name = "NUMBER", group = "place", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", group = "place", conflicts_with_all = ["l", "a"], allow_negative_numbers = true)]
     part: Option<Number>,
 
     /// A rotor by the cosine law, and the stator conjugate to it: one motor, no family.
-    #[arg(long, group = "place")]
+    #[arg(long, group = "place", conflicts_with_all = ["l", "a", "part"])]
     cosine: bool,
 
     /// Relative amplitude ε₂ of a second harmonic of the cosine law.
     #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
     second_harmonic: Option<Number>,
+
+    /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing, and formulas (2)-(8). Drawings
+    /// show it.
+    #[arg(long)]
+    construction: bool,
 
     /// Width of the wheels, for displacement, torque and forces.
     #[arg(long, allow_hyphen_values = true)]
@@ -226,6 +240,8 @@ struct Files {
 pub(crate) enum View {
     /// Stator, rotor, satellites, and how the arcs are constructed.
     Centrodes,
+    /// Half a lobe of stator and rotor with the construction of the arcs, (1)-(8).
+    Construction,
     /// Every tooth in mesh.
     Teeth,
     /// The motor in its housing with its ports.
@@ -258,17 +274,65 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let wanted = files::wanted(files, output);
     wanted.check(files)?;
     let Some(file) = &args.design.file else {
+        if args.design.zs.is_none() {
+            return satellites::run(call, &args.design);
+        }
+        if construction::is_asked(&args.design) {
+            return construction::run(call, &args.design, &wanted, None);
+        }
         let designed = design::read(&args.design)?;
         return deliver(call, &args.design, &wanted, None, &designed, &design::refuse);
     };
     let document = input::document(call, file)?;
     let in_file = |failure: Failure| failure.in_file(&document, &Path::root());
     let (title, mut designed) = answers::motor::of_file(&document).map_err(|error| in_file(error.into()))?;
+    if construction::is_asked(&args.design) {
+        return construction::run(call, &args.design, &wanted, Some(&designed)).map_err(in_file);
+    }
     if let Some(angle) = &args.design.angle {
         designed.angle = angle.0;
     }
     let refuse = |error| design::refuse_of_file(error, args.design.angle.is_some());
     deliver(call, &args.design, &wanted, title, &designed, &refuse).map_err(in_file)
+}
+
+impl Design {
+    /// Options of a closed motor that say nothing of its arcs or teeth, and whether each is given.
+    fn beyond_the_arcs(&self) -> Vec<(&'static str, bool)> {
+        let own = [
+            ("--width", self.width.is_some()),
+            ("--angle", self.angle.is_some()),
+            ("--csv", self.files.csv.is_some()),
+        ];
+        own.into_iter().chain(self.made.given()).collect()
+    }
+}
+
+impl Teeth {
+    /// Its options, and whether each differs from its default.
+    fn given(&self) -> [(&'static str, bool); 7] {
+        let (given, usual) = (design::form(self), ToothForm::default());
+        [
+            ("--pressure-angle", given.pressure_angle != usual.pressure_angle),
+            ("--addendum", given.addendum != usual.addendum),
+            ("--clearance", given.clearance != usual.clearance),
+            ("--shift", given.shift != usual.shift),
+            ("--backlash", given.backlash != usual.backlash),
+            ("--fillet", given.fillet != usual.fillet),
+            ("--crest", given.crest != usual.crest),
+        ]
+    }
+}
+
+/// Refuses the first option that is given in vain.
+fn refuse_given(
+    options: impl IntoIterator<Item = (&'static str, bool)>,
+    message: &str,
+) -> Result<(), Failure> {
+    match options.into_iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => Err(Failure::Option { option, message: message.to_owned() }),
+        None => Ok(()),
+    }
 }
 
 fn deliver(

@@ -17,7 +17,7 @@ use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::losses::{LossMap, Losses};
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
-use epicyclic_answers::motor::Motor;
+use epicyclic_answers::motor::{Motor, MotorConstruction, MotorSatellites};
 use epicyclic_answers::motor_forms::MotorForms;
 use epicyclic_answers::motor_search::MotorSearch;
 use epicyclic_answers::refused::Refused;
@@ -93,6 +93,10 @@ enum Of {
     AnswerDrive,
     /// The answer of `epicyclic motor`.
     AnswerMotor,
+    /// The answer of `epicyclic motor` without the teeth of a satellite: all satellites.
+    AnswerMotorSatellites,
+    /// The answer of `epicyclic motor --construction`, and of `--l` with `--a`.
+    AnswerMotorConstruction,
     /// The answer of `epicyclic motor search`.
     AnswerMotorSearch,
     /// The answer of `epicyclic motor forms`.
@@ -168,6 +172,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         Of::AnswerCompare => schema::<Comparison>(),
         Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerMotor => schema::<Motor>(),
+        Of::AnswerMotorSatellites => schema::<MotorSatellites>(),
+        Of::AnswerMotorConstruction => schema::<MotorConstruction>(),
         Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerMotorForms => schema::<MotorForms>(),
         Of::AnswerTeeth => schema::<Teeth>(),

@@ -252,6 +252,38 @@ impl StatorArcs {
         angle(self.arcs.beta)
     }
 
+    /// The module that their lengths are multiples of.
+    #[must_use]
+    pub fn module(&self) -> Length {
+        self.module
+    }
+
+    /// `θ₃ = π/N`: angle of one of the `2N` pieces of the centrode.
+    #[must_use]
+    pub fn piece_angle(&self) -> Angle {
+        angle(self.arcs.theta3)
+    }
+
+    /// `L/(2N)`: length of one of the `2N` pieces of the centrode.
+    #[must_use]
+    pub fn piece_length(&self) -> Length {
+        length(self.arcs.half_length, self.module)
+    }
+
+    /// Left side less right side of each of the four equations of system (1), over its right side: what rounding leaves.
+    #[must_use]
+    pub fn system_misses(&self) -> [f64; 4] {
+        let Arcs { theta3, half_length, l, a, r1, r2, gamma, beta, .. } = self.arcs;
+        let distance = libm::sqrt(a * a + l * l - 2.0 * a * l * libm::cos(theta3));
+        [
+            [r1 + r2, distance],
+            [r1 * gamma + r2 * beta, half_length],
+            [(r1 + r2) / libm::sin(theta3), a / libm::sin(gamma)],
+            [beta, theta3 + gamma],
+        ]
+        .map(|[left, right]| (left - right) / right)
+    }
+
     /// The stator's least radius, `l − R₁`.
     #[must_use]
     pub fn least_radius(&self) -> Length {

@@ -57,7 +57,7 @@
 use crate::quantity::{FamilyFault, Quantity};
 use std::f64::consts::PI;
 
-use uom::si::f64::Length;
+use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::arcs::{Arcs, StatorArcs, half_length};
@@ -65,8 +65,8 @@ use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::real::{Dual, Real};
 use crate::roots::{bracketed, quadrature};
-use crate::tolerance::{EDGE_ANGLE, WITHIN};
-use crate::units::{length, millimetres, positive_modules};
+use crate::tolerance::{CLOSES, EDGE_ANGLE, WITHIN};
+use crate::units::{angle, length, millimetres, positive_modules};
 
 /// `(l² − R₁²)·J(K₁, M₁, x)` on arc 1, `t = tan(x/2)`.
 pub(crate) fn trough_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
@@ -144,6 +144,20 @@ pub struct Closure {
     pub slope: f64,
 }
 
+impl Closure {
+    /// How far a half-lobe stays open: what it must span less what it spans; negative where it overlaps the next.
+    #[must_use]
+    pub fn open(&self) -> Angle {
+        angle(-self.residual_rad)
+    }
+
+    /// Whether the rotor closes: a half-lobe is open by no more than five digits of `l` and `a` leave, 10⁻⁵ rad.
+    #[must_use]
+    pub fn closes(&self) -> bool {
+        self.residual_rad.abs() <= CLOSES
+    }
+}
+
 /// Residual and sensitivity of the closure.
 ///
 /// # Errors
@@ -165,17 +179,8 @@ pub struct Closure {
 /// # Ok::<(), epicyclic_hydromotor::Error>(())
 /// ```
 pub fn closure(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Closure, Error> {
-    let r = f64::from(numbers.satellite_teeth()) / 2.0;
-    let Arcs { theta3, half_length, l, a, least, .. } = arcs.arcs;
-    if least <= 2.0 * r || arcs.arcs.r2 <= r {
-        let (quantity, value, low) = if least <= 2.0 * r {
-            (Quantity::TroughDistanceLessRadius, least, 2.0 * r)
-        } else {
-            (Quantity::CrestRadius, arcs.arcs.r2, r)
-        };
-        let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
-        return Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" });
-    }
+    let r = rolling_radius(numbers, arcs)?;
+    let Arcs { theta3, half_length, l, a, .. } = arcs.arcs;
     let by_l = Dual { value: l, by_l: 1.0, by_a: 0.0 };
     let by_a = Dual { value: a, by_l: 0.0, by_a: 1.0 };
     let span = rotor_span(&Arcs::of_distances(theta3, half_length, by_l, by_a), r);
@@ -187,6 +192,31 @@ pub fn closure(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Closure, Erro
         by_trough_distance: span.by_l,
         slope: -span.by_l / span.by_a,
     })
+}
+
+/// The satellite's radius in modules, where it can roll on both arcs and leaves the rotor a least radius.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless `l − R₁ > 2r` and `R₂ > r`.
+pub(crate) fn rolling_radius(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<f64, Error> {
+    let r = f64::from(numbers.satellite_teeth()) / 2.0;
+    let Arcs { r2, least, .. } = arcs.arcs;
+    let (quantity, value, low) = if least <= 2.0 * r {
+        (Quantity::TroughDistanceLessRadius, least, 2.0 * r)
+    } else if r2 <= r {
+        (Quantity::CrestRadius, r2, r)
+    } else {
+        return Ok(r);
+    };
+    let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
+    Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" })
+}
+
+/// Whether two arcs, closed or not, give stator and rotor smooth curves that turn one way about the axis: the rotor without a cusp,
+/// the flank less than radial.
+#[must_use]
+pub fn is_smooth(numbers: MotorNumbers, arcs: &StatorArcs) -> bool {
+    Kernel::of(numbers).is_regular(&arcs.arcs)
 }
 
 /// What ends an interval of a family.

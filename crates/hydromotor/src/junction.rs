@@ -23,13 +23,16 @@
 //! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in (4) the copy lost
 //! the root; (6)–(8) are restored by integrating the rolling, of which (5) is the primitive.
 
-use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::arcs::{Arcs, StatorArcs};
+use crate::closure::rolling_radius;
+use crate::contact::{By, Conjugate as _};
+use crate::motor::SatelliteContact;
 use crate::numbers::MotorNumbers;
-use crate::units::{angle, length, millimetres};
+use crate::two_arcs::TwoArcs;
+use crate::units::{angle, length};
 
 /// The junction of the rotor's arcs, and what formulas (2)–(8) pass on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +56,8 @@ pub struct Junction {
 /// Formulas (2)–(8).
 ///
 /// # Errors
-/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`: `b ≤ 1` then.
+/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`: `b ≤ 1` then; and where the satellite is no
+/// smaller than arc 2, `R₂ ≤ r`.
 ///
 /// # Example
 /// ```
@@ -72,18 +76,8 @@ pub struct Junction {
 /// # Ok::<(), epicyclic_hydromotor::Error>(())
 /// ```
 pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Error> {
-    let r = f64::from(numbers.satellite_teeth()) / 2.0;
+    let r = rolling_radius(numbers, arcs)?;
     let Arcs { l, r1, gamma, least, .. } = arcs.arcs;
-    if least <= 2.0 * r {
-        let [value, low] = [least, 2.0 * r].map(|modules| millimetres(length(modules, arcs.module)));
-        return Err(Error::OutOfRange {
-            quantity: Quantity::TroughDistanceLessRadius,
-            value,
-            low,
-            high: f64::INFINITY,
-            unit: "mm",
-        });
-    }
     // b ∓ 1 as products: (l − R₁)·(l − R₁ − 2r) and (l + R₁)·(l + R₁ + 2r) over 2·l·(R₁ + r).
     let twice = 2.0 * l * (r1 + r);
     let (below, above) = (least * (least - 2.0 * r) / twice, (l + r1) * (l + r1 + 2.0 * r) / twice);
@@ -105,11 +99,51 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     })
 }
 
+/// Where a satellite touches both wheels on its way over the two arcs, from crest to trough: so many contacts on each arc, its ends
+/// among them. The arcs need not close; what they roll on the rotor spans `π/n` only if they do ([`crate::closure`]).
+///
+/// # Errors
+/// As [`junction`].
+///
+/// # Example
+/// ```
+/// use epicyclic_hydromotor::arcs::{Known, StatorArcs};
+/// use epicyclic_hydromotor::{MotorNumbers, junction};
+/// use uom::si::{f64::Length, length::millimeter};
+///
+/// let mm = Length::new::<millimeter>;
+/// let numbers = MotorNumbers::new(5, 3, 55, 10)?;
+/// let known = [Known::TroughDistance(mm(40.0)), Known::CrestDistance(mm(15.55))];
+/// let arcs = StatorArcs::with(numbers, mm(1.0), known)?[0];
+/// let contacts = junction::rolled(numbers, &arcs, 20)?;
+/// // Contact 20 is the junction, on the end of arc 2 and the beginning of arc 1.
+/// let rotor_radius = contacts[20].rotor_radius;
+/// assert!((rotor_radius - junction::junction(numbers, &arcs)?.rotor_radius).abs() < mm(1e-12));
+/// # Ok::<(), epicyclic_hydromotor::Error>(())
+/// ```
+pub fn rolled(
+    numbers: MotorNumbers,
+    arcs: &StatorArcs,
+    per_arc: u32,
+) -> Result<Vec<SatelliteContact>, Error> {
+    let lobe = TwoArcs::new(&arcs.arcs, rolling_radius(numbers, arcs)?);
+    let Arcs { half_length, r2, beta, .. } = arcs.arcs;
+    let crest_arc = r2 * beta;
+    let place = |place: u32| match f64::from(place) / f64::from(per_arc.max(1)) {
+        part if part <= 1.0 => part * crest_arc,
+        part => crest_arc + (part - 1.0) * (half_length - crest_arc),
+    };
+    let contact = |i: u32| SatelliteContact::of(&lobe.within(By::StatorArc, place(i)), arcs.module);
+    Ok((0..=2 * per_arc.max(1)).map(contact).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::closure::Family;
+    use crate::arcs::Known;
     use crate::closure::tests::any_motor;
+    use crate::closure::{Family, closure, is_smooth};
+    use crate::quantity::Quantity;
     use crate::roots::quadrature;
     use crate::units::radians;
     use proptest::prelude::*;
@@ -162,6 +196,69 @@ mod tests {
             prop_assert!((found.rotor_radius.get::<millimeter>() - end1).abs() < 1e-12 * scale);
             prop_assert!((radians(found.stator_angle) - on_stator).abs() < 1e-11);
             prop_assert!((radians(found.rotor_angle) - angle).abs() < 1e-11);
+        }
+    }
+
+    proptest! {
+        /// By coordinates alone, without a formula of the phase: the satellite turns about `P` in small steps, and the rotor follows `P₁`.
+        #[test]
+        fn what_open_arcs_roll_is_the_sum_of_small_steps(motor in any_motor(), off in -0.03..0.03_f64) {
+            const STEPS: u32 = 4000;
+            let (numbers, part) = motor;
+            let closed = Family::new(numbers, mm(1.0)).unwrap().at_part(part).unwrap();
+            let known = [
+                Known::TroughDistance(closed.trough_distance()),
+                Known::CrestDistance(closed.crest_distance() * (1.0 + off)),
+            ];
+            let arcs = StatorArcs::with(numbers, mm(1.0), known);
+            prop_assume!(arcs.is_ok());
+            let arcs = arcs.unwrap()[0];
+            prop_assume!(is_smooth(numbers, &arcs));
+            let r = f64::from(numbers.satellite_teeth()) / 2.0;
+            let Arcs { theta3, l, a, r1, r2, gamma, beta, .. } = arcs.arcs;
+            // The satellite's centre on an arc, and the direction from there to P.
+            let satellite = |is_crest: bool, x: f64| {
+                let (from_axis, at, radius, to_p) = if is_crest {
+                    (a, 0.0, r2 - r, x)
+                } else {
+                    (l, theta3, -(r1 + r), beta - x)
+                };
+                let ((sin, cos), (sin_p, cos_p)) = (libm::sincos(at), libm::sincos(to_p));
+                ([from_axis * cos + radius * cos_p, from_axis * sin + radius * sin_p], [cos_p, sin_p])
+            };
+            // Radius and angle of P, and the radius of P₁ by the power of the axis.
+            let contact = |is_crest: bool, x: f64| {
+                let ([cx, cy], [nx, ny]) = satellite(is_crest, x);
+                let (px, py) = (cx + r * nx, cy + r * ny);
+                let rho3 = libm::hypot(px, py);
+                (rho3, libm::atan2(py, px), (cx * cx + cy * cy - r * r) / rho3)
+            };
+            let mut span = 0.0;
+            for (is_crest, end) in [(true, beta), (false, gamma)] {
+                for i in 0..STEPS {
+                    let [from, to] = [i, i + 1].map(|i| end * f64::from(i) / f64::from(STEPS));
+                    let [(one, _), (next, _)] = [from, to].map(|x| satellite(is_crest, x));
+                    let (rho3, _, rho1) = contact(is_crest, 0.5 * (from + to));
+                    // The satellite turns about P, at r from its centre, and takes P₁, at ρ₃ − ρ₁ from P, along with the rotor.
+                    let turn = libm::hypot(next[0] - one[0], next[1] - one[1]) / r;
+                    span += (rho3 - rho1) * turn / rho1 - (contact(is_crest, to).1 - contact(is_crest, from).1);
+                }
+            }
+            let rolled = rolled(numbers, &arcs, 7).unwrap();
+            let found = radians(rolled[14].rotor_angle);
+            prop_assert!((found - span).abs() < 1e-5 * found, "{found} {span}");
+            let open = radians(closure(numbers, &arcs).unwrap().open());
+            let by_closure = std::f64::consts::PI / f64::from(numbers.rotor_lobes()) - open;
+            prop_assert!((found - by_closure).abs() < 1e-11 * found, "{found} {by_closure}");
+        }
+    }
+
+    #[test]
+    fn the_system_holds_for_any_distances() {
+        let numbers = MotorNumbers::new(5, 3, 55, 10).unwrap();
+        let known = [Known::TroughDistance(mm(40.0)), Known::CrestDistance(mm(15.5))];
+        for missed in StatorArcs::with(numbers, mm(1.0), known).unwrap()[0].system_misses() {
+            assert!(missed.abs() < 1e-14, "{missed}");
         }
     }
 }

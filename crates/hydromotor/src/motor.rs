@@ -190,17 +190,7 @@ impl Motor {
     }
 
     fn contact_by(&self, by: By, value: f64) -> SatelliteContact {
-        let contact = self.shape.at(by, value);
-        SatelliteContact {
-            rotation: angle(contact.phase),
-            stator_angle: angle(contact.theta3),
-            stator_radius: self.length(contact.rho3),
-            rotor_angle: angle(contact.theta1),
-            rotor_radius: self.length(contact.rho1),
-            slope_angle: angle(contact.mu),
-            stator_arc: self.length(contact.s3),
-            rotor_arc: self.length(contact.s1),
-        }
+        SatelliteContact::of(&self.shape.at(by, value), self.module)
     }
 
     /// Phase of a satellite: satellite `j` is `j/n` of a turn of the rotor ahead of satellite 0.
@@ -237,6 +227,22 @@ pub struct SatelliteContact {
     pub stator_arc: Length,
     /// `s₁`: arc rolled on the rotor, `s₃ + 2·r·μ`.
     pub rotor_arc: Length,
+}
+
+impl SatelliteContact {
+    /// From a contact in modules.
+    pub(crate) fn of(contact: &Contact, module: Length) -> Self {
+        Self {
+            rotation: angle(contact.phase),
+            stator_angle: angle(contact.theta3),
+            stator_radius: length(contact.rho3, module),
+            rotor_angle: angle(contact.theta1),
+            rotor_radius: length(contact.rho1, module),
+            slope_angle: angle(contact.mu),
+            stator_arc: length(contact.s3, module),
+            rotor_arc: length(contact.s1, module),
+        }
+    }
 }
 
 /// The law of a cosine-law rotor.

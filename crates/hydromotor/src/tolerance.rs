@@ -2,6 +2,7 @@
 //!
 //! | constant | of | why this size |
 //! |---|---|---|
+//! | `CLOSES` | what a half-lobe of given `l` and `a` leaves open, rad | five digits of both leave as much; at a radius of 30 mm it is 0.3 µm |
 //! | `WITHIN` | a distance from the end of an interval, over it | at the end itself a curve has a cusp or a jump and rounding decides |
 //! | `EDGE_ANGLE` | the same of the angle `B`, over `θ₃` | the residual is smooth there: some steps of rounding suffice |
 //! | `BESIDE_JUMP` | a distance from a jump of a slope, over the piece | the slope's own error stays below the jump |
@@ -98,3 +99,6 @@ pub(crate) const INSTANT: f64 = 1e-5;
 
 /// A smaller radius is none.
 pub(crate) const LOWEST: f64 = 1e-9;
+
+/// A half-lobe that is open by no more, rad, closes.
+pub(crate) const CLOSES: f64 = 1e-5;

@@ -25,7 +25,7 @@ use crate::contact::{
     By, Conjugate, Contact, conjugate_curvature, greatest_curvatures, inverse, smooth_inverse,
 };
 
-/// A half-lobe of a closed motor.
+/// What two arcs roll on the rotor in a half-lobe, of a closed motor as of arcs that do not close.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TwoArcs {
     arcs: Arcs,
@@ -41,7 +41,7 @@ pub(crate) struct TwoArcs {
 }
 
 impl TwoArcs {
-    /// From arcs that close.
+    /// From arcs on which a satellite of the radius `r` rolls.
     pub(crate) fn new(arcs: &Arcs, r: f64) -> Self {
         let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, .. } = *arcs;
         let crest_phase = beta + crest_term(arcs, r, tan_beta);

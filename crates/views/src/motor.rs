@@ -12,7 +12,7 @@ use crate::report::{Part, Report, Row, Section, Text, headline, warned};
 use crate::{AsReport, Error, text};
 use epicyclic_answers::motor;
 use epicyclic_answers::motor::{
-    Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Motor, Numbers, Wheel,
+    Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Interval, Motor, Numbers, Wheel,
 };
 use epicyclic_drawing::Scene;
 use epicyclic_formats::Dimension::{
@@ -110,7 +110,7 @@ fn count(name: &'static str, label: &'static str, symbol: &'static str, count: u
     Row::new(name, label, symbol, [Figure::Count(count)])
 }
 
-fn numbers(numbers: &Numbers) -> Vec<Row> {
+pub(crate) fn numbers(numbers: &Numbers) -> Vec<Row> {
     let fewer = numbers.stator_lobes - numbers.rotor_lobes;
     vec![
         count("stator_lobes", "lobes of the stator", "N", numbers.stator_lobes),
@@ -158,17 +158,7 @@ fn arcs(arcs: &Arcs) -> Vec<Row> {
         one("gamma", "angle of arc 1 at its centre", "Γ", Angle, arcs.gamma_rad),
         one("beta", "angle of arc 2 at its centre", "B", Angle, arcs.beta_rad),
     ];
-    let names = [("family_from", "family_to"), ("second_family_from", "second_family_to")];
-    for (interval, (from, to)) in arcs.family.iter().zip(names) {
-        rows.push(remarked(
-            one(from, "a motor closes from l =", "", Length, interval.from_m),
-            limit(interval.from_limit),
-        ));
-        rows.push(remarked(
-            Row::new(to, "… to l =", "", [optional(Length, interval.to_m)]),
-            limit(interval.to_limit),
-        ));
-    }
+    rows.extend(family(&arcs.family));
     let opening =
         |name, label, value| remarked(Row::new(name, label, "", [Figure::Number(value)]), "rad a half-lobe");
     rows.push(opening(
@@ -181,6 +171,23 @@ fn arcs(arcs: &Arcs) -> Vec<Row> {
         "opened by 0.01 modules of error in a",
         arcs.opened_by_a_hundredth_module_rad,
     ));
+    rows
+}
+
+/// Where motors of a family close, and what ends it.
+pub(crate) fn family(family: &[Interval]) -> Vec<Row> {
+    let mut rows = vec![];
+    let names = [("family_from", "family_to"), ("second_family_from", "second_family_to")];
+    for (interval, (from, to)) in family.iter().zip(names) {
+        rows.push(remarked(
+            one(from, "a motor closes from l =", "", Length, interval.from_m),
+            limit(interval.from_limit),
+        ));
+        rows.push(remarked(
+            Row::new(to, "… to l =", "", [optional(Length, interval.to_m)]),
+            limit(interval.to_limit),
+        ));
+    }
     rows
 }
 
@@ -327,6 +334,8 @@ fn size(motor: &Motor) -> Vec<Row> {
 pub enum View {
     /// Stator, rotor, satellites, and how the arcs are constructed.
     Centrodes,
+    /// Half a lobe of stator and rotor, with the construction of their arcs.
+    Construction,
     /// Every tooth in mesh.
     Teeth,
     /// The motor in its housing with its ports.
@@ -355,6 +364,10 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
     let Designed { motor, angle, .. } = designed;
     let scene = match view {
         View::Centrodes => pictures::centrodes(motor, *angle),
+        View::Construction => {
+            let constructed = motor::Constructed::of_motor(designed);
+            return construction(&constructed.map_err(|why| Error::Answer(Box::new(why)))?);
+        }
         View::Motor => pictures::whole(motor, *angle),
         View::Chambers => pictures::chambers(motor, *angle),
         View::Dimensions => {
@@ -394,6 +407,14 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         },
     };
     Ok(scene?)
+}
+
+/// A drawing of the construction of a stator's arcs.
+///
+/// # Errors
+/// [`Error::Picture`].
+pub fn construction(constructed: &motor::Constructed) -> Result<Scene, Error> {
+    Ok(pictures::construction(constructed.numbers, &constructed.arcs)?)
 }
 
 /// Centrodes as CSV in millimetres and degrees.

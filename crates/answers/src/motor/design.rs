@@ -4,6 +4,7 @@ use super::made::{Groups, Made, Point};
 use crate::Error;
 use crate::fault::Fault as _;
 use epicyclic_formats::{Document, Path, motor as file};
+use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
@@ -93,25 +94,37 @@ pub struct Designed {
 /// [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
-    let (motor, family) = match place {
-        Place::CosineLaw => (Motor::of_cosine_law(numbers, module)?, None),
-        Place::SecondHarmonic(second) => (Motor::of_second_harmonic(numbers, module, second)?, None),
-        place => {
-            let family = Family::new(numbers, module)?;
-            let arcs = match place {
-                Place::TroughDistance(l) => family.at(l),
-                Place::CrestDistance(a) => family.at_crest_distance(a),
-                Place::Part(part) => family.at_part(part),
-                Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
-            }?;
+    let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
+        (_, Some((family, arcs))) => {
             (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
         }
+        (Place::SecondHarmonic(second), None) => (Motor::of_second_harmonic(numbers, module, second)?, None),
+        (_, None) => (Motor::of_cosine_law(numbers, module)?, None),
     };
     let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
     check(pressure, speed)?;
     let profile = profile(&motor, form)?;
     let made = Made::of(&motor, made, Point { form, width, pressure, speed })?;
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
+}
+
+/// The family of motors with these numbers, and the arcs at a place of it; none for a rotor by the cosine law.
+pub(super) fn closed_arcs(
+    numbers: MotorNumbers,
+    module: Length,
+    place: Place,
+) -> Result<Option<(Family, StatorArcs)>, MotorError> {
+    if matches!(place, Place::CosineLaw | Place::SecondHarmonic(_)) {
+        return Ok(None);
+    }
+    let family = Family::new(numbers, module)?;
+    let arcs = match place {
+        Place::TroughDistance(l) => family.at(l),
+        Place::CrestDistance(a) => family.at_crest_distance(a),
+        Place::Part(part) => family.at_part(part),
+        Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
+    }?;
+    Ok(Some((family, arcs)))
 }
 
 fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(), Error> {
@@ -125,7 +138,7 @@ fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(
 }
 
 /// The teeth, or why this motor has none; a number that no teeth have is a fault whatever the motor.
-fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, MotorError>, MotorError> {
+pub(super) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, MotorError>, MotorError> {
     match Profile::new(motor, form) {
         Err(
             error @ (MotorError::OutOfRange { .. }

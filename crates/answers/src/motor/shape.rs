@@ -2,7 +2,7 @@
 
 use super::Chosen;
 use crate::Error;
-use crate::number::{maybe_si, plain, si};
+use crate::number::{maybe_si, plain, power_of_ten_above, si};
 use crate::tolerance::CLOSED;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::arcs::StatorArcs;
@@ -127,11 +127,7 @@ impl Arcs {
         chosen: Chosen,
     ) -> Result<Self, Error> {
         let closed = closure::closure(motor.numbers(), arcs)?;
-        // Rounding alone: a power of ten that it keeps within says all.
-        let mut within = CLOSED;
-        while within < closed.residual_by_quadrature_rad.abs() {
-            within *= 10.0;
-        }
+        let within = power_of_ten_above(closed.residual_by_quadrature_rad.abs(), CLOSED);
         Ok(Self {
             chosen,
             l_m: si(arcs.trough_distance()),
@@ -140,7 +136,7 @@ impl Arcs {
             r2_m: si(arcs.crest_radius()),
             gamma_rad: si(arcs.trough_angle()),
             beta_rad: si(arcs.crest_angle()),
-            family: family.intervals().iter().filter_map(Interval::of).collect(),
+            family: Interval::all(family),
             closes_by_quadrature_within_rad: within,
             // What a hundredth of a module in a, at the same l, opens.
             opened_by_a_hundredth_module_rad: plain(0.01 * closed.by_crest_distance),
@@ -149,7 +145,12 @@ impl Arcs {
 }
 
 impl Interval {
-    pub(super) fn of(interval: &closure::Interval) -> Option<Self> {
+    /// Those of a family.
+    pub(super) fn all(family: &Family) -> Vec<Self> {
+        family.intervals().iter().filter_map(Self::of).collect()
+    }
+
+    fn of(interval: &closure::Interval) -> Option<Self> {
         let at = |end: &closure::End| end.arcs().map(StatorArcs::trough_distance);
         Some(Self {
             from_m: si(at(&interval.lower)?),

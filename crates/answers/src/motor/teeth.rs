@@ -127,7 +127,9 @@ impl LimitKind {
         }
     }
 
-    const fn warning(self) -> &'static str {
+    /// As a name: that of its warning.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Undercut => "undercut",
             Self::TipCusp => "tip-cusp",
@@ -253,7 +255,7 @@ pub(super) fn limits(profile: &Profile, warnings: &mut Vec<Warning>) -> Vec<Toot
                 kind.words(),
                 side.words()
             );
-            warnings.push(Warning { name: kind.warning(), message });
+            warnings.push(Warning { name: kind.name(), message });
         }
         found.push(ToothLimit {
             wheel,

@@ -8,30 +8,14 @@ use epicyclic_formats::motor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};
-use uom::si::f64::Angle;
+use uom::si::f64::{Angle, Length};
 
 pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
-    let (Some(stator), Some(rotor), Some(z3), Some(zs), Some(module)) =
-        (args.stator, args.rotor, args.z3, args.zs, args.module)
-    else {
-        unreachable!("these options are required where there is neither file nor subcommand")
-    };
-    let numbers = match args.z1 {
-        Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
-        None => MotorNumbers::new(stator, rotor, z3, zs),
-    };
-    let place = match (args.cosine, args.l, args.a, args.part) {
-        (true, ..) => {
-            args.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
-        }
-        (_, Some(l), ..) => Place::TroughDistance(l.0),
-        (_, _, Some(a), _) => Place::CrestDistance(a.0),
-        (.., Some(part)) => Place::Part(part.get()),
-        _ => Place::Middle,
-    };
+    let (numbers, module) = numbers(args)?;
+    let place = place(args);
     let question = Question {
-        numbers: numbers.map_err(|error| refuse(error.into()))?,
-        module: module.0,
+        numbers,
+        module,
         place,
         form: form(&args.teeth),
         width: args.width.map(|width| width.0),
@@ -41,6 +25,32 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
         made: args.made.groups(),
     };
     answers::motor::design(&question).map_err(refuse)
+}
+
+/// Lobes, teeth and module; where no teeth of a satellite are given, with the least satellite.
+pub(super) fn numbers(args: &Design) -> Result<(MotorNumbers, Length), Failure> {
+    let (Some(stator), Some(rotor), Some(z3), Some(module)) = (args.stator, args.rotor, args.z3, args.module)
+    else {
+        unreachable!("these options are required where there is neither file nor subcommand")
+    };
+    let zs = args.zs.unwrap_or(1);
+    let numbers = match args.z1 {
+        Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
+        None => MotorNumbers::new(stator, rotor, z3, zs),
+    };
+    Ok((numbers.map_err(|error| refuse(error.into()))?, module.0))
+}
+
+pub(super) fn place(args: &Design) -> Place {
+    match (args.cosine, args.l, args.a, args.part) {
+        (true, ..) => {
+            args.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
+        }
+        (_, Some(l), ..) => Place::TroughDistance(l.0),
+        (_, _, Some(a), _) => Place::CrestDistance(a.0),
+        (.., Some(part)) => Place::Part(part.get()),
+        _ => Place::Middle,
+    }
 }
 
 pub(super) fn form(teeth: &Teeth) -> ToothForm {
@@ -73,6 +83,9 @@ pub(super) fn refuse(error: answers::Error) -> Failure {
         answers::Error::RotorSpeed => Some("--speed"),
         answers::Error::CentrodePoints { .. } => Some("--points"),
         answers::Error::NoSuchDesign { .. } => Some("--design"),
+        answers::Error::NoConstruction { .. } => Some("--l, --a"),
+        answers::Error::NoArcs => Some("--construction"),
+        answers::Error::TooManyToList { .. } => Some("--z3"),
         _ => None,
     };
     match option {

@@ -29,6 +29,14 @@ impl Wanted {
         self.0.is_empty()
     }
 
+    /// A drawing in each of the files.
+    pub(super) fn drawn(&self, scene: &Scene, files: &Files) -> Result<Vec<Content>, Failure> {
+        let content = |(file, format): &(PathBuf, FileFormat)| {
+            Ok((file.clone(), drawing_file::content(scene, *format, files.dpi)?))
+        };
+        self.0.iter().map(content).collect()
+    }
+
     /// Refuses options that say something of drawings where there are none.
     pub(super) fn check(&self, files: &Files) -> Result<(), Failure> {
         if files.view.is_some() {
@@ -61,9 +69,7 @@ pub(super) fn content(
             Failure::Picture(epicyclic_pictures::Error::Motor(error)) => refuse(error.into()),
             failure => failure,
         })?;
-        for (file, format) in &wanted.0 {
-            written.push((file.clone(), drawing_file::content(&scene, *format, files.dpi)?));
-        }
+        written = wanted.drawn(&scene, files)?;
     }
     if let Some(file) = &files.csv {
         let points = centrodes(&designed.motor, files.points).map_err(refuse)?;
@@ -75,6 +81,7 @@ pub(super) fn content(
 pub(super) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
     let view = match view {
         View::Centrodes => motor::View::Centrodes,
+        View::Construction => motor::View::Construction,
         View::Teeth => motor::View::Teeth,
         View::Motor => motor::View::Motor,
         View::Chambers => motor::View::Chambers,
@@ -88,6 +95,9 @@ pub(super) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
     motor::scene(view, designed).map_err(|error| match error {
         epicyclic_views::Error::NoTeeth(_) => {
             Failure::Option { option: "--view teeth", message: error.to_string() }
+        }
+        epicyclic_views::Error::Answer(error) if matches!(*error, Error::NoArcs) => {
+            Failure::Option { option: "--view construction", message: error.to_string() }
         }
         epicyclic_views::Error::Lacking(_) => {
             Failure::Option { option: "--view", message: error.to_string() }

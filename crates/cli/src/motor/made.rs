@@ -32,6 +32,17 @@ pub(super) struct Made {
 }
 
 impl Made {
+    /// Its options, and whether each is given.
+    pub(super) fn given(&self) -> [(&'static str, bool); 5] {
+        [
+            ("--material", self.material.is_some()),
+            ("--oil", self.oil.is_some()),
+            ("--gaps", self.gaps.is_some()),
+            ("--friction", self.friction.is_some()),
+            ("--ports", self.ports.is_some()),
+        ]
+    }
+
     /// The same as a file says it.
     pub(super) fn groups(&self) -> Groups {
         Groups {

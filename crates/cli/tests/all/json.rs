@@ -694,6 +694,15 @@ const RUNS: &[(&str, &[&str])] = &[
             "0.02",
         ],
     ),
+    ("motor-satellites", &["motor", "--stator", "4", "--rotor", "1", "--z3", "40", "--module", "1 mm"]),
+    ("motor-satellites", &["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--module", "2 mm"]),
+    (
+        "motor-construction",
+        &[
+            "motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--zs", "10", "--module", "2 mm", "--l",
+            "80 mm", "--a", "31 mm",
+        ],
+    ),
     ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "26", "--module", "1 mm"]),
     (
         "motor",

@@ -135,7 +135,7 @@ fn every_bad_input_names_its_option_and_what_is_allowed() {
         &["--part", "0"],
         &["--part", "1.5"],
         &["--cosine"],
-        &["--l", "80 mm", "--a", "30 mm"],
+        &["--part", "0.5", "--a", "30 mm"],
         &["--pressure", "20 MPa"],
         &["--width", "0 mm"],
         &["--width", "50 mm", "--pressure", "20 m"],
@@ -239,6 +239,192 @@ fn a_file_that_cannot_be_written_leaves_the_answer_unsaid() {
     let done = output(folder.path(), &with(&FIVE_THREE, &["--svg", "taken"]));
     assert!(!done.status.success() && done.stdout.is_empty());
     assert!(text(&done.stderr).contains("taken: cannot be written"));
+}
+
+const WITHOUT_SATELLITES: [&str; 9] =
+    ["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--module", "2 mm"];
+
+#[test]
+fn satellites_to_choose_from() {
+    insta::assert_snapshot!("satellites", said(&WITHOUT_SATELLITES));
+    let large = ["motor", "--stator", "4", "--rotor", "1", "--z3", "40", "--module", "1 mm"];
+    insta::assert_snapshot!(
+        "satellites_without_teeth",
+        sessions(
+            here().path(),
+            &[
+                &large[..],
+                &with(&large, &["--format", "csv"]),
+                &with(&large[..6], &["24", "--module", "1 mm"])
+            ]
+        )
+    );
+    let of_one = [
+        &["--l", "80 mm"][..],
+        &["--a", "80 mm"],
+        &["--part", "0.5"],
+        &["--cosine"],
+        &["--construction"],
+        &["--width", "40 mm"],
+        &["--angle", "3 deg"],
+        &["--friction", "0.1"],
+        &["--view", "teeth", "--svg", "teeth.svg"],
+        &["--csv", "points.csv"],
+        &["-o", "teeth.svg"],
+        &["-o", "motor.html"],
+        &["--z1", "34"],
+        &["--addendum", "99"],
+        &["--z3", "55"],
+    ];
+    let mut all: Vec<Vec<&str>> = of_one.iter().map(|more| with(&WITHOUT_SATELLITES, more)).collect();
+    all.push(vec!["motor", "--stator", "5", "--rotor", "3", "--z3", "245", "--module", "2 mm"]);
+    let folder = here();
+    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
+    insta::assert_snapshot!("satellites_refused", sessions(folder.path(), &all));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "a refusal writes nothing");
+}
+
+/// The list has the motors that `motor --zs` has, with its figures, and no other satellite has one.
+#[test]
+fn the_satellites_listed_are_those_that_have_a_motor() {
+    let list = answered(&WITHOUT_SATELLITES);
+    let below = number(&list, "satellite_teeth_below");
+    let listed = list["motors"].as_array().unwrap();
+    for teeth in 1..=12_u32 {
+        let zs = teeth.to_string();
+        let one = output(here().path(), &with(&WITHOUT_SATELLITES, &["--zs", &zs, "--format", "json"]));
+        let row = listed.iter().find(|row| row["satellite_teeth"] == teeth);
+        assert_eq!(one.status.success(), row.is_some(), "{teeth}");
+        let is_refused = list["without"].as_array().unwrap().iter().any(|one| {
+            (one["from"].as_u64().unwrap()..=one["to"].as_u64().unwrap()).contains(&u64::from(teeth))
+        });
+        assert_eq!(is_refused, row.is_none() && f64::from(teeth) < below, "{teeth}");
+        let Some(row) = row else { continue };
+        let motor: serde_json::Value = serde_json::from_slice(&one.stdout).unwrap();
+        for (listed, of_motor) in [
+            ("l_m", "arcs.l_m"),
+            ("a_m", "arcs.a_m"),
+            ("family.0.from_m", "arcs.family.0.from_m"),
+            ("family.0.to_m", "arcs.family.0.to_m"),
+            ("least_chamber_m2", "work.least_chamber_m2"),
+            ("displacement_per_width_m2", "work.displacement_per_width_m2"),
+            ("ripple", "work.ripple"),
+        ] {
+            assert_eq!(number(row, listed), number(&motor, of_motor), "{teeth} {listed}");
+        }
+        let fails = motor["tooth_limits"]
+            .as_array()
+            .map(|limits| limits.iter().filter(|limit| limit["verdict"] == "fails").count());
+        assert_eq!(row["broken_limits"].as_array().map(Vec::len), fails, "{teeth}");
+    }
+    assert_eq!(list["next_satellite_teeth"], 10);
+}
+
+#[test]
+fn a_construction_as_tables() {
+    let open = ["--l", "80 mm", "--a", "31 mm"];
+    insta::assert_snapshot!("construction_open", said(&with(&FIVE_THREE, &open)));
+    insta::assert_snapshot!(
+        "construction_closed",
+        seen_by_programs(&with(&FIVE_THREE, &["--l", "80 mm", "--construction", "--format", "csv"]))
+    );
+    let [l, a] = [["--l", "80 mm"], ["--a", "31 mm"]];
+    let both = |more: &[&'static str]| [&FIVE_THREE[..], &l, &a, more].concat();
+    let more: [&[&str]; 8] = [
+        &["--width", "40 mm"],
+        &["--angle", "3 deg"],
+        &["--ports", "part: 0.9"],
+        &["--csv", "points.csv"],
+        &["--crest", "tooth"],
+        &["--view", "teeth", "--svg", "teeth.svg"],
+        &["-o", "motor.html"],
+        &["--cosine"],
+    ];
+    let mut all: Vec<Vec<&str>> = more.iter().map(|more| both(more)).collect();
+    for distances in [["80 mm", "3 m"], ["80 mm", "0 mm"], ["30 mm", "3 mm"], ["300 mm", "3 mm"]] {
+        all.push(with(&FIVE_THREE, &["--l", distances[0], "--a", distances[1]]));
+    }
+    all.push(with(&FIVE_THREE, &["--l", "20 mm", "--construction"]));
+    all.push(with(&FIVE_THREE, &["--cosine", "--construction"]));
+    all.push(vec!["motor", "cosine.yaml", "--construction"]);
+    all.push(vec!["draw", "cosine.yaml", "--view", "construction"]);
+    let folder = here();
+    let cosine = "stator: 7\nrotor: 5\nz3: 84\nzs: 11\nmodule: 1 mm\nlaw: cosine\n";
+    fs::write(folder.path().join("cosine.yaml"), cosine).unwrap();
+    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
+    insta::assert_snapshot!("construction_refused", sessions(folder.path(), &all));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a refusal writes nothing");
+}
+
+/// The restored vector and points of the document at module 1 mm, as its cases have them.
+#[test]
+fn a_construction_has_the_figures_of_the_document() {
+    let motor = ["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--zs", "10", "--module", "1 mm"];
+    let found = answered(&with(&motor, &["--l", "40 mm", "--a", "15.30631008 mm"]));
+    let third = std::f64::consts::FRAC_PI_3;
+    let fifth = std::f64::consts::PI / 5.0;
+    for (key, value, within) in [
+        ("arcs.r1_m", 16.103_796_1e-3, 5e-11),
+        ("arcs.r2_m", 12.941_649_9e-3, 5e-11),
+        ("arcs.gamma_rad", 0.314_929_961_159, 1e-9),
+        ("arcs.beta_rad", 0.943_248_491_877, 1e-9),
+        ("junction.op_m", 25.187_096_225e-3, 5e-12),
+        ("junction.op1_m", 16.480_682_926e-3, 5e-12),
+        ("junction.t_rad", fifth - 0.428_956_717_8, 1e-9),
+        ("junction.pi_rad", third - 0.382_756_695_9, 1e-9),
+        ("closure.open_rad", 0.0, 1e-9),
+        ("closure.open_by_quadrature_rad", 0.0, 1e-9),
+        ("closure.a_that_closes_m", 15.306_310_08e-3, 5e-12),
+        ("closure.l_that_closes_m", 40e-3, 1e-10),
+    ] {
+        let number = number(&found, key);
+        assert!((number - value).abs() < within, "{key} {number}");
+    }
+    assert_eq!(found["closure"]["closes"], true);
+}
+
+/// With the distances that it says would close, the rotor closes; a motor of a file and of its `l` have one construction.
+#[test]
+fn the_distances_that_close_do() {
+    let open = answered(&with(&FIVE_THREE, &["--l", "80 mm", "--a", "31 mm"]));
+    assert_eq!((&open["closure"]["closes"], &open["warnings"][0]["name"]), (&false.into(), &"open".into()));
+    let [l, a] =
+        ["l", "a"].map(|key| format!("{:?} m", number(&open, &format!("closure.{key}_that_closes_m"))));
+    for [l, a] in [["80 mm", &a], [&l, "31 mm"]] {
+        let closed = answered(&with(&FIVE_THREE, &["--l", l, "--a", a]));
+        assert!(number(&closed, "closure.open_rad").abs() < 1e-11);
+        let found = answered(&with(&FIVE_THREE, &["--l", l, "--construction"]));
+        let distance = number(&found, "arcs.a_m") - number(&closed, "arcs.a_m");
+        assert!(distance.abs() < 1e-13, "{distance}");
+    }
+    let of_options = said(&with(&FIVE_THREE, &["--l", "80 mm", "--construction", "--format", "json"]));
+    let of_file = ["motor", "motor-5x3.yaml", "--construction", "--format", "json"];
+    let of_file = text(&output(&examples(), &of_file).stdout);
+    assert!(of_options.contains(of_file.trim_end()), "{of_file}");
+}
+
+#[test]
+fn the_construction_is_drawn_alone_and_from_a_file() {
+    let folder = here();
+    let distances = ["--l", "80 mm", "--a", "31 mm", "-o", "m.dxf"];
+    let done = output(folder.path(), &with(&FIVE_THREE, &distances));
+    assert!(done.status.success() && text(&done.stdout).contains("at this l it closes with"));
+    let drawing = Drawing::load_file(folder.path().join("m.dxf").to_str().unwrap()).unwrap();
+    assert!(drawing.entities().any(|entity| entity.common.layer == "gap"));
+    fs::write(
+        folder.path().join("motor.yaml"),
+        "stator: 5\nrotor: 3\nz3: 55\nzs: 10\nmodule: 2 mm\nl: 80 mm\n",
+    )
+    .unwrap();
+    let drawn = |line: &[&str]| {
+        let done = output(folder.path(), line);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        fs::read_to_string(folder.path().join("m.svg")).unwrap()
+    };
+    let of_draw = drawn(&["draw", "motor.yaml", "--view", "construction", "-o", "m.svg"]);
+    let of_motor = drawn(&["motor", "motor.yaml", "--view", "construction", "-o", "m.svg"]);
+    let alone = drawn(&["motor", "motor.yaml", "--construction", "-o", "m.svg"]);
+    assert_eq!((&of_draw, &of_draw), (&of_motor, &alone));
 }
 
 const SEARCH: [&str; 10] =

@@ -30,6 +30,7 @@ const DRAWN: &[(&str, &str)] = &[
         "draw examples/drags.yaml --view map --gear slow --speeds 100rpm..3000rpm/30 --torques 1N·m..60N·m/30",
     ),
     ("motor-centrodes.svg", "draw examples/motor-5x3.yaml --view centrodes"),
+    ("motor-construction.svg", "draw examples/motor-5x3.yaml --view construction"),
 ];
 
 /// Pictures of a page: the page, and what the picture is called there.

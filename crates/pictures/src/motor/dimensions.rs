@@ -334,8 +334,12 @@ fn wheel_data(
     let bounds = sheet.scene.bounds();
     let left = bounds.right + 6.0 * sheet.unit;
     let row_height = ROW * letter;
-    let title =
-        Text::new([left, bounds.top - 0.5 * row_height], 1.25 * letter, name(motor)).align(Align::Left);
+    let title = Text::new(
+        [left, bounds.top - 0.5 * row_height],
+        1.25 * letter,
+        name(motor.numbers(), motor.module()),
+    )
+    .align(Align::Left);
     sheet.scene.add(layer, title);
     let top = bounds.top - 1.5 * row_height;
     let total: f64 = columns.iter().sum();

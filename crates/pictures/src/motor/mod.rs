@@ -3,6 +3,7 @@
 //! | function | draws |
 //! |---|---|
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
+//! | [`construction`] | half a lobe of stator and rotor: system (1) and formulas (2)–(8) with letters and angles |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
 //! | [`plate`] | ports as they are made, with the motor behind them and their timing |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
@@ -30,6 +31,7 @@
 
 mod centrodes;
 mod chambers;
+mod construction;
 mod curve;
 mod dimensions;
 mod forces;
@@ -40,6 +42,7 @@ mod whole;
 
 pub use centrodes::centrodes;
 pub use chambers::{STEPS, chambers};
+pub use construction::construction;
 pub use curve::{Outline, TOLERANCE_MM, outline};
 pub use dimensions::dimensions;
 pub use forces::forces;

@@ -1,7 +1,8 @@
 //! What the pictures of a motor share: layers, sizes, words beside them, labels where there is room.
 
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text, text};
-use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::{Motor, MotorNumbers};
+use uom::si::f64::Length;
 
 use super::curve::Outline;
 use crate::Error;
@@ -22,7 +23,7 @@ pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
 #[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) scene: Scene,
-    /// A hundredth of the stator's greatest diameter: sizes of text and lines are so many.
+    /// A hundredth of the stator's greatest diameter, or of a picture's width: sizes of text and lines are so many.
     pub(super) unit: f64,
     words: Option<LayerId>,
     pen: Point,
@@ -31,7 +32,12 @@ pub(super) struct Sheet {
 impl Sheet {
     pub(super) fn new(motor: &Motor, view: &str) -> Self {
         let unit = mm(motor.envelope().stator_outer) / 100.0;
-        let title = format!("{}: {view}", name(motor));
+        Self::of(&name(motor.numbers(), motor.module()), view, unit)
+    }
+
+    /// Of the motor with this name.
+    pub(super) fn of(name: &str, view: &str, unit: f64) -> Self {
+        let title = format!("{name}: {view}");
         Self { scene: Scene::new(title), unit, words: None, pen: Point::default() }
     }
 
@@ -68,14 +74,20 @@ impl Sheet {
     /// Opens the column of words to the right of what has been drawn; its heading is the motor's name.
     pub(super) fn column(&mut self, motor: &Motor) -> Result<(), Error> {
         let bounds = self.scene.bounds();
+        let pen = Point::new(bounds.right + 6.0 * self.unit, bounds.top - self.letter());
+        self.open(pen, &name(motor.numbers(), motor.module()))
+    }
+
+    /// Opens a column of words below a heading.
+    pub(super) fn open(&mut self, pen: Point, heading: &str) -> Result<(), Error> {
         let layer = match self.words {
             Some(layer) => layer,
             None => self.layer("words", Style::line(0.15))?,
         };
         self.words = Some(layer);
-        self.pen = Point::new(bounds.right + 6.0 * self.unit, bounds.top - self.letter());
+        self.pen = pen;
         let height = 1.25 * self.letter();
-        self.write(layer, height, &name(motor));
+        self.write(layer, height, heading);
         self.pen.y -= self.letter();
         Ok(())
     }
@@ -127,8 +139,7 @@ impl Sheet {
 }
 
 /// `5×3, 55/33/10 teeth, module 2 mm`.
-pub(super) fn name(motor: &Motor) -> String {
-    let numbers = motor.numbers();
+pub(super) fn name(numbers: MotorNumbers, module: Length) -> String {
     format!(
         "{}×{}, {}/{}/{} teeth, module {}",
         numbers.stator_lobes(),
@@ -136,7 +147,7 @@ pub(super) fn name(motor: &Motor) -> String {
         numbers.stator_teeth(),
         numbers.rotor_teeth(),
         numbers.satellite_teeth(),
-        millimetres(mm(motor.module()))
+        millimetres(mm(module))
     )
 }
 

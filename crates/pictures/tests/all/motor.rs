@@ -9,12 +9,15 @@
 use crate::common;
 
 use epicyclic_drawing::{Color, Point, Scene, Shape, Vertex, svg, text};
+use epicyclic_hydromotor::arcs::{Known, StatorArcs};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
-use epicyclic_pictures::motor::{TOLERANCE_MM, centrodes, chambers, dimensions, outline, teeth, whole};
+use epicyclic_pictures::motor::{
+    TOLERANCE_MM, centrodes, chambers, construction, dimensions, outline, teeth, whole,
+};
 use proptest::prelude::*;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -83,9 +86,47 @@ fn nothing_overlaps(motor: &Motor, rotation: Angle) -> Result<(), TestCaseError>
     views.iter().try_for_each(|(view, scene)| no_label_meets_a_line(view, scene))
 }
 
+/// Every letter of the construction has its place, on no line; of arcs that do not close as well.
+fn letters_of_the_construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<(), TestCaseError> {
+    let scene = construction(numbers, arcs).unwrap();
+    no_label_meets_a_line("construction", &scene)?;
+    let words: Vec<&str> = scene
+        .items()
+        .iter()
+        .filter_map(|item| match &item.shape {
+            Shape::Text(text) => Some(text.content.as_str()),
+            _ => None,
+        })
+        .collect();
+    for letter in ["O", "O₂", "P", "P₁", "B", "T", "Π", "θ₃", "a", "R₂"] {
+        prop_assert!(words.contains(&letter), "{letter} in {words:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_construction_of_open_arcs_says_how_far_they_are_open() {
+    let numbers = MotorNumbers::new(5, 3, 55, 10).unwrap();
+    for (a_mm, words) in [
+        (30.0, "Rotor: half a lobe stays open by 0.22184°, to the dashes"),
+        (30.612_62, "Rotor: closes"),
+        (31.0, "Rotor: half a lobe overlaps the next by 0.14738°, from the dashes"),
+    ] {
+        let known = [Known::TroughDistance(mm(80.0)), Known::CrestDistance(mm(a_mm))];
+        let arcs = StatorArcs::with(numbers, mm(2.0), known).unwrap()[0];
+        letters_of_the_construction(numbers, &arcs).unwrap();
+        let scene = construction(numbers, &arcs).unwrap();
+        let says = |item: &epicyclic_drawing::scene::Item| matches!(&item.shape, Shape::Text(text) if text.content == words);
+        assert!(scene.items().iter().any(says), "{words}");
+    }
+}
+
 #[test]
 fn no_label_of_the_known_motors_meets_a_line() {
     for motor in known() {
+        if let Some(arcs) = motor.arcs() {
+            letters_of_the_construction(motor.numbers(), arcs).unwrap();
+        }
         for angle in [0.0, 10.0, 20.0, 33.3, 60.0, 90.0, 200.0] {
             nothing_overlaps(&motor, turned(angle)).unwrap();
         }
@@ -192,6 +233,9 @@ proptest! {
     #[test]
     fn no_label_of_any_motor_meets_a_line(motor in any_motor(), rotation in -400.0..400.0_f64) {
         nothing_overlaps(&motor, turned(rotation))?;
+        if let Some(arcs) = motor.arcs() {
+            no_label_meets_a_line("construction", &construction(motor.numbers(), arcs).unwrap())?;
+        }
     }
 
     #[test]

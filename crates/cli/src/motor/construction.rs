@@ -1,0 +1,51 @@
+//! The construction of a motor's arcs in place of the motor: `--construction`, and `--l` with `--a`.
+
+use super::design::{numbers, place, refuse};
+use super::files::Wanted;
+use super::{Design, View};
+use crate::desk::Call;
+use crate::failure::Failure;
+use epicyclic_answers::motor::{Constructed, Designed, construction};
+use epicyclic_views::motor;
+
+const NOT_OF_ARCS: &str =
+    "the construction (1)-(8) is of the arcs alone and does not take this option; leave it out";
+
+/// Whether it is asked for: arcs with both distances need not close, and of an open rotor there is no motor.
+pub(super) fn is_asked(args: &Design) -> bool {
+    args.construction || (args.l.is_some() && args.a.is_some())
+}
+
+/// Runs the command; the motor is that of the file, or of the options.
+pub(super) fn run(
+    call: &Call<'_>,
+    args: &Design,
+    wanted: &Wanted,
+    of_file: Option<&Designed>,
+) -> Result<(), Failure> {
+    let in_vain = args.beyond_the_arcs().into_iter().chain(args.teeth.given());
+    super::refuse_given(in_vain, NOT_OF_ARCS)?;
+    if args.files.view.is_some_and(|view| view != View::Construction) {
+        let message = "the construction has the view construction alone; for another give one of --l and --a, and no \
+                       --construction";
+        return Err(Failure::Option { option: "--view", message: message.to_owned() });
+    }
+    let constructed = match of_file {
+        Some(designed) => Constructed::of_motor(designed),
+        None => {
+            let (numbers, module) = numbers(args)?;
+            match (args.l, args.a) {
+                (Some(l), Some(a)) => Constructed::of_distances(numbers, module, l.0, a.0),
+                _ => Constructed::of_place(numbers, module, place(args)),
+            }
+        }
+    };
+    let constructed = constructed.map_err(refuse)?;
+    let answer = construction(&constructed).map_err(refuse)?;
+    let files = if wanted.is_empty() {
+        vec![]
+    } else {
+        wanted.drawn(&motor::construction(&constructed)?, &args.files)?
+    };
+    args.output.but_for_drawings().deliver_with(call, files, &answer)
+}
