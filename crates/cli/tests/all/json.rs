@@ -87,6 +87,23 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("teeth", &["teeth", "--ratio", "-1.6", "--double-planet", "--limit", "2"]),
+    // With few teeth some sets are left out.
+    (
+        "teeth",
+        &["teeth", "--ratio", "4", "--sun", "6..14", "--planet", "6..20", "--ring", "18..60", "--limit", "1"],
+    ),
+    (
+        "teeth",
+        &[
+            "teeth",
+            "--ratio=-1.6",
+            "--tolerance=40%",
+            "--double-planet",
+            "--sun=8..16",
+            "--planet=6..12",
+            "--ring=20..44",
+        ],
+    ),
     ("teeth", &["teeth", "--ratio", "5.2", "--ring-offset", "1..3", "--limit", "2"]),
     (
         "strength",
@@ -314,6 +331,18 @@ const RUNS: &[(&str, &[&str])] = &[
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
     (
         "synthesize",
+        &[
+            "synthesize",
+            "--ratios=2.56, 1.465",
+            "--limit=1",
+            "--teeth",
+            "--sun=8..14",
+            "--planet=6..20",
+            "--ring=24..50",
+        ],
+    ),
+    (
+        "synthesize",
         &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1", "--shares", "1:30%, 2:70%"],
     ),
     (
@@ -494,6 +523,18 @@ const RUNS: &[(&str, &[&str])] = &[
             "--circulation=99",
             "--clutch-slip=99",
             "--limit=2",
+        ],
+    ),
+    (
+        "select",
+        &[
+            "select",
+            "--ratios=3.9375",
+            "--teeth",
+            "--sun=6..20",
+            "--planet=6..12",
+            "--ring=12..60",
+            "--limit=1",
         ],
     ),
     (

@@ -38,6 +38,6 @@ impl fmt::Display for LeftOut {
         let Self { count, teeth, rule, miss } = self;
         let (sets, are) = if *count == 1 { ("set", "is") } else { ("sets", "are") };
         let (rule, remedy) = (rule.name(), rule.remedy());
-        write!(f, "{count} {sets} {are} left out; of {teeth} {miss} ({rule}: {remedy})")
+        write!(f, "{count} {sets} {are} left out, first {teeth}: {miss} ({rule}: {remedy})")
     }
 }

@@ -483,6 +483,7 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --format json
   --l '80 mm'
   --a '30 mm'
   --part 0.4
+  --construction
   --width '50 mm'
   --angle '20 deg'
   --pressure-angle '20 deg'
