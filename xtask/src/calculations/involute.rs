@@ -31,9 +31,9 @@ pub(super) fn calculations() -> Vec<Calculation> {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ToothedGiven {
-    /// Its teeth.
+    /// Number of teeth.
     pub(super) teeth: u32,
-    /// Profile shift coefficient; of a ring in the sign of ISO 21771, positive where its tips lie further inwards. Of one gear it may be
+    /// Profile shift coefficient; of a ring positive where its tips lie further inwards (ISO 21771). One of the two shifts may be
     /// left out where the centre distance is given: then the pair has no backlash.
     #[serde(default)]
     shift: Option<Number>,
@@ -60,7 +60,7 @@ pub(super) struct PairGiven {
     /// Whether the second gear is a ring. Default: it is not.
     #[serde(default)]
     internal: bool,
-    /// Both gears; of an internal pair the ring is the second.
+    /// The two gears; of an internal pair the ring is the second.
     pub(super) gears: [ToothedGiven; 2],
     /// Centre distance. Default: that without backlash.
     #[serde(default)]
@@ -119,7 +119,7 @@ impl PairGiven {
     }
 }
 
-/// What is measured on a gear.
+/// Measurements on a gear.
 #[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct MeasuredGiven {
@@ -131,13 +131,13 @@ struct MeasuredGiven {
     ball: Option<Quantity<Length>>,
 }
 
-/// Two gears, and what is measured on them.
+/// Two gears with their measurements.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct InvolutePairGiven {
     /// The gears in mesh.
     pair: PairGiven,
-    /// What is measured on the first and on the second gear.
+    /// Measurements on the first and on the second gear.
     #[serde(default)]
     measured: [MeasuredGiven; 2],
 }
@@ -199,10 +199,10 @@ fn involute_pair(given: &InvolutePairGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct LeastTeethGiven {
-    /// Teeth of rings in each of which the least pinion is sought.
+    /// Teeth of the rings whose least pinion is wanted.
     #[serde(default)]
     rings: Vec<u32>,
-    /// Teeth of cutters for each of which the least ring is sought.
+    /// Teeth of the cutters whose least ring is wanted.
     #[serde(default)]
     cutters: Vec<u32>,
     /// Addendum of the cutters, in modules. Default 1.25.

@@ -26,18 +26,18 @@ pub(super) fn calculations() -> Vec<Calculation> {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct FrictionGiven {
-    /// Its name; of a shift element that in the gearbox.
+    /// Name; a shift element has its name in the gearbox.
     id: String,
-    /// What it joins. Default: the links of the shift element of that name.
+    /// The two links that it joins. Default: the links of the shift element of that name.
     #[serde(default)]
     links: Option<[String; 2]>,
-    /// Its capacity, always the same.
+    /// Constant capacity.
     #[serde(default)]
     holding: Option<Quantity<Torque>>,
-    /// Its capacity over time.
+    /// Capacity over time.
     #[serde(default)]
     capacity: Option<CapacityEntry>,
-    /// Its capacity as a harmonic of time, 0 where that is below 0.
+    /// Capacity as a harmonic of time, 0 where the harmonic is negative.
     #[serde(default)]
     harmonic: Option<HarmonicEntry>,
     /// Static over kinetic friction, at least 1. Default 1.
@@ -45,7 +45,7 @@ struct FrictionGiven {
     static_ratio: Option<Number>,
 }
 
-/// What moves, what drives it, and for how long.
+/// A mechanism with its masses, torques, friction and duration.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RunGiven {

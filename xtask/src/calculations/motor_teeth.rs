@@ -35,7 +35,7 @@ struct TeethGiven {
     motor: MotorFile,
 }
 
-/// Places of the rotor at which the clearances are looked at: enough that the least between two of them differs by less than 1e-9 modules.
+/// Positions of the rotor within a half-lobe at which clearances are measured; the least is refined between them.
 const STEPS: u32 = 90;
 
 fn teeth(given: &TeethGiven) -> Result<Results, Refusal> {
@@ -85,7 +85,7 @@ fn wheel_name(wheel: Wheel) -> &'static str {
     }
 }
 
-/// What is wanted of a motor, and among which it is sought.
+/// The wanted motor, and the bounds of the search.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SearchGiven {
@@ -148,6 +148,7 @@ fn searched(given: &SearchGiven) -> Result<Results, Refusal> {
         .count("designs", found.designs.len() as i64);
     let sizes = || found.designs.iter().flat_map(|design| &design.dimensions);
     let is_wanted = |volume: Volume| ((volume - wanted) / wanted).value.abs() < 1e-12;
+    // Rounding alone may part the displacement of a size from the wanted one.
     results.answer("all_have_the_displacement", sizes().all(|size| is_wanted(size.displacement)));
     let surpassed = found.designs.iter().any(|one| {
         found.designs.iter().any(|other| {

@@ -207,7 +207,7 @@ impl ComparedGiven {
     }
 }
 
-/// Which members the two sets share, as places of sun, ring and carrier.
+/// Members that the two sets share, as places of sun, ring and carrier.
 fn shared_members(mechanism: Mechanism) -> Vec<[usize; 2]> {
     let Mechanism::TwoSets(structure) = mechanism else { return vec![] };
     let [first, second] = structure.sets();

@@ -97,14 +97,14 @@ enum BendingGiven {
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct CutterGiven {
-    /// Its teeth.
+    /// Number of teeth.
     teeth: u32,
-    /// Its profile shift coefficient. Default 0.
+    /// Profile shift coefficient. Default 0.
     #[serde(default)]
     shift: Option<Number>,
 }
 
-/// What the strength of a gear asks for beyond its teeth.
+/// Material, surface and loading of a gear, beyond its teeth.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RatedGiven {
@@ -128,7 +128,7 @@ struct RatedGiven {
     factors: BTreeMap<String, Number>,
 }
 
-/// Which masses swing in a mesh.
+/// Masses that swing in a mesh.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum ArrangementGiven {
@@ -144,7 +144,7 @@ enum ArrangementGiven {
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct DynamicsGiven {
-    /// Which masses swing.
+    /// Masses that swing.
     arrangement: ArrangementGiven,
     /// Number of planets, of `sun_and_planets`.
     #[serde(default)]
@@ -175,7 +175,7 @@ struct RatedMeshGiven {
     pair: PairGiven,
     /// Face width.
     face_width: Quantity<Length>,
-    /// What the strength of both gears asks for beyond their teeth.
+    /// Material, surface and loading of both gears, beyond their teeth.
     gears: [RatedGiven; 2],
     /// Materials beside those of the table.
     #[serde(default)]

@@ -31,13 +31,13 @@ impl From<Error> for Refusal {
     }
 }
 
-/// What the structures of a class keep.
+/// Rule that the structures of a class keep.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum KindGiven {
     /// No member on the housing, input and output on members, all sets joined by links.
     Core,
-    /// All sparse structures.
+    /// Every sparse structure: members may be on the housing, and links may be reached by shift elements alone.
     AllSparse,
 }
 
@@ -45,7 +45,7 @@ enum KindGiven {
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ClassGiven {
-    /// What its structures keep.
+    /// Rule that its structures keep.
     kind: KindGiven,
     /// Number of planet sets.
     sets: u32,
@@ -63,7 +63,7 @@ impl ClassGiven {
     }
 }
 
-/// Which class is counted.
+/// The class that is counted.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct CountGiven {
@@ -89,15 +89,15 @@ fn counted(given: &CountGiven) -> Result<Results, Refusal> {
 struct KnownGiven {
     /// The structure: of each set sun, ring and carrier, 0 the housing, 1 the input, 2 the output, other links as letters: `a-b-c a-d-1`.
     structure: String,
-    /// Its shift elements: `a` of a brake, `1-f` of a clutch.
+    /// Shift elements: `a` of a brake, `1-f` of a clutch.
     elements: Vec<String>,
 }
 
-/// The wanted ratios, and where they are sought.
+/// The wanted ratios, and the class of structures that is searched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SearchGiven {
-    /// The class that is searched; or the class of `known`, of which its structure alone is searched.
+    /// The class that is searched.
     class: ClassGiven,
     /// Whether the structure of `known` alone is searched. Default: the whole class.
     #[serde(default)]

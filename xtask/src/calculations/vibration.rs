@@ -86,7 +86,7 @@ impl CentralGiven {
     }
 }
 
-/// Which motions a model has.
+/// Motions of a model.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum MotionsGiven {
@@ -103,7 +103,7 @@ struct PlanetsGiven {
     /// How many, equally spaced; or give `angles`.
     #[serde(default)]
     count: Option<u32>,
-    /// Where they stand on the carrier; or give `count`.
+    /// Angles of the planets on the carrier; or give `count`.
     #[serde(default)]
     angles: Option<Vec<Quantity<Angle>>>,
     /// One planet.
@@ -142,7 +142,7 @@ impl PlanetsGiven {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SetGiven {
-    /// Which motions it has.
+    /// Motions of the model.
     motions: MotionsGiven,
     /// The sun.
     sun: CentralGiven,
