@@ -97,7 +97,7 @@ pub fn starting_file(calculation: &Calculation, name: &str) -> String {
   # Digits cut off instead of rounded:
   # RESULT: { published: \"1.23\", rounding: truncated }
   # Further off than its digits; beyond ten half-units or 2 % with `cause`, too: constant, rounding or rough:
-  # RESULT: { published: \"1.23\", tolerance: 0.02, because: the document takes π = 3.14 }
+  # RESULT: { published: \"1.23\", tolerance: \"0.02\", because: the document takes π = 3.14 }
   # A figure that does not follow from the source's own inputs:
   # RESULT:
   #   published: \"1.23\"

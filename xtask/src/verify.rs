@@ -6,8 +6,10 @@ use crate::schema::write_whole;
 use crate::{calculations, project_root, report};
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::thread;
 
 /// Run the spec cases and hold every published figure against the computed one.
 ///
@@ -95,11 +97,14 @@ pub fn outcomes(arguments: &Arguments) -> Result<Vec<Outcome>, String> {
             || outcome.source.contains(filter)
             || !outcome.faults.is_empty()
     };
-    let mut outcomes: Vec<Outcome> = sources
-        .iter()
-        .map(|source| run_source(source, &calculations, filter, snapshots))
-        .filter(selected)
-        .collect();
+    // Sources take nothing from each other: each runs in a thread of its own.
+    let mut outcomes: Vec<Outcome> = thread::scope(|scope| {
+        let calculations = &calculations;
+        let run = |source| scope.spawn(move || run_source(source, calculations, filter, snapshots));
+        let running: Vec<_> = sources.iter().map(run).collect();
+        running.into_iter().map(|one| one.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
+    });
+    outcomes.retain(selected);
     if outcomes.iter().all(|outcome| outcome.cases == 0 && outcome.faults.is_empty()) {
         let names: Vec<&str> = sources.iter().map(|source| source.id.as_str()).collect();
         return Err(format!("no source or case has {filter:?} in its name; sources: {}", names.join(", ")));

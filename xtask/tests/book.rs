@@ -94,8 +94,11 @@ fn check(path: &Path) -> usize {
         if command.contains('#') {
             continue;
         }
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_xtask")).args(command.split_whitespace()).output().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+            .args(command.split_whitespace())
+            .current_dir(xtask::project_root())
+            .output()
+            .unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
         // A line of dots stands for what is left out before it, or after it.
         let kept = shown.trim_start_matches("…\n").trim_end_matches("…\n");

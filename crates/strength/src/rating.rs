@@ -189,7 +189,7 @@ impl MeshRating {
 /// [`Error::MissingFactor`] for a factor of the mesh that is neither given nor can be calculated, [`Error::GivenFactor`] for one given that is no number above 0.
 ///
 /// # Example
-/// See `examples/spur_pair.rs`, and `tests/published.rs` for the stage of a wind gearbox.
+/// See `examples/spur_pair.rs`, and `spec-cases/wind-gearbox` for the stage of a wind gearbox.
 pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
     let torque = positive(Quantity::Torque, n_m(load.torque), "N·m")?;

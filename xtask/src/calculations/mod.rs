@@ -8,8 +8,14 @@ mod dynamics;
 mod formulas;
 mod gears;
 mod hydromotor;
+mod involute;
+mod motion;
+mod motor_teeth;
 mod schemes;
 mod selection;
+mod strength;
+mod synthesis;
+mod vibration;
 
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
@@ -118,6 +124,9 @@ refusals! {
     epicyclic_selection::Error,
     epicyclic_dynamics::Error,
     epicyclic_hydromotor::Error,
+    epicyclic_strength::Error,
+    epicyclic_motion::Error,
+    epicyclic_vibration::Error,
     epicyclic_formats::gearbox::DescriptionError,
 }
 
@@ -180,10 +189,16 @@ impl Calculation {
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
     all.extend(bodies::calculations());
+    all.extend(involute::calculations());
+    all.extend(strength::calculations());
     all.extend(schemes::calculations());
     all.extend(selection::calculations());
     all.extend(dynamics::calculations());
+    all.extend(motion::calculations());
+    all.extend(vibration::calculations());
+    all.extend(synthesis::calculations());
     all.extend(hydromotor::calculations());
+    all.extend(motor_teeth::calculations());
     all
 }
 

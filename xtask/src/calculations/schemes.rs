@@ -16,6 +16,7 @@ use epicyclic_schemes::{cutting, rotor};
 use epicyclic_train::mobility;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::f64::consts::TAU;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Force, Length, Velocity};
 
 pub(super) fn calculations() -> Vec<Calculation> {
@@ -679,9 +680,13 @@ fn rotor_speeds(given: &RotorGiven) -> Result<Results, Refusal> {
     let greatest = rotor::greatest_speed(optimal)?;
     let gravity: Acceleration = rotor::standard_gravity();
     let least = rotor::least_speed(given.discharge.get(), gravity, given.wheel_radius.0)?;
+    // The boom slews faster by 1/cos φ, and the wheel turns from one bucket to the next.
+    let slewing = given.slewing.0.value / libm::cos(given.boom_angle.0.value);
+    let between_buckets_s = TAU / f64::from(given.buckets) / optimal.value;
     let mut results = Results::default();
     results
         .quantity("optimal", optimal)
+        .quantity("advance_between_buckets", given.boom_radius.0 * (slewing * between_buckets_s))
         .quantity("greatest", greatest)
         .number("greatest_equation", (greatest.value - optimal.value) * greatest.value * 4.0)
         .quantity("least", least)

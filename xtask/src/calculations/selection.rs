@@ -20,6 +20,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
     vec![
         Calculation::new("schemes.select", "gearboxes for given speeds, judged and compared", selected),
         Calculation::new(
+            "schemes.compare",
+            "whether one gearbox of two sets is better than another, each for its ratios",
+            compared,
+        ),
+        Calculation::new(
             "schemes.structures",
             "all two-row structures, and why a source has them",
             structures,
@@ -161,6 +166,89 @@ fn numbers(candidate: &Candidate, results: &mut Results) {
         .number("largest_speed", candidate.objectives.speed)
         .text("objections", if objections.is_empty() { "none".into() } else { objections.join(", ") })
         .answer("accepted_candidate", candidate.is_accepted());
+}
+
+/// A gearbox of two sets, and the ratios that it is to have.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct ComparedGiven {
+    /// Name of its scheme or structure.
+    candidate: String,
+    /// Ratios of its braked gears.
+    ratios: Vec<Number>,
+}
+
+/// Two gearboxes for one machine.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CompareGiven {
+    /// The gearbox that may be better.
+    first: ComparedGiven,
+    /// The gearbox that it is held against.
+    second: ComparedGiven,
+    /// Efficiency of each row under a resting carrier, 0.9702 unless given.
+    #[serde(default)]
+    efficiency: Option<Number>,
+}
+
+impl ComparedGiven {
+    fn candidate(&self, efficiency: Option<Number>) -> Result<Candidate, Refusal> {
+        let ratios: Vec<f64> = self.ratios.iter().map(|ratio| ratio.get()).collect();
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&ratios)?);
+        if let Some(eta) = efficiency {
+            requirements.eta0 = MeshEfficiency::new(eta.get())?;
+        }
+        let found = select(&requirements, &Space::All)?;
+        let all = found.accepted.into_iter().chain(found.rejected);
+        all.into_iter().find(|candidate| name(candidate.mechanism) == self.candidate).ok_or_else(|| Refusal {
+            name: "no-such-candidate".into(),
+            message: format!("{} is not among the candidates for these ratios", self.candidate),
+        })
+    }
+}
+
+/// Members that the two sets share, as places of sun, ring and carrier.
+fn shared_members(mechanism: Mechanism) -> Vec<[usize; 2]> {
+    let Mechanism::TwoSets(structure) = mechanism else { return vec![] };
+    let [first, second] = structure.sets();
+    let mut shared = vec![];
+    for (place, role) in first.iter().enumerate() {
+        shared.extend(second.iter().position(|other| other == role).map(|other| [place, other]));
+    }
+    shared
+}
+
+fn compared(given: &CompareGiven) -> Result<Results, Refusal> {
+    let [first, second] =
+        [given.first.candidate(given.efficiency)?, given.second.candidate(given.efficiency)?];
+    let mut results = Results::default();
+    for (name, candidate) in [("first", &first), ("second", &second)] {
+        results
+            .answer(format!("{name}.keeps_all_limits"), candidate.is_accepted())
+            .number(format!("{name}.largest_speed"), candidate.objectives.speed)
+            .number(format!("{name}.least_efficiency"), candidate.objectives.efficiency)
+            .answer(format!("{name}.turns_one_way"), !candidate.mixes_directions());
+    }
+    let lower_speeds = first.objectives.speed < second.objectives.speed;
+    let higher_efficiency = first.objectives.efficiency > second.objectives.efficiency;
+    // What the limits leave open is decided by speeds and efficiency where both say the same.
+    let better = match (first.is_accepted(), second.is_accepted()) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => lower_speeds && higher_efficiency,
+    };
+    let (one, mut other) = (shared_members(first.mechanism), shared_members(second.mechanism));
+    let is_same = one == other || {
+        other.iter_mut().for_each(|pair| pair.reverse());
+        other.sort_unstable();
+        one == other
+    };
+    results
+        .answer("first_has_lower_speeds", lower_speeds)
+        .answer("first_has_higher_efficiency", higher_efficiency)
+        .answer("sets_are_joined_alike", is_same)
+        .answer("first_is_better", better);
+    Ok(results)
 }
 
 /// The range of row parameters within which a structure's use is judged.

@@ -64,7 +64,23 @@ pub const ARROWS: &[(&str, &[&str])] = &[
         ],
     ),
     ("python", &["answers", "formats", "train", "gears"]),
-    ("xtask", &["formats", "selection", "dynamics", "layout", "schemes", "train", "gears", "hydromotor"]),
+    (
+        "xtask",
+        &[
+            "formats",
+            "selection",
+            "synthesis",
+            "motion",
+            "dynamics",
+            "vibration",
+            "strength",
+            "layout",
+            "schemes",
+            "train",
+            "gears",
+            "hydromotor",
+        ],
+    ),
 ];
 
 /// Manifests whose dependencies point the wrong way.
