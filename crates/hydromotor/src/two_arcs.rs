@@ -344,7 +344,7 @@ mod tests {
             let lobe = TwoArcs::new(&arcs.arcs, f64::from(motor.0.satellite_teeth()) / 2.0);
             let kink = lobe.junction.phase;
             let places = (0..=4000).map(|i| lobe.end_phase * f64::from(i) / 4000.0);
-            let places = places.chain([kink * (1.0 - 1e-12), kink * (1.0 + 1e-12)]);
+            let places = places.chain([kink * (1.0 - 1e-14), kink * (1.0 + 1e-14)]);
             let sampled = greatest_curvatures(places.map(|phase| lobe.within(By::Phase, phase)));
             for (exact, sampled) in lobe.curvature_extremes().into_iter().zip(sampled) {
                 // A millionth: the hair beside the junction, where with a nearly radial flank the curvature changes fast.

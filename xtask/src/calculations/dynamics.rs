@@ -69,7 +69,7 @@ fn shaft_loads(given: &ShaftLoadsGiven) -> Result<Results, Refusal> {
         .quantity("sun_torque", sun)
         .quantity("planet_torque", loads::planet_torque(taken, mesh, given.planet_to_sun.get()))
         .quantity("carrier_torque", carrier)
-        .quantity("planet_power", given.power.0 * MeshEfficiency::of_meshes(&[mesh, bearing]).get())
+        .quantity("planet_power", loads::planet_power(given.power.0, mesh, bearing))
         .quantity("carrier_power", loads::shaft_power(carried, given.carrier_speed.0));
     Ok(results)
 }
