@@ -161,7 +161,7 @@ class VibrateOptions(TypedDict, total=False):
 class DrawOptions(TypedDict, total=False):
     """Arguments of :func:`draw`."""
 
-    view: Literal["scheme", "speeds", "levers", "ladder", "map", "centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None
+    view: Literal["scheme", "speeds", "levers", "ladder", "map", "centrodes", "construction", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None
     transmission: Values | None
     gear: Values | None
     power: bool
@@ -1248,11 +1248,12 @@ def select(
         Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table up to
         10000
     order
-        The objective that decides first, then the next for equal values: size, efficiency
+        The objective that decides first, then the next for equal values: size, efficiency. Default: efficiency,
+        speed, k, error, size; with ``teeth`` error, efficiency, speed, k, size
     save
         Write the best design as a gearbox file that analyze, draw and report read
     nth
-        With ``save``: the design with this number in place of the best
+        The design that is shown in full and saved, by its number
     tolerance
         How far a ratio may be off: 10%, or 0.1
     brakes
@@ -1923,6 +1924,7 @@ def motor(
     part: Values | None = None,
     cosine: bool = False,
     second_harmonic: Values | None = None,
+    construction: bool = False,
     width: Values | None = None,
     pressure: Values | None = None,
     speed: Values | None = None,
@@ -1939,7 +1941,7 @@ def motor(
     gaps: Values | None = None,
     friction: Values | None = None,
     ports: Values | None = None,
-    view: Literal["centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
+    view: Literal["centrodes", "construction", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     dpi: Values | None = None,
     svg: Values | None = None,
     dxf: Values | None = None,
@@ -1957,10 +1959,11 @@ def motor(
     drawings.
 
     A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that
-    roll on both. The numbers leave one distance free: ``l``, ``a`` or ``part`` choose it. Torque and flow are
-    theoretical; ``oil``, ``gaps`` and ``friction`` add losses, ``ports`` the ports as they are made. Module: 0.001 to
-    1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the stator's nominal radius m·Z₃/2. A rotor that reaches
-    into the stator is refused.
+    roll on both. Without ``zs`` the satellites that the other numbers admit are listed. The numbers leave one
+    distance free: ``l``, ``a`` or ``part`` choose it. With both ``l`` and ``a`` the rotor need not close; the answer
+    is then the construction of the arcs. Torque and flow are theoretical; ``oil``, ``gaps`` and ``friction`` add
+    losses, ``ports`` the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100
+    times the stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is refused.
 
     Parameters
     ----------
@@ -1975,19 +1978,23 @@ def motor(
     z1
         Teeth of the rotor, Z₁; they follow from the others and are checked where given
     zs
-        Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2
+        Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with a motor
     module
         Module of the teeth
     l
         Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of the family
     a
-        Instead of ``l`` the distance a of the centres of the arcs at the crests
+        Instead of ``l`` the distance a of the centres of the arcs at the crests. Together with ``l``:
+        ``construction`` of arcs that need not close
     part
         Instead of ``l`` the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l
     cosine
         A rotor by the cosine law, and the stator conjugate to it: one motor, no family
     second_harmonic
         Relative amplitude ε₂ of a second harmonic of the cosine law
+    construction
+        The construction of the arcs in place of the motor: system (1), how far the rotor is from closing, and
+        formulas (2)-(8). Drawings show it
     width
         Width of the wheels, for displacement, torque and forces
     pressure
@@ -2067,7 +2074,7 @@ def motor(
     FileFailure
         A file cannot be read or written.
     """
-    return _call.answer(["motor"], [file], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
+    return _call.answer(["motor"], [file], {"--stator": stator, "--rotor": rotor, "--z3": z3, "--z1": z1, "--zs": zs, "--module": module, "--l": l, "--a": a, "--part": part, "--cosine": cosine, "--second-harmonic": second_harmonic, "--construction": construction, "--width": width, "--pressure": pressure, "--speed": speed, "--angle": angle, "--pressure-angle": pressure_angle, "--addendum": addendum, "--clearance": clearance, "--shift": shift, "--backlash": backlash, "--fillet": fillet, "--crest": crest, "--material": material, "--oil": oil, "--gaps": gaps, "--friction": friction, "--ports": ports, "--view": view, "--dpi": dpi, "--svg": svg, "--dxf": dxf, "--csv": csv, "--points": points, "--project": project, "--customer": customer, "--author": author, "--date": date, "--paper": paper}, progress, output=output)
 
 
 def motor_search(
@@ -2097,7 +2104,7 @@ def motor_search(
     design: Values | None = None,
     save: Values | None = None,
     angle: Values | None = None,
-    view: Literal["centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
+    view: Literal["centrodes", "construction", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     dpi: Values | None = None,
     svg: Values | None = None,
     dxf: Values | None = None,
@@ -2278,7 +2285,7 @@ def motor_forms(
     design: Values | None = None,
     save: Values | None = None,
     angle: Values | None = None,
-    view: Literal["centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
+    view: Literal["centrodes", "construction", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     dpi: Values | None = None,
     svg: Values | None = None,
     dxf: Values | None = None,
@@ -2424,7 +2431,7 @@ def motor_forms(
 def draw(
     gearbox: Source,
     *,
-    view: Literal["scheme", "speeds", "levers", "ladder", "map", "centrodes", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
+    view: Literal["scheme", "speeds", "levers", "ladder", "map", "centrodes", "construction", "teeth", "motor", "chambers", "dimensions", "forces", "ports", "pressure", "stress", "efficiency"] | None = None,
     transmission: Values | None = None,
     gear: Values | None = None,
     power: bool = False,
@@ -2624,7 +2631,7 @@ def report(
 
 
 def schema(
-    of: Literal["drive", "gearbox", "transmissions", "motor", "scenario", "answer-analyze", "answer-analyze-gear", "answer-analyze-inputs", "answer-analyze-map", "answer-analyze-combinations", "answer-analyze-shifts", "answer-analyze-formulas", "answer-transmissions", "answer-compare", "answer-drive", "answer-motor", "answer-motor-search", "answer-motor-forms", "answer-teeth", "answer-teeth-double-planet", "answer-teeth-shifted", "answer-select", "answer-select-teeth", "answer-strength", "answer-sheet", "answer-size", "answer-design", "answer-losses", "answer-losses-map", "answer-simulate", "answer-simulate-sweep", "answer-vibrate", "answer-synthesize", "answer-schemes", "answer-scheme", "answer-machines", "answer-machine-speeds", "answer-machine-chain-cutter", "answer-machine-drum", "answer-machine-rotor", "answer-draw", "answer-report", "answer-error"],
+    of: Literal["drive", "gearbox", "transmissions", "motor", "scenario", "answer-analyze", "answer-analyze-gear", "answer-analyze-inputs", "answer-analyze-map", "answer-analyze-combinations", "answer-analyze-shifts", "answer-analyze-formulas", "answer-transmissions", "answer-compare", "answer-drive", "answer-motor", "answer-motor-satellites", "answer-motor-construction", "answer-motor-search", "answer-motor-forms", "answer-teeth", "answer-teeth-double-planet", "answer-teeth-shifted", "answer-select", "answer-select-teeth", "answer-strength", "answer-sheet", "answer-size", "answer-design", "answer-losses", "answer-losses-map", "answer-simulate", "answer-simulate-sweep", "answer-vibrate", "answer-synthesize", "answer-schemes", "answer-scheme", "answer-machines", "answer-machine-speeds", "answer-machine-chain-cutter", "answer-machine-drum", "answer-machine-rotor", "answer-draw", "answer-report", "answer-error"],
     *,
     output: Values | None = None,
     progress: Progress | None = None,

@@ -72,9 +72,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// The objective that decides first, then the next for equal values: size, efficiency.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
-    order: List<Objective>,
+    /// The objective that decides first, then the next for equal values: size, efficiency. Default: efficiency, speed, k, error, size; with
+    /// --teeth error, efficiency, speed, k, size.
+    #[arg(long, value_name = "OBJECTIVES")]
+    order: Option<List<Objective>>,
 
     /// Write the best design as a gearbox file that analyze, draw and report read.
     #[arg(long, value_name = "FILE")]
@@ -296,7 +297,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let (tolerance, same_direction) = (args.tolerance, args.same_direction);
     let requirements =
         requirements(&args.speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
-    let order = Order::new(&args.order.0).map_err(|error| refuse(args, error.into()))?;
+    let order = args.order.as_ref().map_or(usual_order(args.teeth), |order| order.0.as_slice());
+    let order = Order::new(order).map_err(|error| refuse(args, error.into()))?;
     if args.teeth {
         return with_teeth(call, args, requirements, order, duty);
     }
@@ -439,6 +441,11 @@ fn with_teeth(
         call.complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
     }
     Ok(())
+}
+
+/// Tooth numbers give ratios that are off: the nearest come first. Without them the ratios are those wanted, but for limits of k.
+const fn usual_order(teeth: bool) -> &'static [Objective] {
+    if teeth { &[Objective::RatioError] } else { &[] }
 }
 
 fn no_such_design(args: &Args, designs: usize) -> Failure {

@@ -1393,7 +1393,8 @@ fn a_saved_design_has_the_module_and_face_width_of_its_load_factor() {
 #[test]
 fn the_best_design_of_each_scheme_is_told() {
     let line = ["select", "--ratios", "1.465,2.56", "--teeth", "--ring", "..60", "--planet-speed", "4"];
-    let done = output(&examples(), &[&line[..], &["--all-structures", "--format", "json"]].concat());
+    let more = ["--order", "efficiency", "--all-structures", "--format", "json"];
+    let done = output(&examples(), &[&line[..], &more].concat());
     let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
     let best = found["best_of_structures"].as_array().unwrap();
     let first = &found["designs"][0];
