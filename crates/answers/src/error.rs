@@ -61,12 +61,12 @@ pub enum Error {
     #[error("it must be above 0; a motor that runs backwards is its mirror image")]
     RotorSpeed,
     /// Distances of a stator's arcs with which there are no arcs, or none on which a satellite rolls.
-    #[error("{why}{}", closing(.a.as_deref()))]
+    #[error("{why}; {closing}")]
     NoConstruction {
         /// Why.
         why: epicyclic_hydromotor::Error,
-        /// The `a` with which the rotor closes at the given `l`, where there is one.
-        a: Option<String>,
+        /// What closes: the `a` at the given `l`, or from which `l` to which motors close.
+        closing: String,
     },
     /// A construction of arcs of a motor that has none.
     #[error("a rotor by the cosine law is not made of arcs; it has no construction (1)-(8)")]
@@ -379,10 +379,6 @@ pub enum Error {
 }
 
 /// What would close instead.
-fn closing(a: Option<&str>) -> String {
-    a.map_or_else(String::new, |a| format!("; at this l the rotor closes with a = {a}"))
-}
-
 impl Error {
     /// The name of the error, which does not change: `no-tooth-numbers`.
     #[must_use]

@@ -40,8 +40,8 @@ impl SpeedRange {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machines {
-    /// How many of these machines are bucket wheels that are shifted in steps; the source recommends numbers of speeds for no others.
-    pub stepped_bucket_wheels: usize,
+    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of speeds for no others.
+    pub bucket_wheels_with_steps: usize,
     /// How many of those have the recommended number of speeds.
     pub as_recommended: usize,
     /// The machines, in the order of the tables.
@@ -60,11 +60,11 @@ pub struct Machine {
     pub table: &'static str,
     /// Its range of speeds, the fastest over the slowest.
     pub range: f64,
-    /// Its number of speeds; `null` where its speed is stepless.
+    /// Its number of speeds; `null` where the source has no number of steps.
     pub speeds: Option<u32>,
     /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
     pub recommended: Option<u32>,
-    /// Whether it has that number; `null` where its speed is stepless, and where none is recommended.
+    /// Whether it has that number; `null` where the source has no number of steps, and where none is recommended.
     pub as_recommended: Option<bool>,
     /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where there is none.
     pub recommendation_is_printed: Option<bool>,
@@ -85,7 +85,7 @@ pub fn list(name: Option<&str>) -> Result<Machines, Error> {
     };
     let alike = || machines.iter().filter_map(|machine| machine.as_recommended);
     Ok(Machines {
-        stepped_bucket_wheels: alike().count(),
+        bucket_wheels_with_steps: alike().count(),
         as_recommended: alike().filter(|alike| *alike).count(),
         machines,
     })

@@ -165,7 +165,7 @@ struct Rotor {
     wheel_radius: Quantity<Length>,
 
     /// Discharge parameter Ω = ω²R/g, where it is known; otherwise --release, --chute and --radius-ratio.
-    #[arg(long, value_name = "NUMBER", required_unless_present = "release", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_negative_numbers = true)]
     discharge: Option<Number>,
 
     /// Angle at which a particle leaves its bucket.
@@ -204,7 +204,9 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
             let found = machine::drum(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks, forces.as_ref());
             drum.output.deliver(call, &found.map_err(refuse)?)
         }
-        Command::Rotor(rotor) => rotor.output.deliver(call, &machine::rotor(&rotor.wheel()).map_err(refuse)?),
+        Command::Rotor(rotor) => {
+            rotor.output.deliver(call, &machine::rotor(&rotor.wheel()?).map_err(refuse)?)
+        }
     }
 }
 
@@ -216,15 +218,18 @@ impl Rock {
 }
 
 impl Rotor {
-    fn wheel(&self) -> Wheel {
+    fn wheel(&self) -> Result<Wheel, Failure> {
         let throw = match (self.discharge, self.release, &self.chute, self.radius_ratio) {
             (Some(discharge), ..) => Throw::Discharge(discharge.get()),
             (None, Some(release), Some(chute), Some(ratio)) => {
                 Throw::Flight { release: release.0, chutes: chute.values(), radius_ratio: ratio.get() }
             }
-            _ => unreachable!("the options require each other"),
+            _ => {
+                let message = "missing: the discharge parameter; give it where it is known, otherwise --release, --chute and --radius-ratio, from which it follows";
+                return Err(Failure::Option { option: "--discharge", message: message.to_owned() });
+            }
         };
-        Wheel {
+        Ok(Wheel {
             boom_radius: self.boom_radius.0,
             slewing: self.slewing.0,
             chip_width: self.chip_width.0,
@@ -232,7 +237,7 @@ impl Rotor {
             boom_angle: self.boom_angle.0,
             radius: self.wheel_radius.0,
             throw,
-        }
+        })
     }
 }
 
@@ -252,12 +257,12 @@ fn refuse(error: Error) -> Failure {
             Of::SlewingSpeed => "--slewing",
             Of::ChipWidth => "--chip-width",
             Of::Buckets => "--buckets",
-            Of::BoomAngleCosine => "--boom-angle",
             Of::WheelRadius => "--wheel-radius",
             Of::Discharge => "--discharge",
             _ => return error.into(),
         },
         SchemeError::SpeedCount { .. } | SchemeError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
+        SchemeError::BoomAngle { .. } => "--boom-angle",
         SchemeError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };

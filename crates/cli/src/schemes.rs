@@ -48,7 +48,7 @@ pub(crate) struct Args {
         long,
         value_name = "NUMBER",
         requires = "first",
-        default_value = "0.97",
+        default_value = "0.9702",
         allow_hyphen_values = true
     )]
     efficiency: Quantity<Ratio>,

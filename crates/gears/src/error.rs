@@ -101,7 +101,7 @@ pub enum Error {
     },
     /// A ratio that no set of tooth numbers within the bounds reaches.
     #[error(
-        "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}{}",
+        "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}{}{}",
         short(*wanted),
         (tolerance * 1e8).round() / 1e6,
         left_out.as_ref().map(|left_out| format!("; of this ratio {left_out}")).unwrap_or_default(),
@@ -110,7 +110,8 @@ pub enum Error {
                 String::from("; this mode has the other sign: a negative ratio needs the carrier at rest (ab^H), a positive one the carrier turning (aH^b)")
             } else {
                 format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
-            })
+            }),
+        fewer_planets.map(|planets| format!("; with {planets} planets there are such sets: more stand too close or do not assemble")).unwrap_or_default()
     )]
     NoToothNumbers {
         /// The ratio wanted.
@@ -123,6 +124,8 @@ pub enum Error {
         nearest: Option<f64>,
         /// The sets of this ratio that a check leaves out.
         left_out: Option<Box<LeftOut>>,
+        /// The most planets, fewer than the bounds ask for, with which there are sets of this ratio.
+        fewer_planets: Option<u32>,
     },
     /// A ratio that no double-planet set within the bounds reaches.
     #[error(

@@ -58,6 +58,7 @@ pub mod mass;
 pub mod mesh;
 mod message;
 mod mode;
+mod nearest;
 pub mod planet_bearing;
 pub mod quantity;
 pub mod rack;

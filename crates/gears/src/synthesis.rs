@@ -25,6 +25,8 @@ use crate::involute::check::Check;
 use crate::involute::left_out::LeftOut;
 use crate::involute::plain;
 use crate::mesh::{TipCircle, coaxial_ring};
+pub(crate) use crate::nearest::Search;
+pub use crate::nearest::check_tolerance;
 use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
@@ -129,6 +131,9 @@ pub struct Bounds {
 /// The greatest number of planets that the synthesis places.
 pub const MOST_PLANETS: u32 = 8;
 
+/// The fewest planets of a set that is searched for.
+const LEAST_PLANETS: u32 = 2;
+
 /// The greatest tooth count that the synthesis considers.
 pub const MOST_TEETH: u32 = 10_000;
 
@@ -163,7 +168,10 @@ impl Bounds {
                 return Err(Error::ToothRange { gear, from, to, most: MOST_TEETH });
             }
         }
-        if self.planets.is_empty() || *self.planets.start() < 2 || *self.planets.end() > MOST_PLANETS {
+        if self.planets.is_empty()
+            || *self.planets.start() < LEAST_PLANETS
+            || *self.planets.end() > MOST_PLANETS
+        {
             return Err(Error::PlanetNumber {
                 from: *self.planets.start(),
                 to: *self.planets.end(),
@@ -376,14 +384,14 @@ impl Bounds {
         wanted: f64,
         mode: Mode,
         tolerance: f64,
-        done: impl FnMut(f64) -> ControlFlow<()>,
+        mut done: impl FnMut(f64) -> ControlFlow<()>,
         mut each: impl FnMut(Near),
     ) -> Result<(u64, Option<Box<LeftOut>>), Error> {
         let mut search = Search::new(wanted, tolerance)?;
         let (mut found, mut left_out) = (0, None);
         // The same gears come with several numbers of planets.
         let mut last: Option<([ToothCount; 3], Option<Check>)> = None;
-        self.visit(done, |teeth| {
+        self.visit(&mut done, |teeth| {
             let ratio = teeth.basic_ratio().ratio(mode)?;
             if !(search.is_near(ratio) || search.is_nearer(ratio)) {
                 return Ok(());
@@ -406,9 +414,29 @@ impl Bounds {
         })?;
         if found == 0 {
             let nearest = search.nearest();
-            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out });
+            let fewer_planets = self.fewer_planets(wanted, mode, tolerance, &mut done);
+            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out, fewer_planets });
         }
         Ok((found, left_out))
+    }
+
+    /// The most planets, fewer than the bounds ask for, with which there are sets of a ratio.
+    fn fewer_planets(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        done: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Option<u32> {
+        let most = self.planets.start().saturating_sub(1);
+        let fewer = Self { planets: LEAST_PLANETS..=most, ..self.clone() };
+        if most < LEAST_PLANETS || fewer.check().is_err() {
+            return None;
+        }
+        let mut most = None;
+        let each = |near: Near| most = most.max(Some(near.teeth.planets));
+        let found = fewer.each_for_ratio(wanted, mode, tolerance, done, each);
+        found.ok().and(most)
     }
 
     /// How many combinations of sun, planet and number of planets are gone through, before their clearances and assembly are looked
@@ -443,60 +471,6 @@ impl Bounds {
             spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
             teeth,
         }
-    }
-}
-
-/// Refuses a relative tolerance of a ratio outside 0 ≤ t < 1: from 100 % on it allows a ratio of 0.
-///
-/// # Errors
-/// [`Error::Tolerance`].
-pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
-    if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
-}
-
-/// A search for a ratio: what is wanted, and what came nearest.
-pub(crate) struct Search {
-    wanted: f64,
-    tolerance: f64,
-    /// The nearest ratio, and its distance.
-    nearest: Option<(f64, f64)>,
-}
-
-impl Search {
-    pub(crate) fn new(wanted: f64, tolerance: f64) -> Result<Self, Error> {
-        check_tolerance(tolerance)?;
-        if wanted == 0.0 || !wanted.is_finite() {
-            return Err(Error::Ratio { ratio: wanted });
-        }
-        Ok(Self { wanted, tolerance, nearest: None })
-    }
-
-    fn error(&self, ratio: f64) -> f64 {
-        ratio / self.wanted - 1.0
-    }
-
-    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is within.
-    pub(crate) fn is_near(&self, ratio: f64) -> bool {
-        self.error(ratio).abs() <= self.tolerance + 4.0 * f64::EPSILON
-    }
-
-    /// Whether it is nearer than all that were taken.
-    pub(crate) fn is_nearer(&self, ratio: f64) -> bool {
-        self.nearest.is_none_or(|(_, least)| self.error(ratio).abs() < least)
-    }
-
-    /// Takes the ratio of a set that there is; its error where it is within tolerance.
-    pub(crate) fn take(&mut self, ratio: f64) -> Option<f64> {
-        let error = self.error(ratio);
-        if self.is_nearer(ratio) {
-            self.nearest = Some((ratio, error.abs()));
-        }
-        self.is_near(ratio).then_some(error)
-    }
-
-    /// The nearest ratio that was taken.
-    pub(crate) fn nearest(&self) -> Option<f64> {
-        self.nearest.map(|(ratio, _)| ratio)
     }
 }
 
@@ -642,6 +616,17 @@ mod tests {
         let error = Bounds::default().for_ratio(20.0, sun_to_carrier(), 0.01).unwrap_err();
         let Error::NoToothNumbers { nearest: Some(nearest), .. } = error else { panic!("{error}") };
         assert!(nearest > 10.0 && nearest <= 11.0);
+    }
+
+    /// Five planets have no room around 20 teeth at a ratio of 6: four have.
+    #[test]
+    fn with_fewer_planets_the_ratio_may_be_had() {
+        let bounds = Bounds { sun: 20..=20, planets: 5..=5, ..Bounds::default() };
+        let error = bounds.for_ratio(6.0, sun_to_carrier(), 0.01).unwrap_err();
+        assert!(matches!(error, Error::NoToothNumbers { fewer_planets: Some(4), .. }), "{error:?}");
+        assert!(error.to_string().ends_with("more stand too close or do not assemble"), "{error}");
+        let far = bounds.for_ratio(60.0, sun_to_carrier(), 0.01).unwrap_err();
+        assert!(matches!(far, Error::NoToothNumbers { fewer_planets: None, .. }), "{far:?}");
     }
 
     #[test]

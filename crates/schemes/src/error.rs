@@ -3,6 +3,7 @@
 //! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are requirements that no scheme meets.
 
 use crate::quantity::{ConnectionPart, FlightFault, Quantity, SeriesParameter};
+use epicyclic_gears::with_unit;
 
 /// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -15,6 +16,12 @@ pub enum Error {
         name: String,
         /// The names there are.
         known: Vec<&'static str>,
+    },
+    /// A boom slewed by a right angle or more, which advances into no chip.
+    #[error("a slewing angle of {}: it is above -90 and below 90 deg", with_unit(*degrees, "deg"))]
+    BoomAngle {
+        /// The angle.
+        degrees: f64,
     },
     /// A name that no structure bears in any spelling.
     #[error(
@@ -169,6 +176,7 @@ impl Error {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::UnknownScheme { .. } => "unknown-scheme",
+            Self::BoomAngle { .. } => "boom-angle",
             Self::UnknownStructure { .. } => "unknown-structure",
             Self::NotAStructure { .. } => "not-a-structure",
             Self::RingToSunRange { .. } => "ring-to-sun-range",

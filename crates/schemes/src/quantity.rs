@@ -19,7 +19,6 @@ words! {
         SlewingSpeed "slewing speed"
         ChipWidth "chip width"
         Buckets "number of buckets"
-        BoomAngleCosine "cosine of the boom angle"
         OptimalSpeed "optimal speed"
         Discharge "Ω"
         FallAcceleration "acceleration of fall"

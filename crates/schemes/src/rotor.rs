@@ -55,7 +55,7 @@ pub fn optimal_speed(
     let cos = libm::cos(radians(boom_angle));
     let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(Error::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
+        return Err(Error::BoomAngle { degrees: radians(boom_angle).to_degrees() });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }

@@ -40,9 +40,9 @@ impl AsReport for Machines {
         })];
         if self.machines.len() > 1 {
             parts.push(Part::Text(Text::paragraph(format!(
-                "{} of {} stepped bucket wheels have the number that table 2.1 recommends. The table is drawn up for \
+                "{} of {} bucket wheels with a number of steps have the number that table 2.1 recommends. The table is drawn up for \
                  bucket wheels, and applied to no other machine. At the ends of its intervals, and for d above 4, the number is this program's choice.",
-                self.as_recommended, self.stepped_bucket_wheels
+                self.as_recommended, self.bucket_wheels_with_steps
             ))));
         }
         report(parts)

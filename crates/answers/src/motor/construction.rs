@@ -191,10 +191,15 @@ impl Constructed {
     }
 }
 
-/// Why arcs with these distances are none, or no satellite rolls on them, with the `a` that would do.
+/// Why arcs with these distances are none, or no satellite rolls on them, with what would do.
 fn refusal(numbers: MotorNumbers, module: Length, l: Length, why: hydromotor::Error) -> Error {
-    let closing = Family::new(numbers, module).and_then(|family| family.at(l)).ok();
-    Error::NoConstruction { why, a: closing.map(|arcs| format::quantity(arcs.crest_distance(), 6)) }
+    let closing = match Family::new(numbers, module).and_then(|family| family.at(l)) {
+        Ok(arcs) => {
+            format!("at this l the rotor closes with a = {}", format::quantity(arcs.crest_distance(), 6))
+        }
+        Err(none) => none.to_string(),
+    };
+    Error::NoConstruction { why, closing }
 }
 
 /// The construction of a stator.

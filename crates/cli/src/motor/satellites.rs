@@ -24,5 +24,9 @@ pub(super) fn run(call: &Call<'_>, args: &Design) -> Result<(), Failure> {
     super::refuse_given(of_one_motor.into_iter().chain(args.beyond_the_arcs()), OF_ONE_MOTOR)?;
     let (numbers, module) = numbers(args)?;
     let answer = satellites_of(numbers, module, form(&args.teeth)).map_err(refuse)?;
-    args.output.deliver(call, &answer)
+    args.output.deliver(call, &answer)?;
+    match answer.motors.is_empty() {
+        true => Err(Failure::NothingFound("no satellite gives a motor of these numbers".to_owned())),
+        false => Ok(()),
+    }
 }

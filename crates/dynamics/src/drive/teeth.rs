@@ -79,6 +79,7 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
                 tolerance: wanted.tolerance,
                 nearest: None,
                 left_out: None,
+                fewer_planets: None,
             };
             Ok(best.ok_or(nothing)?.teeth)
         }

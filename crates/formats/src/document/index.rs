@@ -9,6 +9,7 @@ use saphyr_parser::{Event, Parser, ScalarStyle};
 use super::path::{Path, Segment};
 use super::position::Position;
 use crate::error::Problem;
+use crate::quantity;
 
 /// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
 pub(super) const DEPTH_LIMIT: usize = 100;
@@ -141,6 +142,9 @@ impl Builder {
                 self.count(at)?;
                 // A value left out has no position of its own: its key has.
                 let left_out = plain && text.is_empty();
+                if let Some(found) = self.decimal_comma().filter(|_| left_out) {
+                    return Err(found);
+                }
                 let at = self
                     .open
                     .last()
@@ -240,6 +244,29 @@ impl Builder {
             }
             Some(Open { content: Content::Scalar(_), .. }) => {}
         }
+    }
+
+    /// `{ mass: 31,5 kg }`: to YAML a value of 31 and, right behind the comma, a key without a value.
+    fn decimal_comma(&self) -> Option<Found> {
+        let Open { content: Content::Map(map), key: Some((key, key_at)), .. } = self.open.last()? else {
+            return None;
+        };
+        let Entry { key: before, value: Node { at, content: Content::Scalar(text) }, .. } =
+            map.entries.last()?
+        else {
+            return None;
+        };
+        let is_close = key_at.line == at.line && key_at.column == at.column + text.chars().count() + 1;
+        let are_digits =
+            text.ends_with(|c: char| c.is_ascii_digit()) && key.starts_with(|c: char| c.is_ascii_digit());
+        if !is_close || !are_digits {
+            return None;
+        }
+        let error = quantity::parse(&format!("{text},{key}")).err()?;
+        error.corrected()?;
+        let (at, mut path, problem) = self.fail(*at, Problem::Quantity(error));
+        path.pop();
+        Some((at, path.key(before), problem))
     }
 
     fn fail(&self, at: Position, problem: Problem) -> Found {

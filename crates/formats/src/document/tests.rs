@@ -133,6 +133,29 @@ fn quantity_errors_keep_their_name_and_place() {
     ]);
 }
 
+/// In braces and brackets a comma parts: `31,5 kg` is a value of 31 and a key `5 kg` without a value.
+#[test]
+fn a_decimal_comma_in_braces_is_recognised() {
+    check(&[
+        (
+            "given: {power: 31,5 kW, ratio: 2}",
+            "decimal-comma | c.yaml:1:16: given.power: 31,5 kW: decimal comma; write 31.5 kW",
+        ),
+        (
+            "given: {power: 31,5 кВт}",
+            "decimal-comma | c.yaml:1:16: given.power: 31,5 кВт: decimal comma; write 31.5 kW",
+        ),
+        (
+            "given: {power: 1 W, ratio: 3,94}",
+            "decimal-comma | c.yaml:1:28: given.ratio: 3,94: decimal comma; write 3.94",
+        ),
+        (
+            "given: {power: 1 W, shafts: [{inertia_kg_m2: 0,00818, torque: 1 Nm}]}",
+            "decimal-comma | c.yaml:1:46: given.shafts[0].inertia_kg_m2: 0,00818: decimal comma; write 0.00818",
+        ),
+    ]);
+}
+
 #[test]
 fn a_decimal_comma_is_recognised_in_every_number() {
     check(&[

@@ -172,11 +172,16 @@ fn shaft(given: Option<&ShaftFile>, path: &str) -> Result<ShaftSpec, Misfit> {
 
 fn known(given: Option<&PartFile>, path: &str) -> Result<KnownPart, Misfit> {
     let Some(given) = given else { return Ok(KnownPart::default()) };
+    let is_massless = given.mass.is_some_and(|mass| mass.0.si() == 0.0);
+    if is_massless {
+        let reason = "a part of no mass; leave the key out to have the mass of the shape";
+        return Err(Misfit::new(&format!("{path}.mass"), "not-positive", reason));
+    }
     let negative = |key: &str, is_negative: bool| match is_negative {
         true => Err(Misfit::new(
             &format!("{path}.{key}"),
             "negative",
-            format!("a {key} below 0; write the one of the part"),
+            format!("a {key} below 0; leave the key out to have that of the shape"),
         )),
         false => Ok(()),
     };

@@ -170,7 +170,14 @@ impl ShiftedSearch {
         }
         if found == 0 {
             let nearest = search.nearest();
-            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest, left_out });
+            return Err(Error::NoToothNumbers {
+                wanted,
+                mode,
+                tolerance,
+                nearest,
+                left_out,
+                fewer_planets: None,
+            });
         }
         held.sort_by(order);
         held.truncate(most);

@@ -55,6 +55,17 @@ pub use two_speed::TwoSpeed;
 use epicyclic_gears::simple_set::Member;
 use std::fmt;
 
+/// Whether a name is that of a scheme, in capital or small letters, in Latin ones or in the Cyrillic ones that look alike.
+fn is_name(of_scheme: &str, name: &str) -> bool {
+    let latin = |c: char| match c {
+        'І' | 'і' | 'Ӏ' => 'I',
+        '–' | '−' => '-',
+        c => c,
+    };
+    let name: String = name.trim().chars().map(latin).collect();
+    of_scheme.eq_ignore_ascii_case(&name)
+}
+
 /// What a link is in a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
@@ -100,4 +111,16 @@ impl fmt::Display for Role {
 /// The member of a set that belongs to a link.
 pub(crate) fn with_role(set: [Role; 3], role: Role) -> Option<Member> {
     Member::ALL.into_iter().zip(set).find_map(|(member, of)| (of == role).then_some(member))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_may_be_in_cyrillic_letters() {
+        for (name, scheme) in [("ІІІ-1", "III-1"), ("ii–3", "II-3"), (" І ", "I")] {
+            assert_eq!(name.parse::<Scheme>().unwrap().name(), scheme);
+        }
+    }
 }

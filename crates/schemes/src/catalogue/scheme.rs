@@ -110,7 +110,7 @@ impl FromStr for Scheme {
 
     /// Reads a name in capital or small letters.
     fn from_str(name: &str) -> Result<Self, Error> {
-        Self::all().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+        Self::all().find(|scheme| super::is_name(scheme.name(), name)).ok_or_else(|| {
             let known = Self::all().map(Self::name).collect();
             Error::UnknownScheme { name: name.into(), known }
         })

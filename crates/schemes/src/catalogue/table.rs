@@ -6,8 +6,8 @@
 //!
 //! # Where this departs from the print
 //! (2.49), the ratio of II-2, is printed as a copy of (2.39); the one here follows from the scheme and
-//! is the inverse of the ratio inside the printed (2.50). Among the efficiencies (2.59) is printed with
-//! η₀ squared before the fraction, (2.54) and (2.57) with a stray "+", and (2.61) breaks off: all are
+//! is the inverse of the ratio inside the printed (2.50). Among the efficiencies (2.59) is printed with a
+//! stray "2", (2.54) and (2.57) with a stray "+", and (2.61) breaks off: all are
 //! taken as the torque balance has them.
 //!
 //! # Source

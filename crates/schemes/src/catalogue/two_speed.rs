@@ -126,7 +126,7 @@ impl FromStr for TwoSpeed {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Self, Error> {
-        Self::ALL.into_iter().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+        Self::ALL.into_iter().find(|scheme| super::is_name(scheme.name(), name)).ok_or_else(|| {
             Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).to_vec() }
         })
     }
