@@ -23,7 +23,7 @@
 //! to go on without it: nothing is put in its place.
 //!
 //! Geometry comes from [`epicyclic_gears::involute`]. Left out: scuffing, micropitting, flank fracture, contact under load (`K_Hβ` from deformations), bevel gears,
-//! grinding notches, protuberance.
+//! grinding notches.
 //!
 //! # Example
 //!

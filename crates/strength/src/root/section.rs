@@ -6,7 +6,7 @@
 //! z_n = z/(cos²β_b·cos β)   ε_αn = ε_α/cos²β_b   d_n = z_n   d_bn = d_n·cos α_n   d_an = d_n + d_a − d
 //! ρ_v = ρ_fP                                     external gears, cut by a rack
 //! ρ_v = ρ_fP + (x_0 + h_fP − ρ_fP)^1.95/(3.156·1.036^z_0)     internal gears, cut by a shaper
-//! E = π/4 − h_fP·tan α_n − (1 − sin α_n)·ρ_v/cos α_n
+//! E = π/4 − h_fP·tan α_n + s_pr/cos α_n − (1 − sin α_n)·ρ_v/cos α_n     s_pr = p_r − q, not below 0, of external gears
 //! G = ρ_v − h_fP + x
 //! H = 2/z_n·(π/2 − E) − T                        T = π/3, internal π/6
 //! θ = 2·G/z_n·tan θ − H
@@ -23,7 +23,7 @@
 //! instead of 0.380 for the ring of the NREL reference gearbox), which follows with `|z_n|`; a shaper's true fillet is sharper still (0.370).
 //! The radius enters `Y_S` alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
 //!
-//! Left out: protuberance, grinding stock, notches from grinding (`Y_Sg`).
+//! Left out: notches from grinding (`Y_Sg`), which stock without as much protuberance leaves.
 //!
 //! # Source
 //! ISO 6336-3:2006 with its corrigendum of 2007, clause 6.2.
@@ -115,7 +115,9 @@ pub(crate) fn section_of(
         profile.fillet
     };
     let (sin, cos, tan) = (libm::sin(alpha), libm::cos(alpha), libm::tan(alpha));
-    let e = FRAC_PI_4 - depth * tan - (1.0 - sin) * fillet / cos;
+    // What the protuberance leaves of undercut when the stock is taken off.
+    let residual = if is_internal { 0.0 } else { (profile.protuberance - profile.stock).max(0.0) };
+    let e = FRAC_PI_4 - depth * tan + residual / cos - (1.0 - sin) * fillet / cos;
     let g = fillet - depth + gear.shift();
     let (tangent, thickness_weight, arm_weight) =
         if is_internal { (FRAC_PI_6, 1.0, ROOT_3) } else { (FRAC_PI_3, ROOT_3, 1.0) };
