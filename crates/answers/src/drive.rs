@@ -259,11 +259,12 @@ pub struct EquivalentInertia {
     pub total_kg_m2: f64,
     /// Kinetic energy at the nominal speed, `T`.
     pub kinetic_energy_j: f64,
-    /// The same by the shapes alone; null where nothing else is given of a part.
+    /// Equivalent inertia and kinetic energy by the shapes alone; null if no mass or inertia of a part is
+    /// given.
     pub of_shapes: Option<OfShapes>,
 }
 
-/// What the shapes of the parts give in place of masses and inertias that are given.
+/// Equivalent inertia and kinetic energy by the shapes alone, in place of the given masses and inertias.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OfShapes {
@@ -568,7 +569,8 @@ mod tests {
         assert!(drive.warnings.iter().any(|warning| warning.name == "carrier-neglected"));
     }
 
-    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source, against the sums written out.
+    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source, against the
+    /// sums written out.
     #[test]
     fn what_is_given_of_a_part_replaces_its_shape() {
         let text = std::fs::read_to_string("../../examples/xe215cll-drive-as-printed.yaml").unwrap();

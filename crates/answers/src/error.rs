@@ -65,7 +65,7 @@ pub enum Error {
     NoConstruction {
         /// Why.
         why: epicyclic_hydromotor::Error,
-        /// What closes: the `a` at the given `l`, or from which `l` to which motors close.
+        /// The `a` with which the rotor closes at the given `l`, or the range of `l` in which motors close.
         closing: String,
     },
     /// A construction of arcs of a motor that has none.

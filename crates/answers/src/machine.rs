@@ -19,7 +19,8 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 pub struct SpeedRange {
     /// The greatest speed over the least.
     pub range: f64,
-    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range is not above 1.
+    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range
+    /// is not above 1.
     pub recommended: Option<u32>,
     /// Whether the source prints that number; otherwise it is this program's choice.
     pub recommendation_is_printed: Option<bool>,
@@ -40,7 +41,8 @@ impl SpeedRange {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machines {
-    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of speeds for no others.
+    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of
+    /// speeds for no others.
     pub bucket_wheels_with_steps: usize,
     /// How many of those have the recommended number of speeds.
     pub as_recommended: usize,
@@ -60,13 +62,15 @@ pub struct Machine {
     pub table: &'static str,
     /// Its range of speeds, the fastest over the slowest.
     pub range: f64,
-    /// Its number of speeds; `null` where the source has no number of steps.
+    /// Number of speeds of the machine; `null` if the source prints none.
     pub speeds: Option<u32>,
     /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
     pub recommended: Option<u32>,
-    /// Whether it has that number; `null` where the source has no number of steps, and where none is recommended.
+    /// Whether the machine has that number; `null` if the source prints no number of speeds or recommends
+    /// none.
     pub as_recommended: Option<bool>,
-    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where there is none.
+    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where
+    /// there is none.
     pub recommendation_is_printed: Option<bool>,
 }
 

@@ -56,9 +56,10 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
-    /// Number of the candidate that tables show in full; `null` where there is none of that number, or none is accepted and none was asked for.
+    /// Number of the candidate that tables show in full; `null` if no candidate has that number, or if none
+    /// is accepted and none was asked for.
     pub shown_in_full: Option<u32>,
-    /// Speeds of that candidate, asked for and reached, the slowest first; empty where there is none.
+    /// Speeds of that candidate, asked for and reached, the slowest first; empty without such a candidate.
     pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,
@@ -164,15 +165,15 @@ impl Unreachable {
 /// # Errors
 /// [`Error::Selection`] of requirements that cannot be, [`Error::Duty`].
 pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
-    solve(wanted).map(|(answer, _)| answer)
+    solved(wanted, false).map(|(answer, ..)| answer)
 }
 
-/// The same, with the candidate that is shown in full as a gearbox.
+/// The answer, with the candidate that it shows in full as a gearbox, where it is to be saved.
 ///
 /// # Errors
 /// As [`answer`].
-pub fn solve(wanted: &Wanted) -> Result<(Select, Option<Saved>), Error> {
-    solved(wanted).map(|(answer, saved, _)| (answer, saved))
+pub fn solve(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>), Error> {
+    solved(wanted, is_saved).map(|(answer, saved, _)| (answer, saved))
 }
 
 /// The same with the mechanisms of the accepted candidates, the best first, each once.
@@ -180,10 +181,10 @@ pub fn solve(wanted: &Wanted) -> Result<(Select, Option<Saved>), Error> {
 /// # Errors
 /// As [`answer`].
 pub fn with_mechanisms(wanted: &Wanted) -> Result<(Select, Vec<Mechanism>), Error> {
-    solved(wanted).map(|(answer, _, mechanisms)| (answer, mechanisms))
+    solved(wanted, false).map(|(answer, _, mechanisms)| (answer, mechanisms))
 }
 
-fn solved(wanted: &Wanted) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Error> {
+fn solved(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Error> {
     let Wanted { requirements, order, space, speeds, most, nth, duty } = wanted;
     duty.torque()?;
     let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
@@ -216,8 +217,9 @@ fn solved(wanted: &Wanted) -> Result<(Select, Option<Saved>, Vec<Mechanism>), Er
             mechanisms.push(one.candidate.mechanism);
         }
     }
+    let saved = in_full.filter(|_| is_saved);
     let saved =
-        in_full.map(|place| Saved::of(ranked[place].candidate, requirements, &[], vec![])).transpose()?;
+        saved.map(|place| Saved::of(ranked[place].candidate, requirements, &[], vec![])).transpose()?;
     let asked = Asked { speeds, ratios: requirements.series.braked(), input: duty.input_speed };
     let shown_in_full = in_full.map(|place| ranked[place].no);
     let shown = candidates.iter().find(|one| Some(one.no) == shown_in_full);

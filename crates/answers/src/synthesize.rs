@@ -85,7 +85,8 @@ pub struct Synthesis {
     pub equal_k: Option<usize>,
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
-    /// Pairs of sun and ring that are left out since a check of their teeth does not hold, of simple and of double-planet sets; empty where there are none.
+    /// Pairs of sun and ring that are left out since a check of their teeth does not hold, of simple and of
+    /// double-planet sets.
     pub teeth_left_out: Vec<TeethLeftOut>,
     /// Sets of shift elements that have all gears, and what left them out.
     pub left_out: Vec<LeftOut>,

@@ -80,7 +80,7 @@ pub struct TeethLeftOut {
 }
 
 impl TeethLeftOut {
-    /// Those of a search.
+    /// The record of sets that a search leaves out.
     #[must_use]
     pub fn of(left_out: &LeftOut) -> Self {
         Self { count: left_out.count, check: left_out.rule.name(), message: left_out.to_string() }

@@ -30,7 +30,7 @@ where
 
 /// Why a value of a list is refused.
 pub(crate) trait Refusal: ToString {
-    /// What to write in its place, where that is known.
+    /// The corrected text of the value, if a correction is known.
     fn corrected(&self) -> Option<&str> {
         None
     }

@@ -28,11 +28,13 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
 /// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
 ///
-/// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that roll on both.
-/// Without --zs the satellites that the other numbers admit are listed. The numbers leave one distance free: --l, --a or --part choose
-/// it. With both --l and --a the rotor need not close; the answer is then the construction of the arcs. Torque and flow are theoretical; --oil, --gaps and
-/// --friction add losses, --ports the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times the
-/// stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is refused.
+/// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them
+/// that roll on both. Without --zs the satellites that the other numbers admit are listed. The numbers leave
+/// one distance free: --l, --a or --part choose it. With both --l and --a the rotor need not close; the
+/// answer is then the construction of the arcs. Torque and flow are theoretical; --oil, --gaps and
+/// --friction add losses, --ports the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10
+/// 000 mm; l: at most 100 times the stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is
+/// refused.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 #[command(override_usage = "\
@@ -107,7 +109,8 @@ pub(crate) struct Design {
     #[arg(long, value_name = "TEETH")]
     z1: Option<u32>,
 
-    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with a motor.
+    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with
+    /// a motor.
     #[arg(long, value_name = "TEETH")]
     zs: Option<u32>,
 
@@ -119,8 +122,8 @@ pub(crate) struct Design {
     #[arg(long, group = "place", allow_hyphen_values = true)]
     l: Option<Quantity<Length>>,
 
-    /// Instead of --l the distance a of the centres of the arcs at the crests. Together with --l: --construction of arcs that need not
-    /// close.
+    /// Instead of --l the distance a of the centres of the arcs at the crests. Together with --l:
+    /// --construction of arcs that need not close.
     #[arg(long, group = "place", allow_hyphen_values = true)]
     a: Option<Quantity<Length>>,
 
@@ -136,8 +139,8 @@ pub(crate) struct Design {
     #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
     second_harmonic: Option<Number>,
 
-    /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing, and formulas (2)-(8). Drawings
-    /// show it.
+    /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing,
+    /// and formulas (2)-(8). Drawings show it.
     #[arg(long)]
     construction: bool,
 

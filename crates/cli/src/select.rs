@@ -72,8 +72,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// The objective that decides first, then the next for equal values: size, efficiency. Default: efficiency, speed, k, error, size; with
-    /// --teeth error, efficiency, speed, k, size.
+    /// The objective that decides first, then the next for equal values: size, efficiency. Default:
+    /// efficiency, speed, k, error, size; with --teeth error, efficiency, speed, k, size.
     #[arg(long, value_name = "OBJECTIVES")]
     order: Option<List<Objective>>,
 
@@ -310,7 +310,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let space = args.speeds.space();
     let eta0 = requirements.eta0;
     let (nth, speeds) = (args.nth, args.speeds.of_machine());
-    let found = select::solve(&Wanted { requirements, order, space, speeds, most, nth, duty });
+    let wanted = Wanted { requirements, order, space, speeds, most, nth, duty };
+    let found = select::solve(&wanted, args.save.is_some());
     let (found, saved) = found.map_err(|error| refuse(args, error))?;
     let designs = found.accepted + found.rejected;
     if found.shown_in_full.is_none() && args.nth != 1 {
@@ -443,7 +444,8 @@ fn with_teeth(
     Ok(())
 }
 
-/// Tooth numbers give ratios that are off: the nearest come first. Without them the ratios are those wanted, but for limits of k.
+/// Tooth numbers give ratios that are off: the nearest come first. Without them the ratios are those wanted,
+/// but for limits of k.
 const fn usual_order(teeth: bool) -> &'static [Objective] {
     if teeth { &[Objective::RatioError] } else { &[] }
 }

@@ -43,8 +43,8 @@ pub fn planet_torque(sun: Torque, sun_planet: MeshEfficiency, planet_to_sun: f64
     sun * sun_planet.get() * planet_to_sun
 }
 
-/// Power on the shafts of all planets as the source counts, `N_2 = N_1·η_12·η_b`: as if the carrier stood still, so that all of the power passed through the
-/// planets. On a turning carrier the rolling power does.
+/// Power on the shafts of all planets as the source counts, `N_2 = N_1·η_12·η_b`: as if the carrier stood
+/// still, so that all of the power passed through the planets. On a turning carrier the rolling power does.
 #[must_use]
 pub fn planet_power(input: Power, sun_planet: MeshEfficiency, bearings: MeshEfficiency) -> Power {
     input * MeshEfficiency::of_meshes(&[sun_planet, bearings]).get()

@@ -117,7 +117,8 @@ pub struct MeshEfficiencyFile {
     pub planet_bearings: Option<Quantity<Ratio>>,
 }
 
-/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the shapes.
+/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the
+/// shapes.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartsFile {
@@ -129,13 +130,14 @@ pub struct PartsFile {
     pub carrier: Option<PartFile>,
 }
 
-/// What is known of a part.
+/// Known mass and inertia of a part.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartFile {
-    /// Its mass. Default: that of its shape.
+    /// Mass of the part. Default: that of the shape.
     pub mass: Option<Quantity<Mass>>,
-    /// Its inertia about its own axis, of the carrier about that of the gearbox. Default: that of its shape.
+    /// Inertia of the part about its own axis, of the carrier about the axis of the gearbox. Default: that
+    /// of the shape.
     pub inertia: Option<Quantity<MomentOfInertia>>,
 }
 

@@ -226,8 +226,8 @@ pub struct DoublePlanetCandidate {
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs close, assemble and clear each other between this sun and ring within the bounds, this
-    /// one among them; their teeth are not checked.
+    /// How many choices of both planets and of the number of pairs close, assemble and clear each other
+    /// between this sun and ring within the bounds, this one among them; their teeth are not checked.
     pub choices: u64,
     /// Whether a rack would undercut the sun.
     pub undercut_sun: bool,
@@ -315,7 +315,7 @@ impl<'a> Frame<'a> {
         planets.map(of_inner).sum()
     }
 
-    /// All planets that fit, those that [`Bounds::double_planet_choices`] prefers before the others.
+    /// Planets that fit, in the order in which [`Bounds::double_planet_choices`] prefers them.
     fn by_preference(&self) -> impl Iterator<Item = DoublePlanetNumbers> + '_ {
         let planets = self.planets();
         let (least, most) = (*planets.start(), *planets.end());
@@ -357,9 +357,11 @@ impl Bounds {
         Ok(found)
     }
 
-    /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since the ratio does not depend on
-    /// them: the most pairs; of those the most teeth on the smaller planet, so that the planets turn as slowly as they can; of those
-    /// the fewest on the larger; of two such the larger outside; and of these the first whose teeth can be cut and turned together. Pairs of sun and ring without such planets are left out, and counted.
+    /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since
+    /// the ratio does not depend on them: the most pairs; of those the most teeth on the smaller planet, so
+    /// that the planets turn as slowly as they can; of those the fewest on the larger; of two such the
+    /// larger outside; and of these the first whose teeth can be cut and turned together. Pairs of sun and
+    /// ring without such planets are left out, and counted.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -476,7 +478,8 @@ impl Bounds {
         Ok(Ranked { found, left_out, first: held.into_iter().filter_map(candidate).collect() })
     }
 
-    /// The planets that are chosen for a sun and a ring; in place of them the first that fit, and the check that their teeth do not pass.
+    /// The planets that are chosen for a sun and a ring; in place of them the first that fit, and the check
+    /// that their teeth do not pass.
     fn best_planets(
         &self,
         sun: ToothCount,

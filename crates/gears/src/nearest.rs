@@ -31,7 +31,8 @@ impl Search {
         ratio / self.wanted - 1.0
     }
 
-    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is within.
+    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is
+    /// within.
     pub(crate) fn is_near(&self, ratio: f64) -> bool {
         self.error(ratio).abs() <= self.tolerance + 4.0 * f64::EPSILON
     }

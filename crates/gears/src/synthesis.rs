@@ -230,7 +230,8 @@ impl Bounds {
         })
     }
 
-    /// Whether its gears without profile shift can be cut and turned together; where they cannot, it is counted among those left out.
+    /// Whether its gears without profile shift can be cut and turned together; where they cannot, it is
+    /// counted among those left out.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -374,8 +375,9 @@ impl Bounds {
         })
     }
 
-    /// Each set of tooth numbers for a ratio in turn, in no order that matters, how many there were, and those that a check of their teeth leaves out; nothing is held. `done` as
-    /// in [`for_ratio_watched`](Self::for_ratio_watched).
+    /// Each set of tooth numbers for a ratio in turn, in no order that matters, how many there were, and
+    /// those that a check of their teeth leaves out; nothing is held. `done` as in
+    /// [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
     /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
@@ -485,14 +487,15 @@ pub struct Near {
     pub ratio_error: f64,
 }
 
-/// The sets of tooth numbers for a ratio, of double-planet sets the pairs of sun and ring: how many, and the first of them.
+/// The sets of tooth numbers for a ratio, of double-planet sets the pairs of sun and ring: how many, and the
+/// first of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranked<Set = Candidate> {
     /// How many there are.
     pub found: u64,
     /// The first, the most exact before the others.
     pub first: Vec<Set>,
-    /// Those of this ratio that a check of their teeth leaves out.
+    /// Sets of this ratio that a check of their teeth leaves out.
     pub left_out: Option<Box<LeftOut>>,
 }
 

@@ -270,7 +270,8 @@ impl StatorArcs {
         length(self.arcs.half_length, self.module)
     }
 
-    /// Left side less right side of each of the four equations of system (1), over its right side: what rounding leaves.
+    /// Left side less right side of each of the four equations of system (1), over its right side: what
+    /// rounding leaves.
     #[must_use]
     pub fn system_misses(&self) -> [f64; 4] {
         let Arcs { theta3, half_length, l, a, r1, r2, gamma, beta, .. } = self.arcs;

@@ -145,13 +145,15 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// How far a half-lobe stays open: what it must span less what it spans; negative where it overlaps the next.
+    /// How far a half-lobe stays open: what it must span less what it spans; negative where it overlaps the
+    /// next.
     #[must_use]
     pub fn open(&self) -> Angle {
         angle(-self.residual_rad)
     }
 
-    /// Whether the rotor closes: a half-lobe is open by no more than five digits of `l` and `a` leave, 10⁻⁵ rad.
+    /// Whether the rotor closes: a half-lobe is open by no more than five digits of `l` and `a` leave, 10⁻⁵
+    /// rad.
     #[must_use]
     pub fn closes(&self) -> bool {
         self.residual_rad.abs() <= CLOSES
@@ -212,8 +214,8 @@ pub(crate) fn rolling_radius(numbers: MotorNumbers, arcs: &StatorArcs) -> Result
     Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" })
 }
 
-/// Whether two arcs, closed or not, give stator and rotor smooth curves that turn one way about the axis: the rotor without a cusp,
-/// the flank less than radial.
+/// Whether two arcs, closed or not, give stator and rotor smooth curves that turn one way about the axis:
+/// the rotor without a cusp, the flank less than radial.
 #[must_use]
 pub fn is_smooth(numbers: MotorNumbers, arcs: &StatorArcs) -> bool {
     Kernel::of(numbers).is_regular(&arcs.arcs)

@@ -56,8 +56,8 @@ pub struct Junction {
 /// Formulas (2)–(8).
 ///
 /// # Errors
-/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`: `b ≤ 1` then; and where the satellite is no
-/// smaller than arc 2, `R₂ ≤ r`.
+/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`: `b ≤ 1` then; and
+/// where the satellite is no smaller than arc 2, `R₂ ≤ r`.
 ///
 /// # Example
 /// ```
@@ -99,8 +99,9 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     })
 }
 
-/// Where a satellite touches both wheels on its way over the two arcs, from crest to trough: so many contacts on each arc, its ends
-/// among them. The arcs need not close; what they roll on the rotor spans `π/n` only if they do ([`crate::closure`]).
+/// Where a satellite touches both wheels on its way over the two arcs, from crest to trough: so many
+/// contacts on each arc, its ends among them. The arcs need not close; what they roll on the rotor spans
+/// `π/n` only if they do ([`crate::closure`]).
 ///
 /// # Errors
 /// As [`junction`].
@@ -200,7 +201,8 @@ mod tests {
     }
 
     proptest! {
-        /// By coordinates alone, without a formula of the phase: the satellite turns about `P` in small steps, and the rotor follows `P₁`.
+        /// By coordinates alone, without a formula of the phase: the satellite turns about `P` in small
+        /// steps, and the rotor follows `P₁`.
         #[test]
         fn what_open_arcs_roll_is_the_sum_of_small_steps(motor in any_motor(), off in -0.03..0.03_f64) {
             const STEPS: u32 = 4000;
@@ -239,7 +241,8 @@ mod tests {
                     let [from, to] = [i, i + 1].map(|i| end * f64::from(i) / f64::from(STEPS));
                     let [(one, _), (next, _)] = [from, to].map(|x| satellite(is_crest, x));
                     let (rho3, _, rho1) = contact(is_crest, 0.5 * (from + to));
-                    // The satellite turns about P, at r from its centre, and takes P₁, at ρ₃ − ρ₁ from P, along with the rotor.
+                    // The satellite turns about P, at r from its centre, and takes P₁, at ρ₃ − ρ₁ from P,
+                    // along with the rotor.
                     let turn = libm::hypot(next[0] - one[0], next[1] - one[1]) / r;
                     span += (rho3 - rho1) * turn / rho1 - (contact(is_crest, to).1 - contact(is_crest, from).1);
                 }

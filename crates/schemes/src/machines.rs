@@ -94,7 +94,8 @@ impl Machine {
         Some(Self { table: Table::numbered(table)?, kind, name, steps, speed_range: range.parse().ok()? })
     }
 
-    /// How many speeds table 2.1 recommends for its range; `None` of conveyors, for which the table is not drawn up.
+    /// How many speeds table 2.1 recommends for its range; `None` of conveyors, for which the table is not
+    /// drawn up.
     #[must_use]
     pub fn recommended(&self) -> Option<Recommendation> {
         (self.table == Table::BucketWheels).then(|| recommended_speeds(self.speed_range).ok()).flatten()

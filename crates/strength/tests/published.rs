@@ -1,6 +1,8 @@
-//! The second stage of the NREL reference wind gearbox (Nejad, Guo, Gao, Moan 2016): where its load factors come from, and its losses as a whole.
+//! The second stage of the NREL reference wind gearbox (Nejad, Guo, Gao, Moan 2016): where its load factors
+//! come from, and its losses as a whole.
 //!
-//! The printed figures of this stage, of the FZG gears and of ISO/TR 6336-30 are cases: `spec-cases/wind-gearbox` and its neighbours.
+//! The printed figures of this stage, of the FZG gears and of ISO/TR 6336-30 are cases:
+//! `spec-cases/wind-gearbox` and its neighbours.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -144,8 +146,8 @@ fn load_factors_of_the_wind_stage_by_method_b() {
     }
 }
 
-/// Where the pitch point has one pair in contact the closed form is the integral. In the ring it lies outside the path of contact: the print takes
-/// the closed form there too, which is a quarter too much.
+/// Where the pitch point has one pair in contact the closed form is the integral. In the ring it lies
+/// outside the path of contact: the print takes the closed form there too, which is a quarter too much.
 #[test]
 fn the_closed_form_of_the_loss_factor_is_the_integral_but_for_the_ring_of_the_wind_stage() {
     let [outer, inner] = wind_pairs();

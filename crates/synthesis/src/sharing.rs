@@ -212,8 +212,9 @@ impl Compound {
         known.into_iter().map(Option::unwrap_or_default).collect()
     }
 
-    /// Teeth of all planets with which so many of each, at equal angles, fit suns and rings with these teeth: those of simple sets by equal
-    /// centre distances, the others as large as they can be for gears that do turn, each the earlier the larger.
+    /// Teeth of all planets with which so many of each, at equal angles, fit suns and rings with these
+    /// teeth: those of simple sets by equal centre distances, the others as large as they can be for gears
+    /// that do turn, each the earlier the larger.
     fn fill(
         &self,
         gears: &[[f64; 2]],
@@ -279,7 +280,8 @@ impl Compound {
         })
     }
 
-    /// The teeth of its sets, in their order, with common planets for these suns and rings: as many of each planet as there is room for, and such whose teeth can be cut and turned together.
+    /// The teeth of its sets, in their order, with common planets for these suns and rings: as many of each
+    /// planet as there is room for, and such whose teeth can be cut and turned together.
     pub(crate) fn with_planets(&self, chosen: &[&SetTeeth], bounds: &Bounds) -> Option<Vec<SetTeeth>> {
         let of: Vec<&SetTeeth> = self.sets.iter().map(|set| chosen[*set]).collect();
         let gears: Vec<[f64; 2]> = of.iter().map(|set| [set.sun().as_f64(), set.ring().as_f64()]).collect();

@@ -161,7 +161,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// All of simple sets within bounds whose gears can be cut and turned together, each pair of sun and ring once.
+    /// Simple sets within bounds whose gears can be cut and turned together, each pair of sun and ring once.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
@@ -226,7 +226,8 @@ impl Choice {
         self.sets.len()
     }
 
-    /// Pairs of sun and ring without profile shift that are left out since a check of their teeth does not hold.
+    /// Pairs of sun and ring without profile shift that are left out since a check of their teeth does not
+    /// hold.
     #[must_use]
     pub fn left_out(&self) -> Option<&LeftOut> {
         self.left_out.as_deref()

@@ -15,9 +15,6 @@ const GEARS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", 
 const SHAFTS: &[(&str, &str)] =
     &[("sun", "sun's shaft"), ("planet_pin", "planet pin"), ("carrier", "carrier's shaft")];
 const PARTS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("carrier", "carrier")];
-/// Place of the section after that of the masses.
-const AFTER_MASSES: usize = 10;
-
 const MOTIONS: &[(&str, &str)] = &[("without_losses", "without losses"), ("with_losses", "with mesh losses")];
 
 const PIN: &str = "A planet pin carries no torque. The method sizes it by the torque on the planets all the same; check \
@@ -40,12 +37,6 @@ impl AsReport for Drive {
             |name, title, columns, rows| Part::Facts(Section { name, title, columns, rows, note: "" });
         let noted =
             |name, title, columns, rows, note| Part::Facts(Section { name, title, columns, rows, note });
-        let carrier = self
-            .masses
-            .carrier
-            .shape
-            .as_ref()
-            .map(|shape| section("carrier", "Carrier by its shape", &[], carrier(shape)));
         let mut parts = vec![
             section("tooth_numbers", "Tooth numbers", &[], tooth_numbers(self)),
             section("efficiencies", "Efficiencies", &[], efficiencies(self)),
@@ -57,6 +48,10 @@ impl AsReport for Drive {
             noted("forces", "Forces, planets sharing evenly", &[], forces(self), FORCES),
             noted("shafts", "Shafts by torsion, and bearings", SHAFTS, shafts(self), PIN),
             noted("masses", "Masses and inertias", PARTS, masses(self), SOURCE),
+        ];
+        let shape = self.masses.carrier.shape.as_ref();
+        parts.extend(shape.map(|shape| section("carrier", "Carrier by its shape", &[], carrier(shape))));
+        parts.extend([
             section(
                 "equivalent_inertia",
                 "Equivalent inertia, referred to the sun's shaft",
@@ -65,8 +60,7 @@ impl AsReport for Drive {
             ),
             section("start", "Start", &[], starting_torques(self)),
             section("start", "Motion from rest", MOTIONS, motions(self)),
-        ];
-        parts.splice(AFTER_MASSES..AFTER_MASSES, carrier);
+        ]);
         Report { title: self.title.clone(), parts, warnings: warned(&self.warnings) }
     }
 }

@@ -54,7 +54,7 @@ impl AsReport for MotorSatellites {
     }
 }
 
-/// What becomes of the teeth, in few words.
+/// Outcome for the teeth, in few words.
 fn teeth(motor: &SatelliteMotor) -> String {
     match motor.broken_limits.as_deref() {
         None => "none of this form".to_owned(),

@@ -33,8 +33,8 @@ pub(super) fn calculations() -> Vec<Calculation> {
 pub(super) struct ToothedGiven {
     /// Number of teeth.
     pub(super) teeth: u32,
-    /// Profile shift coefficient; of a ring positive where its tips lie further inwards (ISO 21771). One of the two shifts may be
-    /// left out where the centre distance is given: then the pair has no backlash.
+    /// Profile shift coefficient; of a ring positive where its tips lie further inwards (ISO 21771). One of
+    /// the two shifts may be left out where the centre distance is given: then the pair has no backlash.
     #[serde(default)]
     shift: Option<Number>,
     /// Tip alteration, below 0 of a shortened tooth. Default 0.
@@ -65,8 +65,8 @@ pub(super) struct PairGiven {
     /// Centre distance. Default: that without backlash.
     #[serde(default)]
     centre_distance: Option<Quantity<Length>>,
-    /// Whether the tips of both gears are shortened so that the tip clearance is that of the rack, in place of `tip_alteration`. Default:
-    /// they are not.
+    /// Whether the tips of both gears are shortened so that the tip clearance is that of the rack, in place
+    /// of `tip_alteration`. Default: they are not.
     #[serde(default)]
     shortened_tips: bool,
 }
@@ -123,7 +123,8 @@ impl PairGiven {
 #[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct MeasuredGiven {
-    /// Teeth, of a ring spaces, over which the span is measured. Default: those by which it touches the middle of the flanks.
+    /// Teeth, of a ring spaces, over which the span is measured. Default: those by which it touches the
+    /// middle of the flanks.
     #[serde(default)]
     spanned_teeth: Option<u32>,
     /// Diameter of the balls. Default: that by which they touch the middle of the flanks.

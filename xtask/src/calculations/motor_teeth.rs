@@ -35,7 +35,8 @@ struct TeethGiven {
     motor: MotorFile,
 }
 
-/// Positions of the rotor within a half-lobe at which clearances are measured; the least is refined between them.
+/// Positions of the rotor within a half-lobe at which clearances are measured; the least is refined between
+/// them.
 const STEPS: u32 = 90;
 
 fn teeth(given: &TeethGiven) -> Result<Results, Refusal> {

@@ -533,7 +533,8 @@ fn machine_table(given: &MachinesGiven) -> Result<Results, Refusal> {
         message: format!("no table {}: 1.1 or 1.2", given.table),
     })?;
     let listed: Vec<_> = machines::machines().iter().filter(|machine| machine.table == table).collect();
-    // Also of conveyors, for which the table is not drawn up: what it would give is compared with what they have.
+    // Also of conveyors, for which the table is not drawn up: what it would give is compared with what they
+    // have.
     let recommended = |machine: &machines::Machine| {
         machines::recommended_speeds(machine.speed_range).map(|found| found.speeds)
     };

@@ -182,7 +182,8 @@ struct RatedMeshGiven {
     materials: Vec<MaterialEntry>,
     /// Kinematic viscosity of the oil at 40 °C.
     viscosity: Quantity<KinematicViscosity>,
-    /// Factors given for the mesh by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`, `K_v`, `K_H_beta`.
+    /// Factors given for the mesh by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`,
+    /// `K_v`, `K_H_beta`.
     #[serde(default)]
     factors: BTreeMap<String, Number>,
     /// Deviations and masses, where the dynamic factor is not given.
@@ -313,7 +314,8 @@ struct RatingGiven {
     speed: Quantity<AngularVelocity>,
     /// Time of running.
     life: Quantity<Time>,
-    /// How often a tooth of the first and of the second gear meets another in one revolution of its own. Default once.
+    /// How often a tooth of the first and of the second gear meets another in one revolution of its own.
+    /// Default once.
     #[serde(default)]
     contacts: Option<[Number; 2]>,
 }
@@ -415,7 +417,8 @@ struct DutyGiven {
     steps: Vec<StepGiven>,
     /// Time of running.
     life: Quantity<Time>,
-    /// How often a tooth of the first and of the second gear meets another in one revolution of its own. Default once.
+    /// How often a tooth of the first and of the second gear meets another in one revolution of its own.
+    /// Default once.
     #[serde(default)]
     contacts: Option<[Number; 2]>,
 }

@@ -37,7 +37,8 @@ impl From<Error> for Refusal {
 enum KindGiven {
     /// No member on the housing, input and output on members, all sets joined by links.
     Core,
-    /// Every sparse structure: members may be on the housing, and links may be reached by shift elements alone.
+    /// Every sparse structure: members may be on the housing, and links may be reached by shift elements
+    /// alone.
     AllSparse,
 }
 
@@ -87,7 +88,8 @@ fn counted(given: &CountGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct KnownGiven {
-    /// The structure: of each set sun, ring and carrier, 0 the housing, 1 the input, 2 the output, other links as letters: `a-b-c a-d-1`.
+    /// The structure: of each set sun, ring and carrier, 0 the housing, 1 the input, 2 the output, other
+    /// links as letters: `a-b-c a-d-1`.
     structure: String,
     /// Shift elements: `a` of a brake, `1-f` of a clutch.
     elements: Vec<String>,
@@ -195,7 +197,8 @@ fn known(given: &KnownGiven) -> Result<(Structure, Vec<Element>), Refusal> {
     Ok((structure, elements))
 }
 
-/// Whether a gearbox is the known one; an automorphism of the structure may have given another set of the same elements.
+/// Whether a gearbox is the known one; an automorphism of the structure may have given another set of the
+/// same elements.
 fn is_known(found: &Found, structure: &Structure, elements: &[Element]) -> bool {
     found.structure == *structure
         && structure.automorphisms().iter().any(|order| {

@@ -1,4 +1,5 @@
-//! Calculations of free vibration: a simple set by its bodies and springs, and the closed form of a held ring.
+//! Calculations of free vibration: a simple set by its bodies and springs, and the closed form of a held
+//! ring.
 
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::Stiffness;
@@ -40,7 +41,8 @@ struct BodyGiven {
     /// In place of the inertia: the inertia over the square of the radius, `I/r²`.
     #[serde(default)]
     rotary_mass: Option<Quantity<Mass>>,
-    /// Base radius; of a carrier the radius of the planets' circle. Default 1 m: frequencies depend on `I/r²` alone.
+    /// Base radius; of a carrier the radius of the planets' circle. Default 1 m: frequencies depend on
+    /// `I/r²` alone.
     #[serde(default)]
     radius: Option<Quantity<Length>>,
 }

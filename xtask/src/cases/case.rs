@@ -50,8 +50,9 @@ pub enum Verdict {
     /// The figure follows from the source's inputs by a restored reading: the copy lost or garbled the formula, or the document
     /// never had it. Judged as [`Verdict::Agrees`], counted apart.
     Reconstructed,
-    /// The figure repeats the definition of its own quantity, our copy of a table, or an input that was solved for; or it is the value of
-    /// a closed form or of another program, which no source prints. Judged as [`Verdict::Agrees`], counted apart. Needs `because`.
+    /// The figure repeats the definition of its own quantity, our copy of a table, or an input that was
+    /// solved for; or it is the value of a closed form or of another program, which no source prints. Judged
+    /// as [`Verdict::Agrees`], counted apart. Needs `because`.
     Definition,
     /// The source sets it: an input, not a result.
     Given,

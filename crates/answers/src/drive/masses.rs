@@ -30,9 +30,9 @@ pub struct GearMass {
     pub teeth_volume_m3: f64,
     /// Volume of the body within the root circle, less its bore.
     pub body_volume_m3: f64,
-    /// Its mass, as given or that of its shape.
+    /// Mass of the gear, as given or of the shape.
     pub mass_kg: f64,
-    /// Its inertia about its own axis, as given or that of its shape.
+    /// Inertia of the gear about its own axis, as given or of the shape.
     pub inertia_kg_m2: f64,
     /// Mass of its shape.
     pub shape_mass_kg: f64,
@@ -46,11 +46,11 @@ pub struct GearMass {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CarrierMass {
-    /// Its mass; null where neither it nor the shape is known.
+    /// Mass of the carrier; null if neither the mass nor the shape is given.
     pub mass_kg: Option<f64>,
-    /// Its inertia about the gearbox axis.
+    /// Inertia of the carrier about the gearbox axis.
     pub inertia_kg_m2: f64,
-    /// Its shape, step by step; null where it is not known.
+    /// The calculation from the shape, step by step; null if no shape is given.
     pub shape: Option<CarrierShape>,
 }
 

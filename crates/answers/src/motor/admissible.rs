@@ -1,4 +1,5 @@
-//! The satellites that lobes, teeth of the stator and a module admit, each with the motor in the middle of its family.
+//! The satellites that lobes, teeth of the stator and a module admit, each with the motor in the middle of
+//! its family.
 
 use super::Verdict;
 use super::design::profile;
@@ -19,7 +20,8 @@ use uom::si::f64::Length;
 /// The most teeth of a stator whose satellites are listed: every satellite takes a motor with all its teeth.
 const MOST_STATOR_TEETH: u32 = 240;
 
-/// The satellites that a stator and a rotor admit, each with the motor of two arcs in the middle of its family.
+/// The satellites that a stator and a rotor admit, each with the motor of two arcs in the middle of its
+/// family.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorSatellites {
@@ -35,7 +37,7 @@ pub struct MotorSatellites {
     pub satellites: u32,
     /// Module `m`.
     pub module_m: f64,
-    /// What the teeth of a satellite lie below, `(Z₃ − Z₁)/2`.
+    /// Upper bound of the teeth of a satellite, `(Z₃ − Z₁)/2`.
     pub satellite_teeth_below: f64,
     /// Form of the teeth whose limits are judged.
     pub form: Form,
@@ -43,10 +45,10 @@ pub struct MotorSatellites {
     pub motors: Vec<SatelliteMotor>,
     /// Teeth of a satellite below that bound with which there is no such motor.
     pub without: Vec<SatellitesWithout>,
-    /// The teeth of a satellite to take next: of the motors whose teeth keep their limits those of the greatest displacement; null
-    /// where there is none.
+    /// The teeth of a satellite to take next: of the motors whose teeth keep their limits those of the
+    /// greatest displacement; null where there is none.
     pub next_satellite_teeth: Option<u32>,
-    /// That there is no motor, or none whose teeth keep their limits.
+    /// A warning if no motor is found, or none whose teeth keep their limits.
     pub warnings: Vec<Warning>,
 }
 
@@ -68,7 +70,7 @@ pub struct SatelliteMotor {
     pub displacement_per_width_m2: f64,
     /// Ripple of flow and torque, satellites sealing at the pitch points.
     pub ripple: f64,
-    /// Limits that the teeth break; null where there are no teeth.
+    /// Limits that the teeth break; null if no teeth can be made.
     pub broken_limits: Option<Vec<BrokenLimit>>,
     /// Why there are no teeth.
     pub without_teeth: Option<String>,
@@ -142,10 +144,11 @@ impl Answer for MotorSatellites {
     const NAME: &'static str = "motor-satellites";
 }
 
-/// All satellites of a stator and rotor; `numbers` has the least satellite, and stands for all.
+/// Every satellite of a stator and a rotor; `numbers` has the smallest satellite.
 ///
 /// # Errors
-/// [`Error::TooManyToList`] for a stator of many teeth, [`Error::Motor`] for a module or a form of the teeth that cannot be.
+/// [`Error::TooManyToList`] for a stator of many teeth, [`Error::Motor`] for a module or a form of the teeth
+/// that cannot be.
 pub fn satellites_of(
     numbers: MotorNumbers,
     module: Length,
@@ -163,6 +166,7 @@ pub fn satellites_of(
     let (mut motors, mut without) = (vec![], Vec::<SatellitesWithout>::new());
     let all = bounds.all()?.into_iter();
     for numbers in all.filter(|one| one.rotor_lobes() == numbers.rotor_lobes()) {
+        // The family ends at limits of arcs and curvatures: the middle is away from both.
         let motor = Family::new(numbers, module).and_then(|family| {
             let l = family.at_part(0.5)?.trough_distance();
             Ok((Motor::of_two_arcs(numbers, module, l)?, family))

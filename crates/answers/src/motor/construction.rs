@@ -1,4 +1,5 @@
-//! The construction of a stator of two arcs and of the point where its rotor's arcs meet: the document's algorithm, (1)–(8).
+//! The construction of a stator of two arcs and of the point where its rotor's arcs meet: the document's
+//! algorithm, (1)–(8).
 
 use super::design::{Place, closed_arcs};
 use super::shape::Interval;
@@ -16,7 +17,8 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use uom::si::f64::{Angle, Length};
 
-/// The stator's arcs by system (1), how nearly their rotor closes, and the junction of the rotor's arcs by (2)–(8).
+/// The stator's arcs by system (1), how nearly their rotor closes, and the junction of the rotor's arcs by
+/// (2)–(8).
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorConstruction {
@@ -54,7 +56,8 @@ pub struct ConstructedArcs {
     pub gamma_rad: f64,
     /// Angle of arc 2.
     pub beta_rad: f64,
-    /// The greatest difference of both sides of the four equations, over the right side, rounded up to a power of ten.
+    /// The greatest difference of both sides of the four equations, over the right side, rounded up to a
+    /// power of ten.
     pub holds_within: f64,
 }
 
@@ -62,21 +65,22 @@ pub struct ConstructedArcs {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Misfit {
-    /// What a half-lobe of the rotor must span, `π/n`.
+    /// Angle that a half-lobe of a closed rotor spans, `π/n`.
     pub due_rad: f64,
-    /// What it spans.
+    /// Angle that this half-lobe spans.
     pub span_rad: f64,
-    /// How far a half-lobe stays open: what it must span less what it spans; negative where neighbouring half-lobes overlap.
+    /// How far a half-lobe stays open: what it must span less what it spans; negative where neighbouring
+    /// half-lobes overlap.
     pub open_rad: f64,
-    /// The same by quadrature of the rolling.
+    /// The opening again, by quadrature of the rolling.
     pub open_by_quadrature_rad: f64,
     /// Whether it closes: is open by no more than the digits of `l` and `a` leave, 10⁻⁵ rad.
     pub closes: bool,
-    /// What an error of 0.01 modules in `a` opens in a half-lobe.
+    /// Opening of a half-lobe by an error of 0.01 modules in `a`.
     pub opened_by_a_hundredth_module_rad: f64,
-    /// The `a` with which the rotor closes at this `l`; null where there is none.
+    /// The `a` with which the rotor closes at this `l`; null if no `a` closes it.
     pub a_that_closes_m: Option<f64>,
-    /// The `l` with which the rotor closes at this `a`; null where there is none.
+    /// The `l` with which the rotor closes at this `a`; null if no `l` closes it.
     pub l_that_closes_m: Option<f64>,
     /// Distances `l` for which a motor of these numbers closes; empty where none does.
     pub family: Vec<Interval>,
@@ -108,13 +112,13 @@ pub struct Junction {
 pub struct Departure {
     /// Which equation or statement.
     pub equation: &'static str,
-    /// What the document prints.
+    /// The equation as the document prints it.
     pub printed: &'static str,
-    /// What is used here.
+    /// The equation as it is used here.
     pub used: &'static str,
 }
 
-/// All departures, in the order of the document; the cases of `rotary-hydromotor` have their reasons.
+/// The departures, in the order of the document; the cases of `rotary-hydromotor` have their reasons.
 const DEPARTURES: [Departure; 7] = [
     Departure { equation: "(1)", printed: "R₁·Γ + R₂·B = L/(2n)", used: "L/(2N), as in θ₃ = π/N" },
     Departure {
@@ -158,7 +162,8 @@ impl Constructed {
     /// The stator whose arcs have both distances `l` and `a`.
     ///
     /// # Errors
-    /// [`Error::Motor`] for a module or distance that cannot be; [`Error::NoConstruction`] where no arcs have both distances.
+    /// [`Error::Motor`] for a module or distance that cannot be; [`Error::NoConstruction`] where no arcs
+    /// have both distances.
     pub fn of_distances(numbers: MotorNumbers, module: Length, l: Length, a: Length) -> Result<Self, Error> {
         let known = [Known::TroughDistance(l), Known::CrestDistance(a)];
         match StatorArcs::with(numbers, module, known) {
@@ -174,8 +179,8 @@ impl Constructed {
     /// The stator of the motor at a place of its family.
     ///
     /// # Errors
-    /// [`Error::Motor`] for numbers with which no motor closes and a place outside the family; [`Error::NoArcs`] for a rotor by the
-    /// cosine law.
+    /// [`Error::Motor`] for numbers with which no motor closes and a place outside the family;
+    /// [`Error::NoArcs`] for a rotor by the cosine law.
     pub fn of_place(numbers: MotorNumbers, module: Length, place: Place) -> Result<Self, Error> {
         let (_, arcs) = closed_arcs(numbers, module, place)?.ok_or(Error::NoArcs)?;
         Ok(Self { numbers, arcs })
@@ -281,6 +286,7 @@ fn warnings(numbers: MotorNumbers, arcs: &StatorArcs, misfit: &Misfit) -> Vec<Wa
         let message = format!("the rotor does not close: a half-lobe {how} by {open}");
         warnings.push(Warning { name: "open", message });
     }
+    // A motor of a curve with cusps is refused for reasons that follow from these.
     if !closure::is_smooth(numbers, arcs) {
         let message = "the rotor gets cusps, or the flanks become radial".to_owned();
         warnings.push(Warning { name: "not-smooth", message });

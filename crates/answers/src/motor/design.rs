@@ -108,7 +108,8 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
-/// The family of motors with these numbers, and the arcs at a place of it; none for a rotor by the cosine law.
+/// The family of motors with these numbers, and the arcs at a place of it; none for a rotor by the cosine
+/// law.
 pub(super) fn closed_arcs(
     numbers: MotorNumbers,
     module: Length,

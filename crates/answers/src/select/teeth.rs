@@ -103,9 +103,9 @@ impl SizeLimits {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
-    /// Number of the design that tables show in full; `null` where there is none of that number.
+    /// Number of the design that tables show in full; `null` if no design has that number.
     pub shown_in_full: Option<u32>,
-    /// Speeds of that design, asked for and reached, the slowest first; empty where there is none.
+    /// Speeds of that design, asked for and reached, the slowest first; empty without such a design.
     pub speeds: Vec<ReachedSpeed>,
     /// What is wanted.
     pub required: Required,

@@ -110,7 +110,7 @@ impl Choices {
         Ok(Self { simple, double_planet })
     }
 
-    /// What a check leaves out.
+    /// Pairs of sun and ring that a check of the teeth leaves out.
     pub(super) fn left_out(&self) -> Vec<TeethLeftOut> {
         let all = [Some(&self.simple), self.double_planet.as_ref()];
         all.into_iter().flatten().filter_map(Choice::left_out).map(TeethLeftOut::of).collect()

@@ -27,7 +27,8 @@ pub struct DoublePlanetTeeth {
     pub tolerance: f64,
     /// How many pairs of sun and ring there are.
     pub found: u64,
-    /// Pairs of sun and ring of this ratio that are left out since none of their planets passes the checks of the teeth; `null` where there are none.
+    /// Pairs of sun and ring of this ratio that are left out since none of their planets passes the checks
+    /// of the teeth; `null` if no pair is left out.
     pub left_out: Option<TeethLeftOut>,
     /// How many of them are told here.
     pub shown: usize,
@@ -57,8 +58,9 @@ pub struct DoublePlanetNumbers {
     pub exact_ratio: Fraction,
     /// How far it is from the ratio wanted, as a share of it.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs close, assemble and clear each other with this sun and ring within the
-    /// bounds, whether or not their teeth pass the checks. This one is the first that passes them, by the most pairs, then the most teeth of the smaller planet.
+    /// How many choices of both planets and of the number of pairs close, assemble and clear each other with
+    /// this sun and ring within the bounds, whether or not their teeth pass the checks. This one is the
+    /// first that passes them, by the most pairs, then the most teeth of the smaller planet.
     pub choices: u64,
     /// Whether the rack undercuts the sun.
     pub undercut_sun: bool,

@@ -149,7 +149,8 @@ pub struct ShiftedTeeth {
     pub least_tip_thickness_in_modules: f64,
     /// How many sets there are.
     pub found: u64,
-    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` where there are none.
+    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` if no set is
+    /// left out.
     pub left_out: Option<TeethLeftOut>,
     /// How many of them are told here.
     pub shown: usize,

@@ -383,7 +383,8 @@ fn a_construction_has_the_figures_of_the_document() {
     assert_eq!(found["closure"]["closes"], true);
 }
 
-/// With the distances that it says would close, the rotor closes; a motor of a file and of its `l` have one construction.
+/// With the distances that it says would close, the rotor closes; a motor of a file and of its `l` have one
+/// construction.
 #[test]
 fn the_distances_that_close_do() {
     let open = answered(&with(&FIVE_THREE, &["--l", "80 mm", "--a", "31 mm"]));

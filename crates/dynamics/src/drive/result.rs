@@ -37,7 +37,7 @@ pub struct DriveDesign {
     pub masses: Masses,
     /// The inertia of all links referred to the sun's shaft.
     pub equivalent_inertia: EquivalentInertia,
-    /// The same by the shapes alone; `None` where nothing else is known of a part.
+    /// Equivalent inertia by the shapes alone; `None` if no mass or inertia of a part is known.
     pub inertia_of_shapes: Option<EquivalentInertia>,
     /// Torque on the sun while the drive starts, `M_1`.
     pub driving_torque: Torque,
@@ -217,7 +217,7 @@ pub struct Masses {
 }
 
 impl Masses {
-    /// The same with what is known of single parts.
+    /// These masses, replaced where those of single parts are known.
     #[must_use]
     pub(super) fn with(self, known: &KnownParts) -> Self {
         Self {

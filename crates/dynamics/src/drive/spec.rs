@@ -29,7 +29,8 @@ pub struct DriveSpec {
     pub sun_planet_efficiency: MeshEfficiency,
     /// Efficiency of the mesh of planet and ring, `η_23`. Default 0.98, the source's.
     pub planet_ring_efficiency: MeshEfficiency,
-    /// Efficiency of the bearings of a planet on its pin, `η_b`: they take their share of the power that the planet carries from mesh to mesh. Default 1.
+    /// Efficiency of the bearings of a planet on its pin, `η_b`: they take their share of the power that the
+    /// planet carries from mesh to mesh. Default 1.
     pub planet_bearing_efficiency: MeshEfficiency,
     /// Shape of sun, planets and ring.
     pub gear_set: GearSetSpec,
@@ -37,7 +38,7 @@ pub struct DriveSpec {
     pub shafts: ShaftsSpec,
     /// The carrier. Default: neglected.
     pub carrier: CarrierSpec,
-    /// What is known of single parts. Default: nothing, their shapes decide.
+    /// Known masses and inertias of single parts. Default: none, their shapes decide.
     pub known: KnownParts,
     /// Inertia on the sun's shaft beside the sun: rotor of the motor, coupling. Default 0.
     pub motor_inertia: MomentOfInertia,
@@ -148,7 +149,8 @@ pub enum CarrierSpec {
     },
 }
 
-/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the shapes.
+/// Masses and inertias that are known of single parts, weighed or from a drawing; they replace those of the
+/// shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KnownParts {
     /// Of the sun.
@@ -159,12 +161,12 @@ pub struct KnownParts {
     pub carrier: KnownPart,
 }
 
-/// What is known of a part.
+/// Known mass and inertia of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KnownPart {
-    /// Its mass.
+    /// Mass of the part.
     pub mass: Option<Mass>,
-    /// Its inertia about its own axis, of the carrier about that of the gearbox.
+    /// Inertia of the part about its own axis, of the carrier about the axis of the gearbox.
     pub inertia: Option<MomentOfInertia>,
 }
 

@@ -142,7 +142,7 @@ impl Builder {
                 self.count(at)?;
                 // A value left out has no position of its own: its key has.
                 let left_out = plain && text.is_empty();
-                if let Some(found) = self.decimal_comma().filter(|_| left_out) {
+                if left_out && let Some(found) = self.decimal_comma() {
                     return Err(found);
                 }
                 let at = self

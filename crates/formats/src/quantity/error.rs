@@ -109,7 +109,7 @@ pub enum QuantityError {
 }
 
 impl QuantityError {
-    /// What to write in place of the text, where that is known.
+    /// The corrected text, if a correction is known.
     #[must_use]
     pub fn corrected(&self) -> Option<&str> {
         match self {
@@ -122,7 +122,8 @@ impl QuantityError {
         }
     }
 
-    /// The same with corrections that can be read: one fault may hide another, a decimal comma the unit behind it.
+    /// This error with a correction that can be read: one fault may hide another, as a decimal comma hides
+    /// the unit behind it.
     pub(super) fn settled(mut self, read: impl Fn(&str) -> Option<QuantityError>) -> Self {
         let settle = |text: &mut String| {
             // Comma, unit: no text has a third fault of these kinds.

@@ -12,7 +12,7 @@ pub struct LeftOut {
     pub teeth: String,
     /// The rule that the first does not keep.
     pub rule: Rule,
-    /// What it misses, with its figures.
+    /// The check that the first does not pass, with its figures.
     pub miss: String,
 }
 

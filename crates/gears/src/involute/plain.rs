@@ -91,7 +91,7 @@ pub struct DoublePlanetMeshes<'a> {
 }
 
 impl<'a> DoublePlanetMeshes<'a> {
-    /// None looked at yet.
+    /// Meshes of a rack, not checked yet.
     #[must_use]
     pub fn new(rack: &'a BasicRack) -> Self {
         Self { rack, known: BTreeMap::default() }
@@ -124,7 +124,7 @@ impl<'a> DoublePlanetMeshes<'a> {
     }
 }
 
-/// What the gears of a mesh, the mesh itself and the tips of each gear in it are called.
+/// Names of the gears of a mesh, of the mesh itself and of the tips of each gear in it.
 struct Places<P> {
     gears: [P; 2],
     mesh: P,

@@ -1,4 +1,5 @@
-//! Sets and rings that others calculated. Circles, measures and meshes of pairs are cases: `spec-cases/wind-gearbox`, `involute-gears`, `fzg-test-gears`.
+//! Sets and rings that others calculated. Circles, measures and meshes of pairs are cases:
+//! `spec-cases/wind-gearbox`, `involute-gears`, `fzg-test-gears`.
 
 use super::family::Family;
 use super::profile::{Cutting, Iso53};

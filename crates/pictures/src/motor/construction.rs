@@ -1,7 +1,9 @@
-//! The construction of half a lobe: the stator's two arcs by system (1), and `P₁`, where the rotor's arcs meet, by (2)–(8).
+//! The construction of half a lobe: the stator's two arcs by system (1), and `P₁`, where the rotor's arcs
+//! meet, by (2)–(8).
 //!
-//! The satellite stands where the stator's arcs meet, at `P`. By Kennedy's theorem the line `OP` meets its circle in `P` and in
-//! `P₁`, its contact with the rotor; `T` is the angle from the stator's trough to that line, `Π` from the rotor's trough.
+//! The satellite stands where the stator's arcs meet, at `P`. By Kennedy's theorem the line `OP` meets its
+//! circle in `P` and in `P₁`, its contact with the rotor; `T` is the angle from the stator's trough to that
+//! line, `Π` from the rotor's trough.
 
 use std::f64::consts::PI;
 
@@ -26,7 +28,8 @@ const POINTS: u32 = 60;
 /// Half a lobe of a stator of two arcs, closed or not, with the half-lobe that it rolls on the rotor.
 ///
 /// # Errors
-/// [`Error::Motor`] for arcs on which no satellite rolls, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for arcs on which no satellite rolls, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, Error> {
     let (found, points) = (junction(numbers, arcs)?, rolled(numbers, arcs, POINTS)?);
     let figure = Figure::new(arcs, &found, &points);
@@ -63,7 +66,7 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
     Ok(sheet.scene)
 }
 
-/// What stands below the picture.
+/// Lines of text below the picture.
 fn words(arcs: &StatorArcs, found: &Junction, closed: &Closure) -> Vec<String> {
     let length = |length: Length| millimetres(mm(length));
     let angle = |angle| format!("{}°", number(deg(angle)));

@@ -23,7 +23,8 @@ pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
 #[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) scene: Scene,
-    /// A hundredth of the stator's greatest diameter, or of a picture's width: sizes of text and lines are so many.
+    /// A hundredth of the stator's greatest diameter, or of a picture's width: sizes of text and lines are
+    /// so many.
     pub(super) unit: f64,
     words: Option<LayerId>,
     pen: Point,

@@ -55,7 +55,8 @@ pub use two_speed::TwoSpeed;
 use epicyclic_gears::simple_set::Member;
 use std::fmt;
 
-/// Whether a name is that of a scheme, in capital or small letters, in Latin ones or in the Cyrillic ones that look alike.
+/// Whether a name is that of a scheme, in capital or small letters, in Latin ones or in the Cyrillic ones
+/// that look alike.
 fn is_name(of_scheme: &str, name: &str) -> bool {
     let latin = |c: char| match c {
         'І' | 'і' | 'Ӏ' => 'I',

@@ -122,7 +122,7 @@ pub struct Progress {
     pub done: usize,
     /// Of so many.
     pub of: usize,
-    /// What is searched, all 0 until it is counted; how many designs are feasible is not known before the end, and 0 till then.
+    /// Numbers of what is searched, 0 until counted; the number of feasible designs is 0 until the end.
     pub counts: Counts,
 }
 

@@ -109,11 +109,11 @@ struct Measured {
 
 /// Tooth numbers whose ratio is near a wanted one.
 struct Nearby {
-    /// Those whose gears can be cut and turned together.
+    /// Tooth numbers near the ratio whose gears can be cut and turned together.
     near: Vec<ToothNumbers>,
     /// How many there are within the bounds, near or not.
     tooth_sets: usize,
-    /// Those near whose gears cannot.
+    /// Tooth numbers near the ratio whose gears cannot be cut or turned together.
     left_out: Option<Box<LeftOut>>,
 }
 

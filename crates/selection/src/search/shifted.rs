@@ -22,10 +22,11 @@ use std::ops::ControlFlow;
 /// Suns that are closed before it is told how far the search is.
 const SUNS: usize = 16;
 
-/// Sets whose teeth are checked before it is told how far the search is.
+/// Number of sets whose teeth are checked between two reports of progress.
 const SETS: usize = 1024;
 
-/// All tooth numbers within the bounds whose gears can be cut and turned together, with profile shift or without; of those without the others, counted.
+/// Tooth numbers within the bounds whose gears can be cut and turned together, with or without profile
+/// shift; without it also the number of the others.
 ///
 /// # Errors
 /// Those of [`Bounds`] and [`shifted`]; [`Error::TooManyToothSets`], before anything is made.
@@ -44,7 +45,7 @@ pub(super) fn all(
     that_turn(bounds, &bounds.tooth_numbers()?, &mut done)
 }
 
-/// Those sets without profile shift whose gears can be cut and turned together, and the others, counted.
+/// Sets without profile shift whose gears can be cut and turned together, and the number of the others.
 pub(super) fn that_turn(
     bounds: &Bounds,
     sets: &[ToothNumbers],

@@ -495,7 +495,8 @@ proptest! {
         }
         for of in bounds.tooth_numbers().unwrap().iter().take(200) {
             let mut left_out = None;
-            // A search takes a shaper that exists, an analysis one made for the ring: so it may leave out more.
+            // A search takes a shaper that exists, an analysis one made for the ring: so it may leave out
+            // more.
             if bounds.can_turn(of, &mut left_out).unwrap() {
                 prop_assert_eq!(errors(simple(of), &rack), Vec::<String>::new(), "{}", of);
             }

@@ -1,4 +1,5 @@
-//! The structure of modes that the literature proves. Its printed frequencies are cases: `spec-cases/planetary-vibration`.
+//! The structure of modes that the literature proves. Its printed frequencies are cases:
+//! `spec-cases/planetary-vibration`.
 
 use crate::common::{groups, hz, lin_parker, of_kind};
 use epicyclic_vibration::Kind::{Mixed, Planet, Rotational, Translational};

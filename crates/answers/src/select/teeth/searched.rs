@@ -1,4 +1,4 @@
-//! What a search over tooth numbers went through.
+//! The extent of a search over tooth numbers.
 
 use crate::tooth_checks::TeethLeftOut;
 use epicyclic_gears::involute::left_out::LeftOut;
@@ -6,13 +6,14 @@ use epicyclic_selection::search::Counts;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What was searched.
+/// Numbers of combinations, structures and designs that were searched.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
     /// Combinations of tooth numbers of a set.
     pub tooth_numbers: usize,
-    /// Combinations that are left out since a check of their teeth does not hold, of one set those near the ratio wanted alone; `null` where there are none.
+    /// Combinations that are left out since a check of their teeth does not hold, of one set only those near
+    /// the wanted ratio; `null` if no combination is left out.
     pub left_out: Option<TeethLeftOut>,
     /// Structures, each counted once for every assignment of the ratios.
     pub structures: usize,
