@@ -38,6 +38,9 @@ export class GearboxPage {
   /** How many gearboxes were opened, and how many changes asked for: what comes late of another gearbox is dropped. */
   private opened = 0;
   private asked = 0;
+  private updated: Promise<void> = Promise.resolve();
+  /** Whether the gearbox is another than the one whose gears and numbers can be chosen. */
+  private isAnother = true;
   /** The file that was answered last with its numbers, and which of them were changed since: what is half typed may be no gearbox. */
   private answered: { file: string; numbers: AdjustableNumber[] } = { file: '', numbers: [] };
   private changes = new Map<number, string>();
@@ -64,11 +67,16 @@ export class GearboxPage {
     this.another();
     this.fill();
     this.host.changed();
-    await this.update(true);
+    let updated;
+    void this.update();
+    // One that is overtaken has shown nothing.
+    do await (updated = this.updated);
+    while (updated !== this.updated);
   }
 
   private another(): void {
     this.opened++;
+    this.isAnother = true;
     this.answered = { file: this.state.file, numbers: [] };
     this.changes.clear();
   }
@@ -103,7 +111,7 @@ export class GearboxPage {
         this.host.changed(true);
         this.another();
         at<HTMLSelectElement>('pick').value = '';
-        void this.update(true);
+        void this.update();
       },
     });
     return h(
@@ -132,6 +140,7 @@ export class GearboxPage {
   private async pick(value: string): Promise<void> {
     if (!value || !this.host.leave()) return this.fill();
     if (value.startsWith('scheme ')) {
+      delete document.body.dataset['change'];
       const name = value.slice(7);
       await this.open((await core.scheme(name, 2.5, 2.5)).file, value);
     } else {
@@ -144,7 +153,7 @@ export class GearboxPage {
     Object.assign(this.state, { transmission: transmission || null, gear: null });
     this.host.changed();
     this.another();
-    void this.update(true);
+    void this.update();
   }
 
   /** The fields as the state has them. */
@@ -233,19 +242,27 @@ export class GearboxPage {
     return view.name === 'scheme' && this.state.power && this.state.gear !== null ? 'power' : view.name;
   }
 
-  /** Calculates and draws anew what is seen; with `isAnother` the gearbox itself has changed. */
-  async update(isAnother = false): Promise<void> {
+  /** Calculates and draws anew what is seen. */
+  private update(): Promise<void> {
+    return (this.updated = this.calculated());
+  }
+
+  private async calculated(): Promise<void> {
     const began = performance.now();
+    delete document.body.dataset['change'];
     const [opened, asked, { file }] = [this.opened, ++this.asked, this.state];
     const wanted = this.drawable().filter(({ isSeen }) => isSeen);
     const question = this.question();
     try {
-      const look = await this.looked({ ...question, pictures: wanted.map((view) => this.named(view)), list: isAnother });
+      const look = await this.looked({ ...question, pictures: wanted.map((view) => this.named(view)), list: this.isAnother });
       if (opened !== this.opened) return;
       if (look.transmissions && !look.analyze) {
         this.state.transmission = look.transmissions.transmissions[0]?.name ?? null;
-        return this.update(isAnother);
+        return this.update();
       }
+      // Of several that were asked meanwhile the first one makes the fields: somebody may be typing into them when the others come.
+      const { isAnother } = this;
+      this.isAnother = false;
       if (isAnother) this.transmissions((look.transmissions?.transmissions ?? []).map(({ name }) => name));
       this.look = look;
       at('refused').textContent = '';
@@ -277,10 +294,10 @@ export class GearboxPage {
     } catch (error) {
       if (opened !== this.opened) return;
       const chosen = error instanceof Failure ? CHOSEN[error.refused.name] : undefined;
-      if (isAnother && chosen && this.state[chosen] !== null) {
+      if (this.isAnother && chosen && this.state[chosen] !== null) {
         tell(`There is no ${chosen} ${this.state[chosen]} in this file.`);
         this.state[chosen] = null;
-        return this.update(true);
+        return this.update();
       }
       this.host.changed(this.state.file !== file);
       this.refuse(error);

@@ -97,7 +97,19 @@ function checked(value: unknown, first: State): State {
 }
 
 const KEY = 'epicyclic-entry-';
+const SHOWN = 'epicyclic-shown';
 const idOf = (state: unknown) => (isParts(state) && typeof state['id'] === 'string' ? state['id'] : null);
+
+/** The entry that was shown before the page was loaded again. Chromium forgets the state of one whose address changes meanwhile. */
+function shownBefore(): string | null {
+  const [loaded] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
+  if (loaded?.type !== 'reload') return null;
+  try {
+    return sessionStorage.getItem(SHOWN);
+  } catch {
+    return null;
+  }
+}
 
 /** The entries of this tab's history. What each shows outlives a reload, and is there when one goes back. */
 export class Entries {
@@ -111,14 +123,15 @@ export class Entries {
 
   /** Takes the entry that the browser is at; gives what it keeps, nothing for one that is new. */
   enter(first: State): Entry | null {
-    const id = idOf(history.state);
-    if (id === null) {
-      this.id = this.named(location.href, 'replaceState');
-      return null;
+    const isLoaded = this.id === null;
+    this.id = idOf(history.state);
+    if (this.id === null) {
+      const again = isLoaded ? shownBefore() : null;
+      this.id = this.named(location.href, 'replaceState', again);
+      if (again === null) return null;
     }
-    this.id = id;
     try {
-      const kept: unknown = JSON.parse(sessionStorage.getItem(KEY + id) ?? 'null');
+      const kept: unknown = JSON.parse(sessionStorage.getItem(KEY + this.id) ?? 'null');
       if (!isParts(kept)) return null;
       const { gearbox, motor } = kept['edited'] as Entry['edited'];
       const served = typeof kept['served'] === 'string' ? kept['served'] : null;
@@ -136,7 +149,10 @@ export class Entries {
 
   /** Keeps what the entry shows. */
   keep(entry: Entry): void {
-    const write = () => sessionStorage.setItem(KEY + this.id, JSON.stringify(entry));
+    const write = () => {
+      sessionStorage.setItem(KEY + this.id, JSON.stringify(entry));
+      sessionStorage.setItem(SHOWN, this.id ?? '');
+    };
     const others = () => Object.keys(sessionStorage).filter((key) => key.startsWith(KEY));
     try {
       try {
@@ -156,8 +172,8 @@ export class Entries {
     history.replaceState({ id: this.id }, '', address);
   }
 
-  private named(address: string, how: 'pushState' | 'replaceState'): string {
-    const id = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+  private named(address: string, how: 'pushState' | 'replaceState', known: string | null = null): string {
+    const id = known ?? `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
     history[how]({ id }, '', address);
     return id;
   }

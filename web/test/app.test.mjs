@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { app, change, DESK, open, pages, PHONE } from './serve.mjs';
+import { app, change, DESK, open, pages, PHONE, until } from './serve.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const shots = process.env.SHOTS ?? '../target/app-shots';
@@ -14,7 +14,7 @@ const refused = (page) => page.textContent('#refused');
 const isDrawn = (page, view) => page.waitForSelector(`[data-view=${view}] .picture svg`);
 
 /** Waits until the text of the file is this, or like this; it follows when the numbers stand still. */
-const isText = (page, text) => page.waitForFunction(({ source, is }) => {
+const isText = (page, text) => until(page, ({ source, is }) => {
   const { value } = document.querySelector('#text');
   return is === undefined ? new RegExp(source).test(value) : value === is;
 }, text instanceof RegExp ? { source: text.source } : { is: text });
@@ -47,7 +47,7 @@ on('a number is typed digit by digit, though what is half typed is no gearbox', 
   const file = await page.inputValue('#text');
   const field = page.getByLabel('P4: teeth of the ring', { exact: true });
   await field.fill('2');
-  await page.waitForFunction(() => document.querySelector('#refused').textContent !== '');
+  await until(page, () => document.querySelector('#refused').textContent !== '');
   assert.match(await page.inputValue('#text'), /z_s: 28, z_r: 2[ ,}]/);
   await field.fill('');
   await change(page, () => field.pressSequentially('112'));
@@ -83,7 +83,6 @@ on('a change of four sets takes less than a frame', async (page) => {
     const times = [];
     for (let teeth = 90; teeth < 121; teeth++) {
       await new Promise((done) => {
-        delete document.body.dataset.change;
         const seen = new MutationObserver(() => {
           if (!document.body.dataset.change) return;
           seen.disconnect();
@@ -121,7 +120,7 @@ on('a fault in the file is told with its line, and what was drawn stays', async 
   await isDrawn(page, 'scheme');
   const text = await page.inputValue('#text');
   await page.fill('#text', text.replace('z_s: 48, z_r: 96}', 'z_s: 48, z_r: none}'));
-  await page.waitForFunction(() => document.getElementById('refused').textContent !== '');
+  await until(page, () => document.getElementById('refused').textContent !== '');
   assert.match(await refused(page), /^Line \d+, column \d+/);
   assert.equal(await page.locator('[data-view=scheme] svg').count(), 1);
   // What was written is not lost by a slider of what was before.
@@ -136,18 +135,18 @@ on('input speed and torque give quantities in the tables', async (page) => {
   await change(page, () => page.fill('#speed', '1500 rpm'));
   await change(page, () => page.fill('#torque', '400 N·m'));
   await page.locator('#gear-card').scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => /kW/.test(document.getElementById('gear-card').textContent));
+  await until(page, () => /kW/.test(document.getElementById('gear-card').textContent));
   await change(page, () => page.fill('#efficiency', '0.97'));
   assert.equal(await refused(page), '');
   await page.fill('#efficiency', 'much');
-  await page.waitForFunction(() => document.getElementById('refused').textContent !== '');
+  await until(page, () => document.getElementById('refused').textContent !== '');
 });
 
 on('a link opens the same gearbox in the same gear', async (page, context) => {
   await change(page, () => page.getByLabel(/^Gear 5,/).check());
   await change(page, () => page.getByLabel('P1: teeth of the ring', { exact: true }).fill('99'));
   await page.click('#share');
-  await page.waitForFunction(() => location.hash.startsWith('#s='));
+  await until(page, () => location.hash.startsWith('#s='));
   const other = await open(context, url(), new URL(page.url()).hash);
   assert.equal(await other.page.locator('#gears input:checked').getAttribute('value'), '5');
   assert.match(await other.page.inputValue('#text'), /z_s: 48, z_r: 99/);
@@ -222,9 +221,9 @@ on('a long search tells its progress and is ended', async (page) => {
   await page.getByLabel('Gearboxes').selectOption('all');
   await page.getByLabel('Tooth numbers').selectOption('teeth');
   await page.getByRole('button', { name: 'Find gearboxes' }).click();
-  await page.waitForFunction(() => /%|of/.test(document.getElementById('found').textContent) && !document.querySelector('progress').hidden);
+  await until(page, () => /%|of/.test(document.getElementById('found').textContent) && !document.querySelector('progress').hidden);
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await page.waitForFunction(() => /ended/.test(document.getElementById('choose-refused').textContent));
+  await until(page, () => /ended/.test(document.getElementById('choose-refused').textContent));
   await page.getByLabel('Tooth numbers').selectOption('');
   await page.getByRole('button', { name: 'Find gearboxes' }).click();
   await page.waitForSelector('.candidate');
@@ -234,7 +233,7 @@ on('what cannot be searched is told', async (page) => {
   await page.click('#to-choose');
   await page.getByLabel('Speeds of the machine').fill('fast');
   await page.getByRole('button', { name: 'Find gearboxes' }).click();
-  await page.waitForFunction(() => document.getElementById('choose-refused').textContent.length > 10);
+  await until(page, () => document.getElementById('choose-refused').textContent.length > 10);
 });
 
 on('on a phone a picture fits, and is enlarged by a button', async (page) => {
@@ -262,19 +261,19 @@ on('a hydromotor is designed, and its chambers fill', async (page) => {
   const torque = () => page.textContent('.key');
   const first = await torque();
   await page.getByLabel('Width').fill('80 mm');
-  await page.waitForFunction((old) => document.querySelector('.key').textContent !== old, first);
+  await until(page, (old) => document.querySelector('.key').textContent !== old, first);
   assert.match(await page.inputValue('#motor-text'), /width: 80 mm/);
   await page.getByLabel('Teeth of the stator').fill('56');
-  await page.waitForFunction(() => document.getElementById('motor-refused').textContent !== '');
+  await until(page, () => document.getElementById('motor-refused').textContent !== '');
   await page.getByLabel('Teeth of the stator').fill('55');
-  await page.waitForFunction(() => document.getElementById('motor-refused').textContent === '');
+  await until(page, () => document.getElementById('motor-refused').textContent === '');
   const { bytes } = await saved(page, () => page.getByRole('button', { name: 'Teeth DXF' }).click());
   assert.match(bytes.toString().slice(0, 200), /SECTION/);
 });
 
 on('without a network the app opens again', async (page, context) => {
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await page.waitForFunction(() => navigator.serviceWorker.controller);
+  await until(page, () => navigator.serviceWorker.controller);
   await context.setOffline(true);
   await page.reload();
   await page.waitForSelector('body[data-ready]');

@@ -74,9 +74,21 @@ export function pages() {
   return { on, url: () => server.url, chromium: () => chromium };
 }
 
-/** Waits until a change is calculated and drawn. */
+/** Waits until a change is calculated and drawn: the page has no `data-change` from when it asks until it shows the answer. */
 export async function change(page, act) {
-  await page.evaluate(() => delete document.body.dataset.change);
   await act();
   await page.waitForSelector('body[data-change]', { state: 'attached' });
+}
+
+/** Waits until this holds in the page; where it never does, tells what the page shows. */
+export async function until(page, holds, of) {
+  try {
+    await page.waitForFunction(holds, of, { polling: 50 });
+  } catch (error) {
+    const shown = await page.evaluate(() => {
+      const text = (id) => document.getElementById(id)?.textContent.slice(0, 200);
+      return { title: text('title'), refused: text('refused'), notice: text('notice'), file: document.getElementById('text')?.value.slice(0, 600), focus: document.activeElement?.outerHTML.slice(0, 200), state: history.state, address: location.href.slice(0, 60), ...document.body.dataset };
+    });
+    throw new Error(`${error.message} The page shows ${JSON.stringify(shown, null, 2)}`);
+  }
 }

@@ -6,7 +6,7 @@ import http from 'node:http';
 import { networkInterfaces, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { browser, open } from './serve.mjs';
+import { browser, open, until } from './serve.mjs';
 
 const program = process.env.EPICYCLIC ?? '../target/debug/epicyclic';
 const app = process.env.WEB ?? '../target/app';
@@ -85,7 +85,7 @@ test('the page opens with the file that is named, and reads it anew', async () =
     writeFileSync(file, readFileSync(file, 'utf8').replace(/^gearbox:.*$/m, 'gearbox: quite another'));
     await page.goto('about:blank');
     await page.goto(address);
-    await page.waitForFunction(() => document.querySelector('#title')?.textContent.includes('quite another'));
+    await until(page, () => document.querySelector('#title')?.textContent.includes('quite another'));
   });
 });
 
@@ -95,7 +95,7 @@ test('a file that changes, or goes, while its page is open is never shown as it 
   const write = (name) => writeFileSync(file, box.replace(/^gearbox:.*$/m, `gearbox: ${name}`));
   write('the first');
   await shown([file], async (page, address, end) => {
-    const isTitle = (title) => page.waitForFunction((title) => document.querySelector('#title')?.textContent === title && document.body.dataset.ready, title);
+    const isTitle = (title) => until(page, (title) => document.querySelector('#title')?.textContent === title && document.body.dataset.ready, title);
     const notice = async () => {
       await page.waitForSelector('#notice:not([hidden])');
       return page.locator('#notice p').textContent();
@@ -132,7 +132,7 @@ test('a file that changes, or goes, while its page is open is never shown as it 
     write('the fourth');
     await anew();
     await isTitle('the fourth');
-    await page.waitForFunction(() => navigator.serviceWorker.controller);
+    await until(page, () => navigator.serviceWorker.controller);
     end();
     await anew();
     assert.match(await notice(), /epicyclic serve has ended/);
