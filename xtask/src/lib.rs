@@ -5,17 +5,19 @@
 //! | [`cases`] | what a case is, how it is read, run and judged |
 //! | [`calculations`] | what a case can compute |
 //! | [`report`] | how an outcome is shown |
-//! | [`verify`], [`schema`], [`new_case`] | the commands, a file each |
+//! | [`verify`], [`schema`], [`new_case`], [`same`] | the commands, a file each |
 //! | [`book`] | the book as web pages: formulas, links, symbols |
 //! | [`tidy`] | what ARCHITECTURE.md promises of the code, a rule a file |
 //!
 //! One way through: YAML → case → calculation → domain types → result → judgement → report.
 
+#[cfg(feature = "book")]
 pub mod book;
 pub mod calculations;
 pub mod cases;
 pub mod new_case;
 pub mod report;
+pub mod same;
 pub mod schema;
 pub mod tidy;
 pub mod verify;

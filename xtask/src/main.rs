@@ -2,7 +2,9 @@
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
-use xtask::{book, new_case, schema, tidy, verify};
+#[cfg(feature = "book")]
+use xtask::book;
+use xtask::{new_case, same, schema, tidy, verify};
 
 /// Verification of the project against its source documents.
 #[derive(Debug, Parser)]
@@ -18,7 +20,36 @@ enum Command {
     Schema(schema::Arguments),
     NewCase(new_case::Arguments),
     Tidy(tidy::Arguments),
+    Same(same::Arguments),
+    #[cfg(feature = "book")]
     Book(book::Arguments),
+    #[cfg(not(feature = "book"))]
+    Book(Anew),
+}
+
+/// Build the book as web pages.
+#[cfg(not(feature = "book"))]
+#[derive(Debug, clap::Args)]
+#[command(disable_help_flag = true)]
+struct Anew {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    arguments: Vec<std::ffi::OsString>,
+}
+
+#[cfg(not(feature = "book"))]
+mod book {
+    use std::process::{Command, ExitCode};
+
+    /// The same command of this program with the feature, which `cargo xtask` builds only for it.
+    pub(super) fn run(anew: &super::Anew) -> Result<ExitCode, String> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let status = Command::new(cargo)
+            .args(["run", "--quiet", "--locked", "--package", "xtask", "--features", "book", "--", "book"])
+            .args(&anew.arguments)
+            .status()
+            .map_err(|error| format!("cargo cannot be run: {error}"))?;
+        Ok(status.code().and_then(|code| u8::try_from(code).ok()).map_or(ExitCode::FAILURE, ExitCode::from))
+    }
 }
 
 fn main() -> ExitCode {
@@ -27,6 +58,7 @@ fn main() -> ExitCode {
         Command::Schema(arguments) => schema::run(&arguments),
         Command::NewCase(arguments) => new_case::run(&arguments),
         Command::Tidy(arguments) => tidy::run(&arguments),
+        Command::Same(arguments) => same::run(&arguments),
         Command::Book(arguments) => book::run(&arguments),
     };
     match result {

@@ -107,6 +107,7 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     let series = spec.shafts.bearing_series;
     let of_shapes =
         bodies::masses(&spec.gear_set, &spec.carrier, series, planets, &geometry, &shafts, &mut warnings)?;
+    warnings.extend(of_shapes.unlike(&spec.known));
     let masses = of_shapes.with(&spec.known);
     let forces = forces::forces(meshes, planets, &geometry, &torques, speeds.carrier, &masses.planet)?;
 

@@ -42,6 +42,14 @@ const fn shaft(shaft: Shaft) -> &'static str {
     }
 }
 
+const fn part(of: Shaft) -> &'static str {
+    match of {
+        Shaft::Sun => "sun",
+        Shaft::Planet => "planet",
+        Shaft::Carrier => "carrier",
+    }
+}
+
 const fn gear(gear: BoredGear) -> &'static str {
     match gear {
         BoredGear::Sun => "sun",
@@ -110,6 +118,18 @@ fn message(finding: &Finding) -> String {
             format!(
                 "the planet's bore of {bore_mm:.1} mm is narrower than the {goes_in}: give shafts.planet.diameter and \
                  shafts.planet.bearing that go in, or a wider gear_set.planet_bore"
+            )
+        }
+        Finding::PartUnlikeShape { part: which, is_inertia, given, of_shape } => {
+            let (quantity, unit) = if is_inertia { ("inertia", "kg·m²") } else { ("mass", "kg") };
+            let times = given / of_shape;
+            format!(
+                "the {quantity} of the {}, {} {unit}, is {} times that of its shape, {} {unit}: check its digits and unit, or \
+                 the shape",
+                part(which),
+                trimmed(given, 5),
+                trimmed(times, 3),
+                trimmed(of_shape, 5)
             )
         }
         Finding::CarrierNeglected => {

@@ -10,6 +10,8 @@ use epicyclic_views::motor;
 
 const NOT_OF_ARCS: &str =
     "the construction (1)-(8) is of the arcs alone and does not take this option; leave it out";
+const OF_THE_MOTOR: &str = "with both --l and --a the answer is the construction of the arcs, which does not take this option; leave it \
+     out, or one of --l and --a for a motor that closes";
 
 /// Whether it is asked for: arcs with both distances need not close, and of an open rotor there is no motor.
 pub(super) fn is_asked(args: &Design) -> bool {
@@ -24,7 +26,7 @@ pub(super) fn run(
     of_file: Option<&Designed>,
 ) -> Result<(), Failure> {
     let in_vain = args.beyond_the_arcs().into_iter().chain(args.teeth.given());
-    super::refuse_given(in_vain, NOT_OF_ARCS)?;
+    super::refuse_given(in_vain, if args.construction { NOT_OF_ARCS } else { OF_THE_MOTOR })?;
     if args.files.view.is_some_and(|view| view != View::Construction) {
         let message = "the construction has the view construction alone; for another give one of --l and --a, and no \
                        --construction";

@@ -1,8 +1,10 @@
 //! What a drive turns out to be.
 
+use super::part::Shaft;
 use super::spec::{KnownPart, KnownParts};
 use super::warning::Warning;
 use crate::planetary::Accelerations;
+use crate::units::{kg_m2, kilograms};
 use epicyclic_gears::bearing::Bearing;
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
@@ -216,7 +218,34 @@ pub struct Masses {
     pub carrier_shape: Option<Carrier>,
 }
 
+/// A shape leaves out what makes a part this many times as heavy, or lighter, at the most: flanges, splines, pockets.
+const LIKE_SHAPE: f64 = 5.0;
+
 impl Masses {
+    /// What is known of single parts and by [`LIKE_SHAPE`] cannot be of these shapes: a unit or a digit is wrong, or
+    /// the shape.
+    pub(super) fn unlike(&self, known: &KnownParts) -> Vec<Warning> {
+        let carrier = self.carrier_shape.is_some().then_some(self.carrier_inertia);
+        let all = [
+            (Shaft::Sun, known.sun, Some(self.sun.mass), Some(self.sun.inertia)),
+            (Shaft::Planet, known.planet, Some(self.planet.mass), Some(self.planet.inertia)),
+            (Shaft::Carrier, known.carrier, self.carrier, carrier),
+        ];
+        let figures = all.into_iter().flat_map(|(part, known, mass, inertia)| {
+            let figures = [
+                (false, known.mass.map(kilograms), mass.map(kilograms)),
+                (true, known.inertia.map(kg_m2), inertia.map(kg_m2)),
+            ];
+            figures.map(|(is_inertia, given, of_shape)| (part, is_inertia, given, of_shape))
+        });
+        let unlike = figures.filter_map(|(part, is_inertia, given, of_shape)| {
+            let (given, of_shape) = given.zip(of_shape)?;
+            let is_unlike = !(of_shape / LIKE_SHAPE..=of_shape * LIKE_SHAPE).contains(&given);
+            is_unlike.then_some(Warning::PartUnlikeShape { part, is_inertia, given, of_shape })
+        });
+        unlike.collect()
+    }
+
     /// These masses, replaced where those of single parts are known.
     #[must_use]
     pub(super) fn with(self, known: &KnownParts) -> Self {

@@ -529,6 +529,35 @@ fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
     assert!(!named(&design(&spec).unwrap()).contains(&"planet-bore-too-narrow"));
 }
 
+/// Of a mass in grams, or an inertia with a digit too many, it is told; as much as shapes leave out is not.
+#[test]
+fn a_part_unlike_its_shape_is_told() {
+    let mut spec = DriveSpec::new(power(1e3), rpm(1000.0), 6.0, mm(6.0), mm(70.0));
+    let told = |spec: &DriveSpec| {
+        let found = design(spec).unwrap();
+        found.warnings.into_iter().filter(|one| one.name() == "part-unlike-shape").collect::<Vec<_>>()
+    };
+    let shapes = design(&spec).unwrap().masses;
+    spec.known.sun.mass = Some(0.25 * shapes.sun.mass);
+    spec.known.planet.inertia = Some(4.0 * shapes.planet.inertia);
+    // Without a shape of the carrier anything may be given of it.
+    spec.known.carrier.mass = Some(1e4 * shapes.sun.mass);
+    assert_eq!(told(&spec), []);
+    spec.known.sun.mass = Some(1e3 * shapes.sun.mass);
+    spec.known.planet.inertia = Some(0.1 * shapes.planet.inertia);
+    let told = told(&spec);
+    let of = |one: &Warning| match *one {
+        Warning::PartUnlikeShape { part, is_inertia, given, of_shape } => {
+            (part, is_inertia, (1e3 * given / of_shape).round())
+        }
+        _ => unreachable!(),
+    };
+    assert_eq!(
+        told.iter().map(of).collect::<Vec<_>>(),
+        [(Shaft::Sun, false, 1e6), (Shaft::Planet, true, 100.0)]
+    );
+}
+
 prop_compose! {
     /// Drives that can be built: shafts go into their gears.
     fn sound_spec()(

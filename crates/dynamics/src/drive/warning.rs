@@ -126,6 +126,17 @@ pub enum Warning {
         /// Designation and outside diameter, mm, of the bearing on it.
         bearing: Option<(&'static str, f64)>,
     },
+    /// A given mass or inertia is many times that of the part's shape, or a small part of it.
+    PartUnlikeShape {
+        /// The part, by its shaft.
+        part: Shaft,
+        /// Whether the inertia is meant and not the mass.
+        is_inertia: bool,
+        /// What is given, kg or kg·m².
+        given: f64,
+        /// That of the shape, kg or kg·m².
+        of_shape: f64,
+    },
     /// The carrier was taken as massless.
     CarrierNeglected,
 }
@@ -149,6 +160,7 @@ impl Warning {
             Self::PlanetPinOffCentre { .. } => "planet-pin-off-centre",
             Self::PlanetBearingTooLarge { .. } => "planet-bearing-too-large",
             Self::PlanetBoreTooNarrow { .. } => "planet-bore-too-narrow",
+            Self::PartUnlikeShape { .. } => "part-unlike-shape",
             Self::CarrierNeglected => "carrier-neglected",
         }
     }

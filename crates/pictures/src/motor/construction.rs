@@ -34,7 +34,7 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
     let (found, points) = (junction(numbers, arcs)?, rolled(numbers, arcs, POINTS)?);
     let figure = Figure::new(arcs, &found, &points);
     let name = name(numbers, arcs.module());
-    let mut sheet = Sheet::of(&name, "construction", figure.width() / 62.0);
+    let mut sheet = Sheet::of(&name, "construction", figure.width() / 75.0);
     let stator = sheet.layer("stator", Style::line(0.5))?;
     let rotor = sheet.layer("rotor", Style::line(0.5).color(Color::new(140, 60, 20)))?;
     let satellite = sheet.layer("satellite", Style::line(0.25).color(Color::new(30, 110, 60)))?;
@@ -54,6 +54,8 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
         let ends =
             [0.35, 1.1].map(|part| Point::polar(Point::default(), part * figure.rotor_crest_radius, due));
         sheet.line(gap, ends[0], ends[1]);
+        let half_lobe = format!("π/{}", numbers.rotor_lobes());
+        sheet.label(gap, ends[1], &half_lobe);
     }
     figure.draw(&mut sheet, rays, lines);
 
@@ -191,51 +193,70 @@ impl Figure {
         for at in [o, self.o2, self.p, self.p1] {
             sheet.circle(lines, at, mark);
         }
-        let middle = |one: Point, other: Point| Point::new(0.5 * (one.x + other.x), 0.5 * (one.y + other.y));
         let op1 = libm::hypot(self.p1.x, self.p1.y);
-        let mut labels = vec![
-            (o, "O"),
-            (self.o2, "O₂"),
-            (self.p, "P"),
-            (self.p1, "P₁"),
-            (self.angle(sheet, lines, self.o2, 0.4 * self.r2, [0.0, self.beta]), "B"),
-            (self.angle(sheet, lines, o, 0.3 * op1, [0.0, self.theta]), "θ₃"),
-            (self.angle(sheet, lines, o, 0.55 * op1, [self.rotor_trough, self.to_p]), "Π"),
-            (self.angle(sheet, lines, o, 0.8 * op1, [self.to_p, self.theta]), "T"),
-            (middle(self.o2, self.p), "R₂"),
-            (middle(o, self.o2), "a"),
-            (Point::new(self.outer, 0.0), "stator"),
-        ];
-        labels.extend(self.rotor.last().map(|trough| (*trough, "rotor")));
+        self.angle(sheet, lines, "B", self.o2, 0.4 * self.r2, [0.0, self.beta]);
+        self.angle(sheet, lines, "θ₃", o, 0.3 * op1, [0.0, self.theta]);
+        self.angle(sheet, lines, "Π", o, 0.55 * op1, [self.rotor_trough, self.to_p]);
+        self.angle(sheet, lines, "T", o, 0.8 * op1, [self.to_p, self.theta]);
         if self.is_near {
             sheet.line(lines, self.p, self.o1);
             sheet.circle(lines, self.o1, mark);
             let inward = self.theta + PI;
-            labels.extend([
-                (self.o1, "O₁"),
-                (self.angle(sheet, lines, self.o1, 0.55 * self.r1, [inward, inward + self.gamma]), "Γ"),
-                (middle(self.p, self.o1), "R₁"),
-                (Point::polar(o, 0.8 * libm::hypot(self.o1.x, self.o1.y), self.theta), "l"),
-            ]);
+            self.angle(sheet, lines, "Γ", self.o1, 0.55 * self.r1, [inward, inward + self.gamma]);
+            along(sheet, lines, "R₁", self.p, self.o1);
+            along(sheet, lines, "l", self.o1, Point::polar(o, self.outer, self.theta));
         } else {
             sheet.arrowhead(lines, far, self.theta);
-            labels.push((far, "to O₁"));
+            sheet.label(lines, far, "to O₁");
         }
-        for (at, words) in labels {
+        along(sheet, lines, "R₂", self.o2, self.p);
+        along(sheet, lines, "a", o, self.o2);
+        let mut points = vec![
+            (o, "O"),
+            (self.o2, "O₂"),
+            (self.p, "P"),
+            (self.p1, "P₁"),
+            (Point::new(self.outer, 0.0), "stator"),
+        ];
+        points.extend(self.rotor.last().map(|trough| (*trough, "rotor")));
+        points.extend(self.is_near.then_some((self.o1, "O₁")));
+        for (at, words) in points {
             sheet.label(lines, at, words);
         }
     }
 
-    /// An angle between two directions at a point; where its letter belongs.
+    /// An angle between two directions at a point, with its letter on the bisector.
     fn angle(
         &self,
         sheet: &mut Sheet,
         layer: LayerId,
+        letter: &str,
         at: Point,
         radius: f64,
         [from, to]: [f64; 2],
-    ) -> Point {
+    ) {
         sheet.scene.add(layer, Shape::Arc { centre: at, radius, start_rad: from, sweep_rad: to - from });
-        Point::polar(at, radius, 0.5 * (from + to))
+        let middle = 0.5 * (from + to);
+        // Beside the bisector where a line lies on it.
+        let directions = [0.0, 0.2, -0.2, 0.35, -0.35].map(|part| middle + part * (to - from));
+        let offsets = [-0.9, 1.1, -1.3, 1.6, 2.2, 2.9, 3.6].map(|letters| radius + letters * sheet.letter());
+        let within =
+            offsets.into_iter().flat_map(|radius| directions.map(|way| Point::polar(at, radius, way)));
+        if !sheet.label_at(layer, within, letter) {
+            sheet.label(layer, Point::polar(at, radius, middle), letter);
+        }
+    }
+}
+
+/// A letter close to a line, on its right where there is room.
+fn along(sheet: &mut Sheet, layer: LayerId, letter: &str, from: Point, to: Point) {
+    let direction = libm::atan2(to.y - from.y, to.x - from.x);
+    let part = |part: f64| Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));
+    let offset = 1.1 * sheet.letter();
+    let beside = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].into_iter().flat_map(|along| {
+        [-PI / 2.0, PI / 2.0].map(|side| Point::polar(part(along), offset, direction + side))
+    });
+    if !sheet.label_at(layer, beside, letter) {
+        sheet.label(layer, part(0.5), letter);
     }
 }

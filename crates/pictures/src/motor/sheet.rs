@@ -125,17 +125,28 @@ impl Sheet {
     /// A label beside a point, at the first place around it that is free; none where there is no room.
     pub(super) fn label(&mut self, layer: LayerId, at: Point, words: &str) -> bool {
         let height = self.letter();
-        for ring in [1.6, 2.4, 3.4, 4.6] {
-            for step in 0..16 {
-                let angle = std::f64::consts::TAU * (f64::from(step) + 2.0) / 16.0;
-                let text = Text::new(Point::polar(at, ring * height, angle), height, words);
-                if text::is_free(&self.scene, &text, 0.25 * height) {
-                    self.scene.add(layer, text);
-                    return true;
-                }
-            }
-        }
-        false
+        let around = [1.6, 2.4, 3.4, 4.6].into_iter().flat_map(move |ring| {
+            (0..16).map(move |step| {
+                Point::polar(at, ring * height, std::f64::consts::TAU * (f64::from(step) + 2.0) / 16.0)
+            })
+        });
+        self.label_at(layer, around, words)
+    }
+
+    /// Words at the first of the places where they meet no line and no letter.
+    pub(super) fn label_at(
+        &mut self,
+        layer: LayerId,
+        places: impl IntoIterator<Item = Point>,
+        words: &str,
+    ) -> bool {
+        let height = self.letter();
+        let texts = places.into_iter().map(|place| Text::new(place, height, words));
+        let Some(text) = { texts }.find(|text| text::is_free(&self.scene, text, 0.25 * height)) else {
+            return false;
+        };
+        self.scene.add(layer, text);
+        true
     }
 }
 
