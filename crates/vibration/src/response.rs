@@ -83,7 +83,7 @@ impl Model {
             let omega_r = mode.omega2.sqrt();
             let denominator =
                 Complex::new(mode.omega2 - omega_rad_s * omega_rad_s, 2.0 * zeta * omega_r * omega_rad_s);
-            if denominator.norm() <= tolerance::RESONANT * omega_rad_s * omega_rad_s {
+            if libm::hypot(denominator.re, denominator.im) <= tolerance::RESONANT * omega_rad_s * omega_rad_s {
                 return Err(at_resonance(zeta));
             }
             let factor = work / denominator;
@@ -162,7 +162,7 @@ impl Driven {
             let limits = [f64::MIN, f64::MAX];
             let amplitude = within(|| "amplitude".into(), meters(displacement.amplitude), limits, "m")?;
             let phase = within(|| "phase".into(), radians(displacement.phase), limits, "rad")?;
-            let error = Complex::from_polar(amplitude, phase);
+            let error = Complex::new(amplitude * libm::cos(phase), amplitude * libm::sin(phase));
             errors[displacement.spring.0] += error;
             for (place, factor) in &spring.elongation {
                 drive[*place] += error * (spring.stiffness_n_per_m * factor);
@@ -176,7 +176,8 @@ impl Driven {
         let forces = model.springs.iter().zip(&self.errors).map(|(spring, error)| {
             let bent: Complex<f64> =
                 spring.elongation.iter().map(|(place, factor)| q[*place] * *factor).sum();
-            force(spring.stiffness_n_per_m * (bent - error).norm())
+            let stretched = bent - error;
+            force(spring.stiffness_n_per_m * libm::hypot(stretched.re, stretched.im))
         });
         Response {
             cosine: model.shape(|place| q[place].re),

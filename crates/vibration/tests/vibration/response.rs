@@ -4,7 +4,7 @@ use crate::common::{body, lin_parker, n_m};
 use crate::gyroscopic::{load, turning};
 use epicyclic_vibration::response::{Displacement, Response};
 use epicyclic_vibration::{Axis, Centripetal, Error, Freedom, Model, SetParts, Support};
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector, Normed};
 use std::f64::consts::TAU;
 use uom::si::angle::radian;
 use uom::si::angular_velocity::radian_per_second;
@@ -67,7 +67,8 @@ fn direct(
     let springs: Vec<_> = model.springs().collect();
     for displacement in displacements {
         assert!(springs.contains(&displacement.spring));
-        let error = Complex::from_polar(5e-6, displacement.phase.get::<radian>());
+        let (sine, cosine) = displacement.phase.get::<radian>().sin_cos();
+        let error = Complex::new(5e-6 * cosine, 5e-6 * sine);
         for place in 0..size {
             drive[place] += error * gradient(model, displacement.spring, place) * 5e8;
         }
