@@ -83,7 +83,8 @@ impl Model {
             let omega_r = mode.omega2.sqrt();
             let denominator =
                 Complex::new(mode.omega2 - omega_rad_s * omega_rad_s, 2.0 * zeta * omega_r * omega_rad_s);
-            if libm::hypot(denominator.re, denominator.im) <= tolerance::RESONANT * omega_rad_s * omega_rad_s {
+            if libm::hypot(denominator.re, denominator.im) <= tolerance::RESONANT * omega_rad_s * omega_rad_s
+            {
                 return Err(at_resonance(zeta));
             }
             let factor = work / denominator;

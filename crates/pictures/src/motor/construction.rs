@@ -49,15 +49,16 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
     sheet.circle(satellite, centre, r);
     sheet.circle(satellite, centre, 0.4 * sheet.unit);
     let closed = closure(numbers, arcs)?;
+    let due = figure.rotor_trough + PI / f64::from(numbers.rotor_lobes());
+    let [from, to] =
+        [0.35, 1.1].map(|part| Point::polar(Point::default(), part * figure.rotor_crest_radius, due));
     if !closed.closes() {
-        let due = figure.rotor_trough + PI / f64::from(numbers.rotor_lobes());
-        let ends =
-            [0.35, 1.1].map(|part| Point::polar(Point::default(), part * figure.rotor_crest_radius, due));
-        sheet.line(gap, ends[0], ends[1]);
-        let half_lobe = format!("π/{}", numbers.rotor_lobes());
-        sheet.label(gap, ends[1], &half_lobe);
+        sheet.line(gap, from, to);
     }
     figure.draw(&mut sheet, rays, lines);
+    if !closed.closes() {
+        sheet.label(gap, to, &format!("π/{}", numbers.rotor_lobes()));
+    }
 
     let bounds = sheet.scene.bounds();
     let top = Point::new(bounds.left, bounds.bottom - 3.0 * sheet.letter());
@@ -194,23 +195,33 @@ impl Figure {
             sheet.circle(lines, at, mark);
         }
         let op1 = libm::hypot(self.p1.x, self.p1.y);
-        self.angle(sheet, lines, "B", self.o2, 0.4 * self.r2, [0.0, self.beta]);
-        self.angle(sheet, lines, "θ₃", o, 0.3 * op1, [0.0, self.theta]);
-        self.angle(sheet, lines, "Π", o, 0.55 * op1, [self.rotor_trough, self.to_p]);
-        self.angle(sheet, lines, "T", o, 0.8 * op1, [self.to_p, self.theta]);
+        let inward = self.theta + PI;
+        let mut angles = vec![
+            ("B", self.o2, 0.4 * self.r2, [0.0, self.beta]),
+            ("θ₃", o, 0.3 * op1, [0.0, self.theta]),
+            ("Π", o, 0.55 * op1, [self.rotor_trough, self.to_p]),
+            ("T", o, 0.8 * op1, [self.to_p, self.theta]),
+        ];
+        let mut lengths = vec![("R₂", self.o2, self.p), ("a", o, self.o2)];
         if self.is_near {
             sheet.line(lines, self.p, self.o1);
             sheet.circle(lines, self.o1, mark);
-            let inward = self.theta + PI;
-            self.angle(sheet, lines, "Γ", self.o1, 0.55 * self.r1, [inward, inward + self.gamma]);
-            along(sheet, lines, "R₁", self.p, self.o1);
-            along(sheet, lines, "l", self.o1, Point::polar(o, self.outer, self.theta));
+            angles.push(("Γ", self.o1, 0.55 * self.r1, [inward, inward + self.gamma]));
+            let outside = Point::polar(o, self.outer, self.theta);
+            lengths.extend([("R₁", self.p, self.o1), ("l", self.o1, outside)]);
         } else {
             sheet.arrowhead(lines, far, self.theta);
-            sheet.label(lines, far, "to O₁");
         }
-        along(sheet, lines, "R₂", self.o2, self.p);
-        along(sheet, lines, "a", o, self.o2);
+        for &(_, centre, radius, [from, to]) in &angles {
+            sheet.scene.add(lines, Shape::Arc { centre, radius, start_rad: from, sweep_rad: to - from });
+        }
+        // Letters last: each keeps clear of all that is drawn before it.
+        for (letter, at, radius, directions) in angles {
+            within(sheet, lines, letter, at, radius, directions);
+        }
+        for (letter, from, to) in lengths {
+            along(sheet, lines, letter, from, to);
+        }
         let mut points = vec![
             (o, "O"),
             (self.o2, "O₂"),
@@ -219,32 +230,22 @@ impl Figure {
             (Point::new(self.outer, 0.0), "stator"),
         ];
         points.extend(self.rotor.last().map(|trough| (*trough, "rotor")));
-        points.extend(self.is_near.then_some((self.o1, "O₁")));
+        points.push(if self.is_near { (self.o1, "O₁") } else { (far, "to O₁") });
         for (at, words) in points {
             sheet.label(lines, at, words);
         }
     }
+}
 
-    /// An angle between two directions at a point, with its letter on the bisector.
-    fn angle(
-        &self,
-        sheet: &mut Sheet,
-        layer: LayerId,
-        letter: &str,
-        at: Point,
-        radius: f64,
-        [from, to]: [f64; 2],
-    ) {
-        sheet.scene.add(layer, Shape::Arc { centre: at, radius, start_rad: from, sweep_rad: to - from });
-        let middle = 0.5 * (from + to);
-        // Beside the bisector where a line lies on it.
-        let directions = [0.0, 0.2, -0.2, 0.35, -0.35].map(|part| middle + part * (to - from));
-        let offsets = [-0.9, 1.1, -1.3, 1.6, 2.2, 2.9, 3.6].map(|letters| radius + letters * sheet.letter());
-        let within =
-            offsets.into_iter().flat_map(|radius| directions.map(|way| Point::polar(at, radius, way)));
-        if !sheet.label_at(layer, within, letter) {
-            sheet.label(layer, Point::polar(at, radius, middle), letter);
-        }
+/// The letter of an angle between two directions at a point, by its arc on the bisector.
+fn within(sheet: &mut Sheet, layer: LayerId, letter: &str, at: Point, radius: f64, [from, to]: [f64; 2]) {
+    let middle = 0.5 * (from + to);
+    // Beside the bisector where a line lies on it.
+    let directions = [0.0, 0.2, -0.2, 0.35, -0.35].map(|part| middle + part * (to - from));
+    let offsets = [-0.9, 1.1, -1.3, 1.6, 2.2, 2.9, 3.6].map(|letters| radius + letters * sheet.letter());
+    let places = offsets.into_iter().flat_map(|radius| directions.map(|way| Point::polar(at, radius, way)));
+    if !sheet.label_at(layer, places, letter) {
+        sheet.label(layer, Point::polar(at, radius, middle), letter);
     }
 }
 
