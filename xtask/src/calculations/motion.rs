@@ -294,7 +294,7 @@ fn energies(results: &mut Results, run: &Run) {
         .quantity("energy.end", audit.after)
         .quantity("mesh_losses", sum(&audit.mesh_losses))
         // A sum of several ten thousand steps is not exact; a wrong energy is further off by far.
-        .answer("energies_balance", audit.residual().abs() < 1e-9);
+        .answer("energies_balance", audit.residual().abs() < 1e-10);
     for (torque, work) in run.torques.iter().zip(&audit.work) {
         results.quantity(format!("work.{torque}"), *work);
     }
