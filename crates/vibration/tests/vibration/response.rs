@@ -67,7 +67,7 @@ fn direct(
     let springs: Vec<_> = model.springs().collect();
     for displacement in displacements {
         assert!(springs.contains(&displacement.spring));
-        let (sine, cosine) = displacement.phase.get::<radian>().sin_cos();
+        let (sine, cosine) = libm::sincos(displacement.phase.get::<radian>());
         let error = Complex::new(5e-6 * cosine, 5e-6 * sine);
         for place in 0..size {
             drive[place] += error * gradient(model, displacement.spring, place) * 5e8;
@@ -113,7 +113,7 @@ fn superposed_modes_are_the_direct_solution() {
             let omega = TAU * hertz;
             let found = flat(&model, &model.response(&modes, &drive, at(omega), 0.02).unwrap());
             let wanted = direct(&model, &drive, omega, 0.02, 0.0);
-            let size = wanted.iter().map(|part| part.norm()).fold(0.0, f64::max);
+            let size = wanted.iter().map(Normed::norm).fold(0.0, f64::max);
             for (found, wanted) in found.iter().zip(&wanted) {
                 assert!((found - wanted).norm() < 1e-8 * size, "{teeth} {hertz}: {found} {wanted}");
             }
@@ -140,7 +140,7 @@ fn the_response_of_a_turning_set_is_the_direct_solution() {
                     &model.turning_response(&modes, &drive, at(omega), 0.02, at(speed), load).unwrap(),
                 )
             };
-            let most = |all: &[Complex<f64>]| all.iter().map(|part| part.norm()).fold(0.0, f64::max);
+            let most = |all: &[Complex<f64>]| all.iter().map(Normed::norm).fold(0.0, f64::max);
             let apart = |one: &[Complex<f64>], other: &[Complex<f64>]| {
                 let apart = one.iter().zip(other).map(|(one, other)| (one - other).norm());
                 apart.fold(0.0, f64::max) / most(other)
