@@ -40,7 +40,7 @@ struct Anew {
 mod book {
     use std::process::{Command, ExitCode};
 
-    /// The same command of this program with the feature, which `cargo xtask` builds only for it.
+    /// Builds this program again, with the feature `book`, and runs `book` there: `cargo xtask` leaves the feature out.
     pub(super) fn run(anew: &super::Anew) -> Result<ExitCode, String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let status = Command::new(cargo)

@@ -1,17 +1,18 @@
 //! `cargo xtask same`: what two programs answer to the same command lines, compared byte for byte.
 
 use crate::project_root;
+use crate::tidy::source;
 use clap::Args;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Output};
 
 /// Compare what two programs answer, byte for byte.
 ///
-/// Runs every command of the book, every help, and every example file through every command that reads files, as
-/// text, JSON and CSV, with the program of an earlier revision and with this one's: exit codes, what is printed, and
-/// files that are written. Exit code 0 if all are the same, 1 if not; then the differences lie in the folder.
+/// The programs run every command of the book and every help, and every command that reads files on every example, as
+/// text, JSON and CSV. Exit codes, answers, messages and written files are compared. Exit code 0 if all are the same;
+/// else 1, and the folder has both answers of each command line that differs.
 #[derive(Debug, Args)]
 #[command(
     after_help = "Example:\n  git worktree add /tmp/old v0.1.0\n  cargo build --manifest-path /tmp/old/Cargo.toml -p epicyclic\n  \
@@ -20,10 +21,10 @@ use std::process::{Command, ExitCode};
 pub struct Arguments {
     /// The program of the earlier revision.
     pub old: PathBuf,
-    /// This revision's.
+    /// The program of this revision.
     #[arg(default_value = "target/debug/epicyclic")]
     pub new: PathBuf,
-    /// Folder of the differences, which is replaced.
+    /// Folder of the differences; those of an earlier run are removed.
     #[arg(short, long, value_name = "FOLDER", default_value = "target/same")]
     pub output: PathBuf,
 }
@@ -32,13 +33,16 @@ const PROMPT: &str = "$ cargo run -q -p epicyclic -- ";
 const READERS: [&str; 10] =
     ["analyze", "drive", "losses", "motor", "report", "sheet", "simulate", "size", "strength", "vibrate"];
 
+/// Endings of the files with the answers of the old and the new program: of no files that people have there.
+const ENDINGS: [&str; 2] = ["old-answer", "new-answer"];
+
 /// Command lines that are run one after the other in one folder.
 struct Session {
     name: String,
     lines: Vec<String>,
 }
 
-/// All that a command line leaves behind.
+/// Exit code, answer, messages and written files of a command line.
 #[derive(PartialEq)]
 struct Outcome {
     code: Option<i32>,
@@ -56,8 +60,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         path.canonicalize().map_err(|error| format!("{}: {error}; build it first", path.display()))
     });
     let programs = [old?, new?];
-    if arguments.output.exists() {
-        fs::remove_dir_all(&arguments.output).map_err(|error| at(&arguments.output, &error))?;
+    if arguments.output.is_dir() {
+        for path in files(&arguments.output)? {
+            if path.extension().is_some_and(|ending| ENDINGS.iter().any(|ours| ending == *ours)) {
+                fs::remove_file(&path).map_err(|error| at(&path, &error))?;
+            }
+        }
     }
     let (mut all, mut unlike) = (0, 0);
     for session in sessions(&programs[1])? {
@@ -69,9 +77,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
             if old != new {
                 unlike += 1;
                 println!("{line}\n    {}", difference(&old, &new));
-                for (which, outcome) in [("old", &old), ("new", &new)] {
+                for (ending, outcome) in ENDINGS.iter().zip([&old, &new]) {
                     write(
-                        &arguments.output.join(format!("{}-{place}.{which}", session.name)),
+                        &arguments.output.join(format!("{}-{place}.{ending}", session.name)),
                         line,
                         outcome,
                     )?;
@@ -110,28 +118,18 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 fn sessions(program: &Path) -> Result<Vec<Session>, String> {
     let mut found = vec![Session { name: "help".to_owned(), lines: helps(program, "")? }];
-    let chapters =
-        ["docs/src", "docs/src/reference", "docs/src/tutorials"].map(|folder| project_root().join(folder));
-    for folder in chapters.iter().filter(|folder| folder.is_dir()) {
-        for path in files(folder)?
-            .into_iter()
-            .chain((folder == &chapters[0]).then(|| project_root().join("README.md")))
-        {
-            let text = fs::read_to_string(&path).map_err(|error| at(&path, &error))?;
-            let lines = text
-                .lines()
-                .filter_map(|line| line.strip_prefix(PROMPT))
-                .filter(|line| !line.starts_with("serve"))
-                .flat_map(forms)
-                .collect();
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            found.push(Session { name: stem, lines });
-        }
-    }
-    for path in files(&project_root().join("examples"))? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let lines = READERS.iter().flat_map(|command| forms(&format!("{command} examples/{name}"))).collect();
-        found.push(Session { name, lines });
+    for file in source::of_project(&project_root())? {
+        let reads = |command| forms(&format!("{command} {}", file.path));
+        let lines: Vec<String> = if file.path.starts_with("examples/") {
+            READERS.into_iter().flat_map(reads).collect()
+        } else if file.path.ends_with(".md") {
+            let commands = file.text.lines().filter_map(|line| line.strip_prefix(PROMPT));
+            // It serves until it is ended.
+            commands.filter(|line| !line.starts_with("serve")).flat_map(forms).collect()
+        } else {
+            continue;
+        };
+        found.push(Session { name: file.path.replace('/', "-"), lines });
     }
     Ok(found)
 }
@@ -147,8 +145,8 @@ fn forms(line: &str) -> Vec<String> {
 /// The help of a command and of those below it.
 fn helps(program: &Path, command: &str) -> Result<Vec<String>, String> {
     let line = format!("{command} --help");
-    let help = outcome(program, Path::new("."), &line)?;
-    let text = String::from_utf8_lossy(&help.printed).into_owned();
+    let help = answered(program, Path::new("."), &line)?;
+    let text = String::from_utf8_lossy(&help.stdout).into_owned();
     let mut lines = vec![line];
     let below =
         text.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
@@ -162,26 +160,20 @@ fn helps(program: &Path, command: &str) -> Result<Vec<String>, String> {
     Ok(lines)
 }
 
+fn answered(program: &Path, folder: &Path, line: &str) -> Result<Output, String> {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("\"$EPICYCLIC\" {line}")]).env("EPICYCLIC", program).current_dir(folder);
+    shell.output().map_err(|error| format!("sh cannot be run: {error}"))
+}
+
 fn outcome(program: &Path, folder: &Path, line: &str) -> Result<Outcome, String> {
-    let output = Command::new("sh")
-        .args(["-c", &format!("\"$EPICYCLIC\" {line}")])
-        .env("EPICYCLIC", program)
-        .current_dir(folder)
-        .output()
-        .map_err(|error| format!("sh cannot be run: {error}"))?;
-    let mut written = BTreeMap::new();
-    if folder != Path::new(".") {
-        for path in files(folder)? {
-            let bytes = fs::read(&path).map_err(|error| at(&path, &error))?;
-            written.insert(path.file_name().unwrap_or_default().into(), bytes);
-        }
-    }
-    Ok(Outcome {
-        code: output.status.code(),
-        printed: output.stdout,
-        messages: output.stderr,
-        files: written,
-    })
+    let Output { status, stdout, stderr } = answered(program, folder, line)?;
+    let read = |path: PathBuf| {
+        let bytes = fs::read(&path).map_err(|error| at(&path, &error))?;
+        Ok::<_, String>((path.file_name().unwrap_or_default().into(), bytes))
+    };
+    let files = files(folder)?.into_iter().map(read).collect::<Result<_, _>>()?;
+    Ok(Outcome { code: status.code(), printed: stdout, messages: stderr, files })
 }
 
 /// Where two outcomes part, in words.

@@ -218,12 +218,11 @@ pub struct Masses {
     pub carrier_shape: Option<Carrier>,
 }
 
-/// A shape leaves out what makes a part this many times as heavy, or lighter, at the most: flanges, splines, pockets.
+/// Flanges, splines and pockets are not in a shape; a real part has at most this many times its mass, or this part of it.
 const LIKE_SHAPE: f64 = 5.0;
 
 impl Masses {
-    /// What is known of single parts and by [`LIKE_SHAPE`] cannot be of these shapes: a unit or a digit is wrong, or
-    /// the shape.
+    /// Warns of known masses and inertias beyond [`LIKE_SHAPE`] of these shapes: a unit, a digit or the shape is wrong.
     pub(super) fn unlike(&self, known: &KnownParts) -> Vec<Warning> {
         let carrier = self.carrier_shape.is_some().then_some(self.carrier_inertia);
         let all = [

@@ -529,7 +529,7 @@ fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
     assert!(!named(&design(&spec).unwrap()).contains(&"planet-bore-too-narrow"));
 }
 
-/// Of a mass in grams, or an inertia with a digit too many, it is told; as much as shapes leave out is not.
+/// A mass in grams and an inertia with a digit too many are warned of; a part of four times its shape is not.
 #[test]
 fn a_part_unlike_its_shape_is_told() {
     let mut spec = DriveSpec::new(power(1e3), rpm(1000.0), 6.0, mm(6.0), mm(70.0));

@@ -132,9 +132,9 @@ pub enum Warning {
         part: Shaft,
         /// Whether the inertia is meant and not the mass.
         is_inertia: bool,
-        /// What is given, kg or kg·m².
+        /// The given mass, kg, or inertia, kg·m².
         given: f64,
-        /// That of the shape, kg or kg·m².
+        /// The mass of the shape, kg, or its inertia, kg·m².
         of_shape: f64,
     },
     /// The carrier was taken as massless.

@@ -249,7 +249,7 @@ fn within(sheet: &mut Sheet, layer: LayerId, letter: &str, at: Point, radius: f6
     }
 }
 
-/// A letter close to a line, on its right where there is room.
+/// Puts a letter close to a line, to the right of its direction where there is room.
 fn along(sheet: &mut Sheet, layer: LayerId, letter: &str, from: Point, to: Point) {
     let direction = libm::atan2(to.y - from.y, to.x - from.x);
     let part = |part: f64| Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));

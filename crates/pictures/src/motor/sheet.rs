@@ -141,8 +141,8 @@ impl Sheet {
         words: &str,
     ) -> bool {
         let height = self.letter();
-        let texts = places.into_iter().map(|place| Text::new(place, height, words));
-        let Some(text) = { texts }.find(|text| text::is_free(&self.scene, text, 0.25 * height)) else {
+        let mut texts = places.into_iter().map(|place| Text::new(place, height, words));
+        let Some(text) = texts.find(|text| text::is_free(&self.scene, text, 0.25 * height)) else {
             return false;
         };
         self.scene.add(layer, text);
