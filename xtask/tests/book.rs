@@ -38,7 +38,7 @@ fn rows(chapter: &str) -> BTreeMap<String, Vec<String>> {
 
 /// Whether a cell states the value: a quantity within the last digit that it shows, a word letter by letter.
 fn states(cell: &str, computed: &str) -> bool {
-    let value = epicyclic_formats::quantity::parse(computed).map(|measured| measured.si());
+    let value = epicyclic_units::parse(computed).map(|measured| measured.si());
     match (Printed::parse(cell, Rounding::Nearest), value) {
         (Ok(shown), Ok(value)) => shown.stands_for(value),
         _ => cell == computed,

@@ -269,7 +269,7 @@ fn no_digit_of_an_agreeing_figure_is_idle() {
                 continue;
             }
             let computed = figure.computed.as_ref().unwrap();
-            let value = |text: &str| epicyclic_formats::quantity::parse(text).unwrap();
+            let value = |text: &str| epicyclic_units::parse(text).unwrap();
             let number = value(published).number;
             for (at, digit) in number.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
                 let changed = char::from_digit((digit.to_digit(10).unwrap() + 5) % 10, 10).unwrap();

@@ -40,8 +40,8 @@ pub mod warnings;
 
 use crate::Error;
 pub use crate::refusal::LoadQuantity;
-use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, Direction, Gear, Gearbox, InputLoad, LoadCase, Operation};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::AngularVelocity;

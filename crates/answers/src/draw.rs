@@ -6,8 +6,8 @@ use crate::drawability::Conflict;
 use crate::motor::Numbers;
 use crate::tooth_checks::ToothChecks;
 use crate::{Answer, units};
-use epicyclic_formats::Physical as _;
 use epicyclic_train::Gearbox;
+use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 

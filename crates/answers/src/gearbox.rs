@@ -5,7 +5,7 @@ use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::gearbox::{
     DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
-use epicyclic_formats::{Document, FileKind, Path, Problem, Quantity};
+use epicyclic_formats::{Document, FileKind, Path, Problem};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::drag::Drag;
@@ -14,6 +14,7 @@ use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::tooth_checks::SetChecks;
 use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_units::Quantity;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
 

@@ -2,13 +2,13 @@
 
 use crate::tolerance::SAME;
 use crate::{Answer, Error};
-use epicyclic_formats::Physical;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
 use epicyclic_schemes::ratio_series::{self, PrintedSeries, RatioSeries, step};
 use epicyclic_schemes::rotor::{
     discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
 };
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};

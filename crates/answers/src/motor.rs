@@ -41,11 +41,11 @@ pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Whee
 use crate::number::{maybe_si, plain, si};
 use crate::{Answer, Error, Warning};
 use bodies::{chambers, satellites};
-use epicyclic_formats::Physical as _;
-use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
 use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
 use epicyclic_hydromotor::{self as hydromotor, MotorNumbers};
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length};

@@ -1,7 +1,7 @@
 //! Numbers of an answer: SI values without a negative zero.
 
 use crate::tolerance::SHORT;
-use epicyclic_formats::Physical;
+use epicyclic_units::Physical;
 
 /// A number as it stands in an answer: zero has no sign.
 #[must_use]

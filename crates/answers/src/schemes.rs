@@ -7,11 +7,11 @@ use crate::number::plain;
 pub use crate::refusal::{SizeName, SizeProblem};
 use crate::shared::Motion;
 use crate::{Answer, Error, Warning};
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme as CatalogueScheme};
 use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -20,7 +20,7 @@ use crate::teeth::shifted::ShiftAim;
 use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Document, Path, Physical};
+use epicyclic_formats::{Document, Path};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_strength::factor::Edition;
@@ -31,6 +31,7 @@ use epicyclic_strength::sizing::{
     HeldShifts, STANDARD_MODULES_MM, SetOverload, SetStep, Sizing, Space, size,
 };
 use epicyclic_strength::{self as strength, Quantity};
+use epicyclic_units::Physical;
 use records::{HeldKey, Minimise, NotSized, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;

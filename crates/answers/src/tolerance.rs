@@ -17,7 +17,7 @@
 //! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
 //! | `BESIDE` | an angle beside a jump, rad | values right beside a jump are taken so near: 6·10⁻⁵ degrees |
 
-use epicyclic_formats::Physical as _;
+use epicyclic_units::Physical as _;
 use uom::si::f64::Angle;
 
 /// A sum of balanced terms below this is zero.

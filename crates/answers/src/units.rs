@@ -1,4 +1,4 @@
-//! Conversions to units other than the SI's, which [`Physical`](epicyclic_formats::Physical) has.
+//! Conversions to units other than the SI's, which [`Physical`](epicyclic_units::Physical) has.
 
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::f64::{AngularVelocity, Frequency, Length, Time};

@@ -4,9 +4,10 @@
 
 use epicyclic_answers::motor::{self, Motor};
 use epicyclic_answers::{Error, motor_search};
-use epicyclic_formats::{Document, Physical as _};
+use epicyclic_formats::Document;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
+use epicyclic_units::Physical as _;
 use uom::si::f64::{Length, Pressure, Volume};
 
 /// Limits of practice: no design is refused for them.

@@ -11,7 +11,7 @@ use crate::output::OutputArgs;
 use epicyclic_answers::compare::page::drawn;
 use epicyclic_answers::compare::{self as answers, Candidate};
 use epicyclic_answers::gearbox::{self, Subject};
-use epicyclic_formats::Quantity;
+use epicyclic_units::Quantity;
 use epicyclic_views::page;
 use std::path::Path;
 use uom::si::f64::Ratio;

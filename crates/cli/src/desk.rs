@@ -20,7 +20,7 @@ use crate::failure::Failure;
 use apart::Files;
 use epicyclic_answers::Answer;
 use epicyclic_answers::answer::write_json;
-use epicyclic_formats::visible;
+use epicyclic_units::visible;
 use std::ffi::OsString;
 use std::io;
 use std::ops::ControlFlow;

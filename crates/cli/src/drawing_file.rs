@@ -5,7 +5,7 @@ use epicyclic_answers::draw::FileFormat;
 use epicyclic_drawing::{Scene, dxf, svg};
 #[cfg(feature = "print")]
 use epicyclic_drawing::{pdf, png};
-use epicyclic_formats::Number;
+use epicyclic_units::Number;
 use std::path::Path;
 
 /// Pixels to an inch of an image, where none are given.

@@ -11,8 +11,8 @@
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::refused::{Place, Refused};
 use epicyclic_formats::gearbox::gear_place;
-use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Document, Path, Problem, motor};
+use epicyclic_units::visible::one_line;
 use epicyclic_views::drawability;
 use std::io;
 use std::ops::ControlFlow;

@@ -1,8 +1,8 @@
 //! Options that take several values: `0.8 m/s, 3.15 m/s`.
 
-use epicyclic_formats::quantity::QuantityError;
-use epicyclic_formats::visible::one_line;
-use epicyclic_formats::{Number, Physical, Quantity};
+use epicyclic_units::QuantityError;
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Number, Physical, Quantity};
 use std::str::FromStr;
 
 /// Values parted by commas or semicolons.

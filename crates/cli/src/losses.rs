@@ -7,9 +7,9 @@ use crate::named;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::losses::{self as answers, Cooling, GivenLoad, Places, Wanted};
-use epicyclic_formats::visible::one_line;
-use epicyclic_formats::{Physical, Quantity};
 use epicyclic_train::InputLoad;
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Physical, Quantity};
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, TemperatureInterval, ThermalConductance, Torque};
 

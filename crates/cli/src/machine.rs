@@ -6,9 +6,9 @@ use crate::lists::Quantities;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::machine::{self, Forces, Throw, Wheel};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_schemes::Error as SchemeError;
 use epicyclic_schemes::quantity::Quantity as Of;
+use epicyclic_units::{Number, Quantity};
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.

@@ -7,14 +7,15 @@ use crate::options::efficiency;
 use crate::schemes::sized;
 use epicyclic_answers::draw::Origin;
 use epicyclic_answers::schemes as answers;
+use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::written;
-use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::{Options, Verdict, draw};
 use epicyclic_schemes::Error as SchemeError;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_schemes::structures::{Renaming, Role, SetRoles, Structure, exchange_brakes, gearbox};
 use epicyclic_train::Gearbox;
+use epicyclic_units::{Number, Quantity};
 use std::path::Path;
 use uom::si::f64::Ratio;
 

@@ -1,12 +1,13 @@
 //! The option that a refusal speaks of.
 
 use crate::failure::Failure;
-use epicyclic_formats::{Quantity as Given, Span};
+use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_gears::{Error, Quantity};
+use epicyclic_units::Quantity as Given;
 use std::ops::RangeInclusive;
 use uom::si::f64::Ratio;
 

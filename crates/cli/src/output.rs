@@ -8,7 +8,7 @@ use epicyclic_answers::answer::write_json;
 use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::refused::Refused;
 use epicyclic_answers::{Answer, Warning, finite};
-use epicyclic_formats::visible;
+use epicyclic_units::visible;
 use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};

@@ -14,7 +14,8 @@ use epicyclic_answers::answer::to_json;
 use epicyclic_answers::report::drive::DriveReport;
 use epicyclic_answers::report::{About, Report, gearbox, motor};
 use epicyclic_formats::document::Segment;
-use epicyclic_formats::{Document, FileKind, Path, Problem, visible};
+use epicyclic_formats::{Document, FileKind, Path, Problem};
+use epicyclic_units::visible;
 use epicyclic_views::page::{self, Sheet};
 
 /// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks, sources, the input.

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::options::of_teeth;
 use epicyclic_answers::teeth::shifted::{ShiftAim, WantedShifts};
-use epicyclic_formats::Number;
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_units::Number;
 use std::ops::RangeInclusive;
 
 /// Sets with profile shift.

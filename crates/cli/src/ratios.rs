@@ -9,7 +9,8 @@
 //! | no point, spaces or semicolons for separators, at most one inner comma a number | parts decimals |
 //! | anything else | may be either and is refused |
 
-use epicyclic_formats::{Number, WantedRatio};
+use epicyclic_formats::WantedRatio;
+use epicyclic_units::Number;
 use std::str::FromStr;
 
 /// A list of ratios.

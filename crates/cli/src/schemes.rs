@@ -5,9 +5,10 @@ use crate::failure::Failure;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::schemes::{self, SizeName, SizeProblem, Sized, Sizes};
-use epicyclic_formats::{Number, Physical, Quantity, Span};
+use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
+use epicyclic_units::{Number, Physical, Quantity};
 use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.

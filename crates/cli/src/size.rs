@@ -4,10 +4,10 @@ use crate::desk::Call;
 use crate::failure::Failure;
 use crate::progress::duration;
 use epicyclic_answers::synthesize::Searching;
-use epicyclic_formats::Physical as _;
 use epicyclic_synthesis::estimate;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
+use epicyclic_units::Physical as _;
 use std::ffi::OsString;
 use uom::si::f64::Time;
 

@@ -10,8 +10,9 @@ use crate::{analyze, input};
 use epicyclic_answers::Error;
 use epicyclic_answers::size::records::Minimise;
 use epicyclic_answers::size::{Wanted, answer, bearings, listed, listed_rollers, saved, subject};
-use epicyclic_formats::{Number, Quantity, Span};
+use epicyclic_formats::Span;
 use epicyclic_strength::Quantity as Of;
+use epicyclic_units::{Number, Quantity};
 use std::path::PathBuf;
 use uom::si::f64::Length;
 

@@ -19,7 +19,7 @@ use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::{
     Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
 };
-use epicyclic_formats::{Number, Physical as _, Quantity, Span};
+use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::class::{MOST_ELEMENTS, MOST_ENGAGED, MOST_LINKS, MOST_SETS};
@@ -31,6 +31,7 @@ use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
+use epicyclic_units::{Number, Physical as _, Quantity};
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;

@@ -1,10 +1,11 @@
 //! Options of `synthesize`: what a gearbox of use keeps, and the shares of time of the gears.
 
 use crate::failure::Failure;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::WantedRatio;
 use epicyclic_formats::wanted_ratio::Wanted as RatioOf;
-use epicyclic_formats::{Number, Physical as _, Quantity, WantedRatio};
 use epicyclic_synthesis::usable::Usable;
+use epicyclic_units::format::trimmed;
+use epicyclic_units::{Number, Physical as _, Quantity};
 use std::str::FromStr;
 use uom::si::f64::Ratio;
 

@@ -3,8 +3,8 @@
 use crate::failure::WRONG;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use epicyclic_answers::refused::Refused;
-use epicyclic_formats::quantity::find_unit;
-use epicyclic_formats::visible::one_line;
+use epicyclic_units::find_unit;
+use epicyclic_units::visible::one_line;
 use std::ffi::OsString;
 
 /// A refusal of a command line as an answer.

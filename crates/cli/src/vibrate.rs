@@ -10,7 +10,7 @@ use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::vibration::{self as answers, Vibration, Wanted};
 use epicyclic_drawing::Scene;
-use epicyclic_formats::Quantity as Given;
+use epicyclic_units::Quantity as Given;
 use epicyclic_views::vibration as views;
 use std::path::{Path, PathBuf};
 use uom::si::f64::{AngularVelocity, Length, Ratio};

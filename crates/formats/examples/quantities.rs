@@ -1,6 +1,7 @@
 //! A file with quantities, and a mistake in one.
 
-use epicyclic_formats::{Document, Number, Quantity};
+use epicyclic_formats::Document;
+use epicyclic_units::{Number, Quantity};
 use serde::Deserialize;
 use uom::si::f64::Power;
 

@@ -18,7 +18,8 @@ use uom::si::f64::{
     Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
 };
 
-use crate::{Document, Error, FileKind, Number, Path, Problem, Quantity, Span};
+use crate::{Document, Error, FileKind, Path, Problem, Span};
+use epicyclic_units::{Number, Quantity};
 
 mod fields;
 mod meaning;

@@ -2,11 +2,8 @@
 
 use std::{fmt, sync::Arc};
 
-use crate::{
-    document::{path::Path, position::Position},
-    quantity::QuantityError,
-    visible::one_line,
-};
+use crate::document::{path::Path, position::Position};
+use epicyclic_units::{QuantityError, visible::one_line};
 
 /// A [`Problem`] at its [`Place`]. Displays as `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
 #[derive(Debug, Clone, PartialEq)]

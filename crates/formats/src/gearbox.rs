@@ -47,10 +47,11 @@
 //! # }
 //! ```
 
+use crate::Path;
 use crate::drive::Spacing;
-use crate::{Number, Path, Quantity};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};

@@ -46,16 +46,13 @@ mod error;
 mod file_kind;
 pub mod gearbox;
 pub mod motor;
-pub mod quantity;
 pub mod range;
 pub mod scenario;
-pub mod visible;
 pub mod wanted_ratio;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Place, Problem, nearest};
 pub use file_kind::FileKind;
-pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};
 pub use range::{RangeError, Span};
 pub use wanted_ratio::WantedRatio;

@@ -27,7 +27,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-use crate::{Document, Error, FileKind, Number, Path, Problem, Quantity, Span};
+use crate::{Document, Error, FileKind, Path, Problem, Span};
+use epicyclic_units::{Number, Quantity};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]

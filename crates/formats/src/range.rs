@@ -6,7 +6,7 @@ use std::{borrow::Cow, fmt, marker::PhantomData, ops::RangeInclusive, str::FromS
 
 use serde::{Deserialize, Deserializer, de};
 
-use crate::{quantity::parse_number, visible::one_line};
+use epicyclic_units::{parse_number, visible::one_line};
 
 /// A range whose ends may be left open.
 ///

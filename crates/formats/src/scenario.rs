@@ -33,7 +33,8 @@ pub use torques::{
 };
 
 use crate::gearbox::GearboxFile;
-use crate::{Document, Error, FileKind, Path, Problem, Quantity};
+use crate::{Document, Error, FileKind, Path, Problem};
+use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

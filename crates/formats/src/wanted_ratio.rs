@@ -11,8 +11,8 @@
 //!
 //! A ratio is input speed over output speed, negative for reverse.
 
-use crate::quantity::{Physical as _, Quantity, QuantityError, parse_number};
-use crate::visible::one_line;
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Physical as _, Quantity, QuantityError, parse_number};
 use std::fmt;
 use std::str::FromStr;
 use uom::si::f64::Ratio;
@@ -212,7 +212,7 @@ impl fmt::Display for Wanted {
 impl fmt::Display for Within {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Share(share) => write!(f, "{}%", crate::quantity::format::trimmed(100.0 * share, 6)),
+            Self::Share(share) => write!(f, "{}%", epicyclic_units::format::trimmed(100.0 * share, 6)),
             Self::Difference(difference) => difference.fmt(f),
         }
     }

@@ -1,11 +1,12 @@
 //! The book and the examples name every key of every file, and every unit.
 
+use epicyclic_formats::Document;
 use epicyclic_formats::drive::{self, DriveFile};
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
-use epicyclic_formats::quantity::find_unit;
 use epicyclic_formats::scenario::{self, ScenarioFile};
-use epicyclic_formats::{Dimension, Document};
+use epicyclic_units::Dimension;
+use epicyclic_units::find_unit;
 use schemars::schema_for;
 use serde_json::Value;
 use std::collections::BTreeSet;

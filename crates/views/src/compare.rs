@@ -7,7 +7,7 @@ use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_answers::compare::{
     Compared, ComparedFigure, ComparedGear, Comparison, Differs, FigureName, GearFigure, GearsBy, Value,
 };
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 impl AsReport for Comparison {
     fn report(&self) -> Report {

@@ -13,8 +13,8 @@ use epicyclic_answers::design::ways_out::{Limit, RelaxedLimit, WayOut};
 use epicyclic_answers::select::reached::largest_deviation;
 use epicyclic_answers::select::required::Objective;
 use epicyclic_answers::size::records::{Requirement, SizedDesign, SizedSet};
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;

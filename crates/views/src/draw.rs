@@ -1,9 +1,9 @@
 //! What was drawn, a line for each file.
 
 use epicyclic_answers::draw::{Drawing, Sheet};
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_formats::visible::one_line;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
+use epicyclic_units::visible::one_line;
 
 /// A line for each file: its path, the drawing's title and size.
 #[must_use]

@@ -5,11 +5,11 @@ use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked};
 use crate::report::{Part, Report, Row, Section, warned};
 use epicyclic_answers::drive::{Bearing, CarrierShape, Drive, Gear, GearMass, Motion, Outcome, Shaft};
-use epicyclic_formats::Dimension::{
+use epicyclic_units::Dimension::{
     self, Angle, AngularAcceleration, AngularSpeed, Area, Energy, Force, Inertia, Length, Mass, Power,
     Pressure, Time, Torque, Volume,
 };
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 const GEARS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
 const SHAFTS: &[(&str, &str)] =

@@ -1,8 +1,8 @@
 //! A value in an answer, shown three ways.
 
 use crate::tolerance::NOTHING;
-use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
-use epicyclic_formats::{Dimension, Physical};
+use epicyclic_units::format::{in_unit, sensible_unit, significant, trimmed};
+use epicyclic_units::{Dimension, Physical};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::fmt;

@@ -8,10 +8,10 @@ use crate::units::rpm;
 use epicyclic_answers::losses::{
     GearHeat, GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
 };
-use epicyclic_formats::Dimension::{
+use epicyclic_pictures::contours::Contours;
+use epicyclic_units::Dimension::{
     self, AngularSpeed, Power, TemperatureDifference, ThermalConductance, Torque,
 };
-use epicyclic_pictures::contours::Contours;
 
 fn column(si: f64, dimension: Dimension) -> Figure {
     Figure::Column { si, dimension }

@@ -6,8 +6,8 @@ use crate::report::{Column, Part, Records, Report, Row, Section, Text, View};
 use epicyclic_answers::machine::{
     ChainCutter, Cutting, Drum, Machine, MachineSpeeds, Machines, Regime, Rock, Rotor, Series, SpeedRange,
 };
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 
 fn quantity(si: f64, dimension: Dimension) -> Figure {
     Figure::Quantity { si, dimension }

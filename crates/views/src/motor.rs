@@ -15,11 +15,11 @@ use epicyclic_answers::motor::{
     Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Interval, Motor, Numbers, Wheel,
 };
 use epicyclic_drawing::Scene;
-use epicyclic_formats::Dimension::{
+use epicyclic_pictures::motor as pictures;
+use epicyclic_units::Dimension::{
     self, Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
-use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_pictures::motor as pictures;
+use epicyclic_units::format::trimmed;
 
 impl AsReport for Motor {
     fn report(&self) -> Report {

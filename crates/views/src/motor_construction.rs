@@ -6,7 +6,7 @@ use crate::motor::{family, numbers, title};
 use crate::quantities::{optional, quantity, remarked};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
 use epicyclic_answers::motor::{ConstructedArcs, Departure, Junction, Misfit, MotorConstruction};
-use epicyclic_formats::Dimension::{self, Angle, Length};
+use epicyclic_units::Dimension::{self, Angle, Length};
 
 impl AsReport for MotorConstruction {
     fn report(&self) -> Report {

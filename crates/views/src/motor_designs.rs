@@ -3,7 +3,7 @@
 use crate::figure::{Figure, count};
 use crate::quantities::column;
 use crate::report::Column;
-use epicyclic_formats::Dimension::{Length, Power, Torque, Volume, VolumeRate};
+use epicyclic_units::Dimension::{Length, Power, Torque, Volume, VolumeRate};
 
 /// How many were found, how many shown.
 pub(crate) fn found_and_shown(found: usize, shown: usize) -> String {

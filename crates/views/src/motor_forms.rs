@@ -9,7 +9,7 @@ use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
 use epicyclic_answers::motor::GoverningLimit;
 use epicyclic_answers::motor_forms::{Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
-use epicyclic_formats::Dimension::{Angle, Length, Pressure, Volume};
+use epicyclic_units::Dimension::{Angle, Length, Pressure, Volume};
 
 impl AsReport for MotorForms {
     fn report(&self) -> Report {

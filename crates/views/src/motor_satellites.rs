@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
 use epicyclic_answers::motor::{MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout};
-use epicyclic_formats::Dimension::{Area, Length};
+use epicyclic_units::Dimension::{Area, Length};
 
 impl AsReport for MotorSatellites {
     fn report(&self) -> Report {

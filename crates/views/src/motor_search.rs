@@ -10,7 +10,7 @@ use crate::quantities::{column, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
 use epicyclic_answers::motor::Subject;
 use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLimits};
-use epicyclic_formats::Dimension::{Length, Pressure, Volume};
+use epicyclic_units::Dimension::{Length, Pressure, Volume};
 
 /// The objectives, of which the error is stated.
 const OBJECTIVES: &[(&str, &str)] = &[

@@ -2,8 +2,8 @@
 
 use crate::figure::Figure;
 use crate::report::Row;
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::{in_unit, sensible_unit};
+use epicyclic_units::Dimension;
+use epicyclic_units::format::{in_unit, sensible_unit};
 
 /// A quantity in the unit that suits its size.
 #[must_use]

@@ -9,8 +9,8 @@ pub(crate) mod html;
 use crate::figure::{self, Figure, suffix};
 use crate::text::{self, Error};
 use epicyclic_answers::Warning;
-use epicyclic_formats::Dimension;
-use epicyclic_formats::visible::one_line;
+use epicyclic_units::Dimension;
+use epicyclic_units::visible::one_line;
 use std::borrow::Cow;
 use std::io;
 

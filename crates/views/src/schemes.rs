@@ -5,7 +5,7 @@ use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
 use epicyclic_answers::schemes::{Connection, Gear, Parameters, Scheme, Schemes};
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 fn span(k: KRange) -> String {
     format!("k from {} to {}", trimmed(k.least, 5), trimmed(k.greatest, 5))

@@ -19,8 +19,8 @@ use epicyclic_answers::catalogue::GearName;
 use epicyclic_answers::select::candidate::{Candidate, Criterion, DirectDriveClutch, GearOperation, Verdict};
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::{Select, Unreachable};
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 
 impl AsReport for Select {
     fn report(&self) -> Report {

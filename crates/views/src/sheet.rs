@@ -8,7 +8,7 @@ use epicyclic_answers::sheet::records::{
     AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet,
 };
 use epicyclic_answers::tool::ToolKind;
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// An end of limits.
 type End = fn(Limits) -> f64;

@@ -11,7 +11,7 @@ use epicyclic_answers::simulate::{
     ChangeKind, ChangeRecord, ConverterResult, DragKind, DragResult, ElementKind, ElementResult, ShaftResult,
     ShiftResult, Simulation, State,
 };
-use epicyclic_formats::Dimension::{
+use epicyclic_units::Dimension::{
     self, AngularSpeed, Energy, EnergyPerArea, Power, PowerPerArea, TemperatureDifference, Time, Torque,
 };
 pub use plots::{capacities, picture, speeds, temperatures, torques};

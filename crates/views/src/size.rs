@@ -9,7 +9,7 @@ use epicyclic_answers::size::Size;
 use epicyclic_answers::size::records::{
     HeldKey, LeftOut, Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
 };
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 impl AsReport for Size {
     fn report(&self) -> Report {

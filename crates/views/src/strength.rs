@@ -14,7 +14,7 @@ use epicyclic_answers::strength::records::{
     DutyStep, Factor, FactorOverDuty, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated,
     SharingBasis, ToothedGear, Wear,
 };
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
 use words::{OF_STEPS, extent, from};
 

@@ -14,7 +14,7 @@ use epicyclic_answers::synthesize::teeth::TeethOfSet;
 use epicyclic_answers::synthesize::{
     ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
 };
-use epicyclic_formats::quantity::format::{significant, trimmed};
+use epicyclic_units::format::{significant, trimmed};
 
 /// Solutions whose gears are shown one by one.
 const SHOWN_IN_FULL: usize = 3;

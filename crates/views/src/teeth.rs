@@ -9,8 +9,8 @@ use crate::{AsReport, tooth_checks};
 use epicyclic_answers::shared::Motion;
 use epicyclic_answers::teeth::{Teeth, ToothNumbers, USUAL_PLANET_GAP};
 use epicyclic_answers::tooth_checks::{TeethLeftOut, ToothChecks};
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::{significant, trimmed};
+use epicyclic_units::Dimension;
+use epicyclic_units::format::{significant, trimmed};
 
 impl AsReport for Teeth {
     fn report(&self) -> Report {

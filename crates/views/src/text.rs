@@ -1,7 +1,7 @@
 //! Tables of plain text, and CSV.
 
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
-use epicyclic_formats::visible;
+use epicyclic_units::visible;
 use std::collections::BTreeSet;
 use std::io;
 use std::ops::Range;

@@ -12,13 +12,11 @@ use epicyclic_answers::vibration::records::{
     self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
     StiffnessOrigin, What,
 };
-use epicyclic_formats::Dimension::{
-    AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque,
-};
-use epicyclic_formats::quantity::format::in_unit;
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension::{AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque};
+use epicyclic_units::format::in_unit;
 pub use train::torsional_campbell;
 
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.

@@ -2,11 +2,11 @@
 
 use super::gears::{pi_factor, rack};
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::mass::{FormulaEight, GearBody, published_gear_inertia};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Area, Length, Mass, MassDensity, MomentOfInertia, Volume};

@@ -2,13 +2,13 @@
 //! equal as formulas or not, whatever the numbers.
 
 use super::{Refusal, Results};
-use epicyclic_formats::Number;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_train::formula::Formula;
 use epicyclic_train::formula::polynomial::Polynomial as Factor;
 use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_units::Number;
 use exmex::{BinOp, Express, FlatEx, MakeOperators, Operator};
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,7 +1,6 @@
 //! Calculations of one gear set.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::bearing::{self, Series, Verification};
 use epicyclic_gears::efficiency::{MeshEfficiency, efficiency};
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
@@ -11,6 +10,7 @@ use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_gears::{ToothCount, shaft, willis};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};

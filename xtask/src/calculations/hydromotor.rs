@@ -1,12 +1,12 @@
 //! Calculations of hydromotors with non-circular wheels.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_hydromotor::arcs::{Known, StatorArcs};
 use epicyclic_hydromotor::centrode::{CurvePoint, Wheel};
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
 use epicyclic_hydromotor::junction::junction;
 use epicyclic_hydromotor::{Motor, MotorNumbers};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::PI;

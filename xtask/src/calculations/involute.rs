@@ -1,12 +1,12 @@
 //! Calculations of involute gears with profile shift: one pair, and the least teeth of pairs.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::sliding::loss_factor;
 use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::angle::radian;

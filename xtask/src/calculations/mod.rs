@@ -17,9 +17,9 @@ mod strength;
 mod synthesis;
 mod vibration;
 
-use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
 use epicyclic_formats::{Document, Error as FormatError};
+use epicyclic_units::{Dimension, Physical};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;

@@ -6,8 +6,8 @@ use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::scenario::{
     CapacityEntry, HarmonicEntry, PlanetsEntry, TableFault, Texts, ThresholdEntry, TorqueEntry,
 };
-use epicyclic_formats::{Number, Physical, Quantity};
 use epicyclic_motion::{Change, Course, Mechanism, Model, Run, Sample, Start, State, TorqueLaw};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

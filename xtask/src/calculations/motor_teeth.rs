@@ -1,13 +1,14 @@
 //! Calculations of the teeth of hydromotors, and of the search for motors.
 
 use super::{Calculation, Refusal, Results};
+use epicyclic_formats::Span;
 use epicyclic_formats::motor::MotorFile;
-use epicyclic_formats::{Number, Quantity, Span};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::Profile;
 use epicyclic_hydromotor::profile::limits::{Limit, LimitKind};
 use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Length, Pressure, Torque, Volume};

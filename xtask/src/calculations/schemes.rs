@@ -3,7 +3,6 @@
 use super::formulas::{GRID, evaluate, printed_formula, printed_quotient};
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Fraction, Mode, RingToSunRatio};
@@ -14,6 +13,7 @@ use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::standing::{Standing, Use};
 use epicyclic_schemes::{cutting, rotor};
 use epicyclic_train::mobility;
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::TAU;

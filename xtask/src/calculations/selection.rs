@@ -1,7 +1,6 @@
 //! Calculations of the choice of a gearbox: structures, selection, drawing.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
@@ -12,6 +11,7 @@ use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
 use epicyclic_selection::size::{Rating, relative_ring_diameter};
 use epicyclic_selection::{Candidate, Limits, Mechanism, Requirements, Selection, Space, select};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;

@@ -3,7 +3,6 @@
 use super::involute::PairGiven;
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::{MaterialClass, MaterialEntry};
-use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::sliding::loss_factor;
 use epicyclic_strength::Error;
@@ -17,6 +16,7 @@ use epicyclic_strength::rating::{GearRating, rate};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
 use epicyclic_strength::spectrum::{Step, rate_duty};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

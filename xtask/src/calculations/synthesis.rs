@@ -1,7 +1,6 @@
 //! Calculations of the synthesis of gearboxes from ratios.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::Number;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::judge::judge;
 use epicyclic_synthesis::motion::Element;
@@ -10,6 +9,7 @@ use epicyclic_synthesis::run::{Found, Share, search};
 use epicyclic_synthesis::search::Search;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Error, Kind, Structure, count};
+use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::ops::ControlFlow;

@@ -3,8 +3,8 @@
 
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::Stiffness;
-use epicyclic_formats::quantity::TorsionalStiffness;
-use epicyclic_formats::{Physical, Quantity};
+use epicyclic_units::TorsionalStiffness;
+use epicyclic_units::{Physical, Quantity};
 use epicyclic_vibration::kahraman::HeldRing;
 use epicyclic_vibration::{
     Body, Central, Freedom, Group, Kind, Model, Planet, PlanetarySet, Support, newtons_per_meter,

@@ -3,8 +3,8 @@
 use crate::calculations::Value;
 use crate::cases::case::{Cause, Evidence, Expectation, Verdict};
 use crate::cases::tolerance::Printed;
-use epicyclic_formats::quantity::format::significant;
-use epicyclic_formats::quantity::{self, Dimension, Unit, find_unit};
+use epicyclic_units::format::significant;
+use epicyclic_units::{self as quantity, Dimension, Unit, find_unit};
 use serde::Serialize;
 
 /// How close the stated value of a contradicted figure must be to the computed one, relative.

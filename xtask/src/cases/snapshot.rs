@@ -5,8 +5,8 @@ use crate::calculations::{Refusal, Results, Value};
 use crate::cases::case::{Case, Expectation};
 use crate::cases::figure::si_unit;
 use crate::schema::write_whole;
-use epicyclic_formats::quantity::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! What a printed figure says: its digits, and so how far the true value may be from it.
 
-use epicyclic_formats::quantity::{self, Measured, QuantityError};
+use epicyclic_units::{self as quantity, Measured, QuantityError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

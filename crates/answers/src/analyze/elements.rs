@@ -3,8 +3,8 @@
 use super::Worked;
 use super::records::{ShiftElementKind, links_of};
 use crate::tolerance::ROUNDED;
-use epicyclic_formats::Physical;
 use epicyclic_train::{self as train, Gearbox};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

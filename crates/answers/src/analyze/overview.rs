@@ -10,8 +10,8 @@ use super::{Input, OperatingPoint, Worked, pins, planets, warnings};
 use crate::gearbox::Subject;
 use crate::tooth_checks::ToothChecks;
 use crate::{Answer, Error, Warning};
-use epicyclic_formats::Physical as _;
 use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 

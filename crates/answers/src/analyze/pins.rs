@@ -17,9 +17,9 @@ use crate::Warning;
 use crate::gearbox::Subject;
 use crate::tolerance::rounded;
 use crate::units::{millimetres, rpm};
-use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use uom::si::f64::{AngularVelocity, Length};
 
 /// Speed times mean diameter, mm/min, of a bearing with a cage, and of one full of rollers.

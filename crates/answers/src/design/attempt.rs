@@ -13,12 +13,13 @@ use crate::strength::duty::steps;
 use crate::teeth::shifted::WantedShifts;
 use crate::tolerance::OBJECTIVE;
 use crate::{Error, Warning, size};
+use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
-use epicyclic_formats::{Document, Physical};
 use epicyclic_selection::{Mechanism, Space};
 use epicyclic_train::Gear;
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 

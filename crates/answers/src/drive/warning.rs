@@ -2,8 +2,8 @@
 
 use crate::Warning;
 use epicyclic_dynamics::drive::{BoredGear, DriveDesign, Shaft, Start, Warning as Finding};
-use epicyclic_formats::Physical as _;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Physical as _;
+use epicyclic_units::format::trimmed;
 
 /// All of a design.
 pub(super) fn all(design: &DriveDesign) -> Vec<Warning> {

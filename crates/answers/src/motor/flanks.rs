@@ -5,12 +5,12 @@ use super::{Designed, Push};
 use crate::Error;
 use crate::number::{maybe_si, plain, si};
 use crate::tolerance::{beside_zero, rounded};
-use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::flanks::{
     self, ContactStress, ForceBound, Governing, LoadedPath, MaterialLimits, PeakPressure, RootStress,
     SealingContact,
 };
 use epicyclic_hydromotor::profile::Profile;
+use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Length, Pressure};

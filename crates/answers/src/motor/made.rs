@@ -5,7 +5,6 @@ pub(super) mod ports;
 
 use crate::{Error, Warning};
 use epicyclic_formats::motor::{Keys, PortGroup};
-use epicyclic_formats::{Number, Physical as _};
 use epicyclic_hydromotor::efficiency::LossInputs;
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::friction::FrictionRange;
@@ -14,6 +13,7 @@ use epicyclic_hydromotor::ports::timing::Timing;
 use epicyclic_hydromotor::ports::{PortPlate, PortShape};
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::{Error as MotorError, Motor};
+use epicyclic_units::{Number, Physical as _};
 use losses::Losses;
 use ports::MadePorts;
 use uom::si::f64::{

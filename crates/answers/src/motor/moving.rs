@@ -6,10 +6,10 @@
 use super::Designed;
 use crate::number::si;
 use crate::{Answer, Error};
-use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::satellites::{Point, Satellite};
+use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::TAU;

@@ -3,8 +3,8 @@
 use super::Designed;
 use crate::Error;
 use crate::number::si;
-use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::flanks::{Mesh, SealingContact};
+use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Length};

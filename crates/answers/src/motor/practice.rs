@@ -17,8 +17,8 @@ use super::made::ports::MadePorts;
 use super::{AllowedPressure, ContactStresses, Flanks, GoverningLimit, Losses};
 use crate::Warning;
 use crate::tolerance::SAME_GAP;
-use epicyclic_formats::Physical as _;
-use epicyclic_formats::quantity::format;
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
 use uom::si::f64::{Length, Pressure};
 
 const PRESSURE_PA: f64 = 25e6;

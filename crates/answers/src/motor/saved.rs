@@ -3,10 +3,10 @@
 use super::Designed;
 use crate::Error;
 use epicyclic_formats::motor::MaterialGroup;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
-use epicyclic_formats::{Physical, Quantity};
 use epicyclic_hydromotor::profile::{Crest, ToothForm};
+use epicyclic_units::format::trimmed;
+use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::Pressure;
 
 /// Digits that a quantity keeps: those of its rounding in binary fractions are left out.

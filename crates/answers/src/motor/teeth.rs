@@ -3,12 +3,12 @@
 use super::Verdict;
 use crate::number::{maybe_si, plain, si};
 use crate::{Error, Warning};
-use epicyclic_formats::Physical as _;
-use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::centrode;
 use epicyclic_hydromotor::profile::clearance::Nearest;
 use epicyclic_hydromotor::profile::limits::{self, Bound};
 use epicyclic_hydromotor::profile::{Part, Profile};
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;

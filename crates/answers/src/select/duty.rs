@@ -2,7 +2,7 @@
 
 use crate::Error;
 pub use crate::refusal::{DutyProblem, DutyQuantity};
-use epicyclic_formats::Physical;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What is known of the input.

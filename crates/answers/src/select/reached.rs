@@ -2,7 +2,7 @@
 
 use super::candidate::BrakedGear;
 use crate::catalogue::GearName;
-use epicyclic_formats::Physical;
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Velocity};

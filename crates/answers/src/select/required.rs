@@ -3,8 +3,8 @@
 use super::duty::Duty;
 use crate::Error;
 use crate::catalogue::KRange;
-use epicyclic_formats::Physical;
 use epicyclic_selection::{self as selection, Order, Orders, Requirements, Signs};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -5,12 +5,12 @@ use crate::Error;
 use crate::analyze::analysis;
 use crate::gearbox::Subject;
 use crate::tolerance::ROUNDED;
-use epicyclic_formats::Physical;
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::{Part, at_output};
 use epicyclic_gears::simple_set::Member;
 use epicyclic_strength::load::mesh_stiffness;
 use epicyclic_train::{Analysis, Gear};
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Torque};
 
 /// A set whose teeth are known.

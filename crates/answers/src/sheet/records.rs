@@ -2,11 +2,11 @@
 
 use crate::strength::records::{MeshName, ToothedGear};
 use crate::tool::{CuttingTool, ToolKind};
-use epicyclic_formats::Physical;
 use epicyclic_formats::gearbox::SetEntry;
 use epicyclic_gears::Error;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -7,13 +7,14 @@ use crate::Error;
 use crate::fault::Named;
 use crate::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
+use epicyclic_formats::Path;
 use epicyclic_formats::scenario::{
     DogEntry, ElementEntry, OverSpeedEntry, PlanetsEntry, PressureEntry, StartEntry, TableFault,
     ThrottleEntry, TorqueEntry, pairs,
 };
-use epicyclic_formats::{Number, Path, Physical, Quantity};
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
 use epicyclic_train::{GROUND, ShiftElement};
+use epicyclic_units::{Number, Physical, Quantity};
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
 
 /// How finely a run is sampled.

@@ -1,8 +1,8 @@
 //! Heat, powers, temperature and slip of each element.
 
 use super::parts::{Built, Element, ElementKind};
-use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

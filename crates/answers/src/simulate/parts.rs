@@ -1,9 +1,10 @@
 //! What the parts of a simulation share: the scenario, its elements, shifts and output.
 
 use crate::gearbox::Subject;
+use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
-use epicyclic_formats::{Document, Physical};
 use epicyclic_motion::{Course, Model, Sample, Start};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -4,10 +4,11 @@ use super::parts::Scenario;
 use super::{placed, root};
 use crate::Error;
 use crate::gearbox::Subject;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{DescriptionError, located, part_place};
 use epicyclic_formats::scenario::ScenarioFile;
-use epicyclic_formats::{Path, Physical};
 use epicyclic_motion as motion;
+use epicyclic_units::Physical;
 
 impl Scenario<'_> {
     /// The first inertia or mass that no body has.

@@ -12,8 +12,8 @@ use super::{ABOVE_0, AT_LEAST_0, refused, root};
 use crate::Error;
 use crate::fault::Named;
 use epicyclic_formats::scenario::{ElementEntry, ShiftEntry};
-use epicyclic_formats::{Physical, Quantity};
 use epicyclic_motion::{self as motion, Course};
+use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{Time, Torque};
 
 /// All shifts, and what the gear at the start engages.

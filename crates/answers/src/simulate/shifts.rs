@@ -1,8 +1,8 @@
 //! What each shift does: its phases, and the torque of the output.
 
 use super::parts::{Built, Ramps};
-use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
+use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 

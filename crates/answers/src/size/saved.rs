@@ -5,8 +5,8 @@ use super::records::{SizedBearing, SizedDesign, SizedSet};
 use crate::Error;
 use crate::tool::{CuttingTool, ToolKind};
 use epicyclic_formats::Document;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::yaml::{Mapping, Value, to_string, to_value};
+use epicyclic_units::format::trimmed;
 
 /// Millimetres in a metre.
 const MM: f64 = 1e3;

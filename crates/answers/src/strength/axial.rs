@@ -4,8 +4,8 @@ use super::duty::WorkedStep;
 use super::load::{both_loads, set_load};
 use super::prepared::RatedSet;
 use super::records::AxialForce;
-use epicyclic_formats::Physical;
 use epicyclic_strength::planets::axial_forces;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// Of a set at a torque and speed of its sun; `None` of spur teeth.

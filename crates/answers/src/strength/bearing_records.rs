@@ -1,8 +1,8 @@
 //! Records of planet bearings over a duty.
 
 use crate::Warning;
-use epicyclic_formats::Physical;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Time;

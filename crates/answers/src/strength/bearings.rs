@@ -19,14 +19,15 @@ use crate::fault::Named;
 use crate::gearbox::Subject;
 use crate::tolerance::{ROUNDED, rounded};
 use crate::toothed::lacking;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Path, Physical, Quantity};
 use epicyclic_gears::life::Rolling;
 use epicyclic_strength::bearing::{
     BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
 };
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
+use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
 
 /// What a file says of its planet bearings.
@@ -191,7 +192,7 @@ impl File<'_> {
             static_load_rating: entry.static_load_rating,
             fatigue_limit: entry.fatigue_limit,
             bearing_diameter: entry.bearing_diameter,
-            load_sharing: entry.load_sharing.map(epicyclic_formats::Number::get),
+            load_sharing: entry.load_sharing.map(epicyclic_units::Number::get),
         }
     }
 
@@ -200,7 +201,7 @@ impl File<'_> {
         let oil = self.file.oil.as_ref();
         let of_oil = Path::root().key("oil");
         let viscosity = oil.and_then(|oil| oil.working_viscosity).map(|of| of.0);
-        let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_formats::Number::get);
+        let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_units::Number::get);
         viscosity.map_or(Ok(()), |viscosity| self.above_0(viscosity, &of_oil, "working_viscosity"))?;
         if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
             let why = Named("out-of-range", "a contamination factor is from 0 to 1");

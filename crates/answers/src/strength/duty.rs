@@ -8,12 +8,13 @@ use crate::Error;
 use crate::analyze::{Input, Worked};
 use crate::fault::Named;
 use crate::gearbox::Subject;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::DutyEntry;
-use epicyclic_formats::{Path, Physical};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::rate;
 use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
 use epicyclic_train::InputLoad;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A step of the duty as the file has it, and its gear at that load; `None` where it does nothing.

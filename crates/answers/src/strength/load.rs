@@ -4,9 +4,9 @@ use super::prepared::RatedSet;
 use super::records::Reason;
 use crate::analyze::Worked;
 use crate::tolerance::rounded;
-use epicyclic_formats::Physical;
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::planets::loads;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// Torque on the sun of a set without losses; 0 where only its rounding is left.

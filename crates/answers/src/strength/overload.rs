@@ -8,12 +8,13 @@ use crate::Error;
 use crate::analyze::{Input, Worked};
 use crate::fault::{Fault as Refusal, Named};
 use crate::gearbox::Subject;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::OverloadEntry;
-use epicyclic_formats::{Path, Physical};
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::rating::overload;
 use epicyclic_strength::sizing::SetOverload;
 use epicyclic_train::InputLoad;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time};
 
 /// An overload as the file has it, what is required against it, and its gear at it.

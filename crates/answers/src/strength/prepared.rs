@@ -10,7 +10,7 @@ use crate::toothed;
 use epicyclic_formats::gearbox::{
     AccuracyEntry, FloatingEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
 };
-use epicyclic_formats::{Document, Number, Path};
+use epicyclic_formats::{Document, Path};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet};
@@ -22,6 +22,7 @@ use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
 use epicyclic_train::set::{Gearing, SetSpec, Shifts};
+use epicyclic_units::Number;
 use std::collections::BTreeMap;
 use uom::si::f64::{Angle, KinematicViscosity, Length};
 

@@ -1,8 +1,8 @@
 //! How planets share the load where a file gives no mesh load factor.
 
 use crate::Warning;
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -6,9 +6,9 @@
 use super::{PIECE, gears, pieces};
 use crate::Error;
 use crate::refusal::Given;
-use epicyclic_formats::Physical;
 use epicyclic_train::inputs::MultiState;
 use epicyclic_train::{self as train, Gearbox, InputsFault, LinkId};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// What is swept: as many speeds as the gear keeps freedoms, and torques at the other terminals, or none.

@@ -6,7 +6,7 @@
 use super::records::{Branch, Campbell, ModeKind, Order, Resonance};
 use super::{Found, number};
 use crate::tolerance::MET;
-use epicyclic_formats::Physical;
+use epicyclic_units::Physical;
 use epicyclic_vibration::{Centripetal, Error};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;

@@ -12,8 +12,8 @@ use super::train_records::{
 use super::{Prepared, joined, number};
 use crate::Error;
 use crate::tolerance::rounded;
-use epicyclic_formats::Physical;
 use epicyclic_train::{Gear, LinkId};
+use epicyclic_units::Physical;
 use epicyclic_vibration::coupled::{Centre, CoupledParts, Placed, Shaft, planar};
 use epicyclic_vibration::{BodyId, Group, ModalEnergy, Model, SpringId};
 use uom::si::f64::Mass;

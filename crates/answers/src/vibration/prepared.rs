@@ -8,13 +8,14 @@ use crate::gearbox::Subject;
 use crate::strength::place::refused;
 use crate::toothed::{self, missing_teeth};
 use crate::units::millimetres;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
-use epicyclic_formats::{Path, Physical, Quantity};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::mass::{MassProperties, TOOTH_FILL, ring};
 use epicyclic_strength::load::mesh_stiffness;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::set::SetSpec;
+use epicyclic_units::{Physical, Quantity};
 use epicyclic_vibration::{Body, Central, Freedom, Planet, PlanetarySet, Support};
 use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia, Torque};
 

@@ -21,7 +21,7 @@ use super::{Found, Of, Prepared};
 use crate::Error;
 use crate::number::plain;
 use crate::tolerance::PEAK;
-use epicyclic_formats::Physical;
+use epicyclic_units::Physical;
 use epicyclic_vibration::model::SpringId;
 use epicyclic_vibration::response::Displacement;
 use epicyclic_vibration::{Centripetal, Error as Refusal, Modes};

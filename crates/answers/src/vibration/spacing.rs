@@ -2,8 +2,8 @@
 
 use crate::number::short;
 use crate::tolerance::{AT_POSITION, EQUAL_SPACING};
-use epicyclic_formats::Physical;
 use epicyclic_train::PlanetSet;
+use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 
 /// The places of the planets.

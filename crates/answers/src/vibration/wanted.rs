@@ -4,8 +4,9 @@ use crate::Error;
 use crate::gearbox::Subject;
 use crate::losses::Places;
 use crate::strength::place::refused;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, VibrationOfGearbox};
-use epicyclic_formats::{Path, Physical, Quantity};
+use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Length};
 
 /// What is asked. What is not given here is that of the file.

@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use epicyclic_answers::analyze::inputs::Wanted;
 use epicyclic_answers::analyze::inputs::map::Steps;
-use epicyclic_formats::visible::one_line;
-use epicyclic_formats::{Physical, Quantity};
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Physical, Quantity};
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Torque};
 

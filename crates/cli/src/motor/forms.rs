@@ -11,11 +11,11 @@ use epicyclic_answers as answers;
 use epicyclic_answers::motor::Groups;
 use epicyclic_answers::motor_forms::{Crest, Family, Objective, Wanted, material};
 use epicyclic_formats::motor::MaterialGroup;
-use epicyclic_formats::{Number, Physical, Quantity};
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::Quantity as Of;
 use epicyclic_hydromotor::search::forms::{FlankOrder, FormSearch, FormSpace};
+use epicyclic_units::{Number, Physical, Quantity};
 use uom::si::f64::{Angle, Pressure, Ratio};
 
 /// Points that are judged in a second, about.

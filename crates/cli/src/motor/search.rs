@@ -10,9 +10,9 @@ use crate::lists::List;
 use crate::progress::Progress;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor_search::{Objective, Wanted};
-use epicyclic_formats::{Physical, Quantity};
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::search::{FlankTerms, MotorSearch};
+use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::Ratio;
 
 /// Places of families that are tried in a second, about.

@@ -1,9 +1,9 @@
 //! Values in steps: `20deg..30deg/5`, both ends and how many values, or one value alone.
 
 use crate::failure::Failure;
-use epicyclic_formats::visible::one_line;
-use epicyclic_formats::{Number, Physical as _, Quantity};
 use epicyclic_hydromotor::search::forms::Steps;
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Number, Physical as _, Quantity};
 use std::fmt;
 use std::str::FromStr;
 use uom::si::f64::Angle;

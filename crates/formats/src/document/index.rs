@@ -9,7 +9,7 @@ use saphyr_parser::{Event, Parser, ScalarStyle};
 use super::path::{Path, Segment};
 use super::position::Position;
 use crate::error::Problem;
-use crate::quantity;
+use epicyclic_units as quantity;
 
 /// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
 pub(super) const DEPTH_LIMIT: usize = 100;

@@ -27,9 +27,9 @@ pub use self::{
 };
 use crate::{
     error::{Error, Place, Problem},
-    quantity::QuantityError,
     yaml::{self, Value},
 };
+use epicyclic_units::QuantityError;
 pub use renamed::RENAMED;
 
 /// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is not one.

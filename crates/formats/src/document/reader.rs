@@ -2,7 +2,7 @@
 //!
 //! `serde_yaml` reports a fault as a text. This deserializer walks its [`Value`] instead, and its error is a
 //! [`Problem`]: an unknown key comes with the keys allowed, a number with a decimal comma is recognised where a number
-//! is due, and a [`Quantity`](crate::Quantity) is parsed here, so that its error keeps its name.
+//! is due, and a [`Quantity`](epicyclic_units::Quantity) is parsed here, so that its error keeps its name.
 //! It is stricter, too: nothing is not an empty sequence, and a number is not text.
 
 use std::fmt;
@@ -20,11 +20,8 @@ use serde::{
 
 use super::renamed::renamed;
 use super::words;
-use crate::{
-    error::Problem,
-    quantity::{self, Dimension, QuantityError},
-    yaml::Value,
-};
+use crate::{error::Problem, yaml::Value};
+use epicyclic_units::{self as quantity, Dimension, QuantityError};
 
 /// A [`Problem`] on its way through `serde`.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use uom::si::f64::{Length, Power, Torque};
 
 use super::*;
-use crate::{Number, Quantity};
+use epicyclic_units::{Number, Quantity};
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

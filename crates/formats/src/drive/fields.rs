@@ -6,7 +6,7 @@ use epicyclic_dynamics::drive::Bore;
 use epicyclic_gears::bearing::Series;
 use serde::{Deserialize, Deserializer, de};
 
-use crate::Quantity;
+use epicyclic_units::Quantity;
 
 /// Designation of a bearing: `310` is a number to YAML, and a name to us.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -13,7 +13,8 @@ use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Ratio};
 
 use super::{BoreText, CarrierFile, DriveFile, Misfit, PartFile, ShaftFile, TeethFile};
-use crate::{Number, Path, Physical, Problem, Quantity, Span};
+use crate::{Path, Problem, Span};
+use epicyclic_units::{Number, Physical, Quantity};
 
 impl DriveFile {
     /// What is meant, defaults filled in.

@@ -1,9 +1,10 @@
 //! Checks of names, numbers and tooth counts before a gearbox is built of them.
 
 use super::DescriptionError;
-use crate::{Number, Path};
+use crate::Path;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::Named;
+use epicyclic_units::Number;
 use std::collections::BTreeSet;
 
 /// Refuses a name that stands twice, before any fault is placed by its name.

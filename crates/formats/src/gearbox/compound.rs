@@ -1,13 +1,14 @@
 //! Compound sets in files, and remarks.
 
 use super::{DescriptionError, RollingEntry, spaced};
+use crate::Path;
 use crate::drive::Spacing;
-use crate::{Number, Path, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
+use epicyclic_units::{Number, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;

@@ -1,6 +1,6 @@
 //! What a gearbox file says for the data sheets of its gears.
 
-use crate::Quantity;
+use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Length;

@@ -2,11 +2,11 @@
 
 use super::checks::unique;
 use super::{DescriptionError, GearboxFile};
-use crate::Quantity;
 use epicyclic_train::drag::{Beyond, Drag, DragCurve};
 use epicyclic_train::error::DragFault;
 use epicyclic_train::tolerance::MOST_DRAGS;
 use epicyclic_train::{Gearbox, Named};
+use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{AngularVelocity, Torque};

@@ -2,9 +2,10 @@
 
 use super::checks::numbers;
 use super::{DescriptionError, GearboxFile, SetEntry};
-use crate::{Path, Quantity};
+use crate::Path;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_units::Quantity;
 use uom::si::f64::Ratio;
 
 impl GearboxFile {

@@ -4,11 +4,12 @@ use super::checks::{counts, numbers};
 use super::losses::losses;
 use super::spacing::spaced;
 use super::{DescriptionError, SetEntry};
-use crate::{Number, Path, Quantity};
+use crate::Path;
 use epicyclic_gears::involute::Profile;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::GROUND;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
+use epicyclic_units::{Number, Quantity};
 
 impl SetEntry {
     pub(super) fn spec(&self) -> Result<SetSpec, DescriptionError> {

@@ -1,11 +1,12 @@
 //! What a gearbox file says of the size of its sets: planets and their bearings, the basic rack, the density.
 
 use super::{DescriptionError, GearboxFile};
-use crate::{Number, Path, Physical};
+use crate::Path;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{Mesh, MeshKind};
 use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_units::{Number, Physical};
 use uom::si::f64::{Angle, Length, MassDensity};
 
 impl GearboxFile {

@@ -1,10 +1,10 @@
 //! Where the planets of a set stand, as files say it.
 
 use super::DescriptionError;
-use crate::Quantity;
 use crate::drive::Spacing as Word;
 use epicyclic_gears::synthesis::Placement;
 use epicyclic_train::spacing::Spacing;
+use epicyclic_units::Quantity;
 use uom::si::f64::Angle;
 
 /// The spacing of a word or of one of these lists of angles; at equal angles without either.

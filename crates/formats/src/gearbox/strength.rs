@@ -1,6 +1,6 @@
 //! What a gearbox file says for the strength of its teeth: of sets, of the gearbox, and its duty.
 
-use crate::{Number, Quantity};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

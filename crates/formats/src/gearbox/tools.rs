@@ -1,13 +1,14 @@
 //! What a gearbox file says of how the gears of a simple set are cut.
 
 use super::{DescriptionError, GearboxFile, SetEntry, ShaperEntry};
-use crate::{Number, Path};
+use crate::Path;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Iso53};
 use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_gears::{Error, Quantity};
 use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -3,13 +3,14 @@
 use super::checks::unique;
 use super::compound::{CompoundEntry, ListedPlanetEntry, Note};
 use super::{DescriptionError, losses, spaced};
+use crate::Path;
 use crate::drive::Spacing;
-use crate::{Number, Path, Quantity};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! What a gearbox file says for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
 
-use crate::Quantity;
-use crate::quantity::TorsionalStiffness;
+use epicyclic_units::Quantity;
+use epicyclic_units::TorsionalStiffness;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

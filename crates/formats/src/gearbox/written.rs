@@ -3,8 +3,6 @@
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
 //! planets and losses, compound sets gear by gear, shift elements, permanent connections, gears with their inputs and outputs.
 
-use crate::quantity::format::{in_unit, trimmed};
-use crate::quantity::{Dimension, Physical};
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_gears::synthesis::Placement;
@@ -13,6 +11,8 @@ use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::spacing::Spacing;
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
+use epicyclic_units::format::{in_unit, trimmed};
+use epicyclic_units::{Dimension, Physical};
 use std::fmt::Write as _;
 use uom::si::f64::{Angle, Length};
 

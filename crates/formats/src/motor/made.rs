@@ -7,7 +7,8 @@ use uom::si::f64::{
     TemperatureInterval, Volume,
 };
 
-use crate::{Number, Quantity, Span};
+use crate::Span;
+use epicyclic_units::{Number, Quantity};
 
 /// What a maker says beside the geometry.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::joints::DogEntry;
 use super::tables::{Column, Points, TableFault, Texts};
-use crate::{Number, Quantity};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{AngularVelocity, Area, HeatCapacity, Length, Pressure, ThermalConductance, Time, Torque};

@@ -1,8 +1,8 @@
 //! Shafts, converters and dog clutches, as a scenario states them.
 
 use super::torques::ResistingEntry;
-use crate::quantity::TorsionalStiffness;
-use crate::{Number, Quantity};
+use epicyclic_units::TorsionalStiffness;
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Time, Torque};

@@ -9,7 +9,8 @@
 //! ```
 
 use crate::document::{Path, Position};
-use crate::{Error, Physical, Place, Problem, Quantity};
+use crate::{Error, Place, Problem};
+use epicyclic_units::{Physical, Quantity};
 use std::collections::BTreeMap;
 
 /// Texts of the CSV files by the names under which the scenario knows them, each with the name for messages.

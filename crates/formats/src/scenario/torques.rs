@@ -1,7 +1,7 @@
 //! Torques on links, as a scenario states them.
 
 use super::tables::{Column, Points, TableFault};
-use crate::{Number, Quantity};
+use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Frequency, Power, Time, Torque};

@@ -12,7 +12,7 @@ use epicyclic_answers::analyze::step_losses::{MeshSteps, StepLosses};
 use epicyclic_answers::analyze::step_torques::{MemberTorque, StepTorques, TorqueFrom};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::shared::Fraction;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 /// Significant digits of a decimal in an equation.
 const DIGITS: usize = 6;

@@ -12,7 +12,7 @@ use epicyclic_answers::analyze::gear::{
     Link, Member, Mesh, OneGear, Pattern, Planet, Powers, PowersOfEntering, RollingPower, Set, ShiftElement,
     Terminal, Torques, TorquesAtLoad, TorquesOfInput,
 };
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];

@@ -8,7 +8,7 @@ use epicyclic_answers::analyze::inputs::map::{Map, MapEntry, SpeedMap};
 use epicyclic_answers::analyze::inputs::{
     Inputs, Link, Member, Mesh, Planet, Powers, ShiftElement, Terminal,
 };
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 use std::io;
 
 impl AsReport for Inputs {

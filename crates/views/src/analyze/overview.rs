@@ -11,8 +11,8 @@ use epicyclic_answers::analyze::planets::{self, LargestForce};
 use epicyclic_answers::analyze::progression::Progression;
 use epicyclic_answers::analyze::records::{GearFacts, Published, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
-use epicyclic_formats::Dimension;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 
 impl AsReport for Overview {
     fn report(&self) -> Report {

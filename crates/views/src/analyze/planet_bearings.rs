@@ -5,7 +5,7 @@ use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::analyze::OperatingPoint;
 use epicyclic_answers::analyze::planet_bearings::{Lack, LackName, PlanetBearing};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// Seconds of an hour, in which a bearing's life is told.
 const HOUR_S: f64 = 3600.0;

@@ -4,7 +4,7 @@ use super::shared::{exact, kind_in_words};
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::analyze::sets::{Fit, SetFacts, TeethOf};
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 /// Digits of a number of teeth, which may have half a tooth.
 const TEETH_DIGITS: usize = 8;

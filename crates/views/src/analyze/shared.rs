@@ -4,7 +4,7 @@ use crate::figure::Figure;
 use crate::report::{Column, Records, View};
 use epicyclic_answers::analyze::records::{Duty, Kind, OneWayClutch, SelfLocking, ShiftElementKind, State};
 use epicyclic_answers::shared::Fraction;
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// A quantity below a heading with its unit.
 pub(super) fn column(si: Option<f64>, dimension: Dimension) -> Figure {

@@ -5,7 +5,7 @@ use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_answers::analyze::shifts::{ElementInShift, Shift, Shifts, Transition};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 impl AsReport for Shifts {
     fn report(&self) -> Report {

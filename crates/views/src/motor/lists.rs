@@ -7,7 +7,7 @@ use epicyclic_answers::motor::{Between, LimitKind, Wheel};
 use epicyclic_answers::motor::{
     ChamberState, Clearance, Motor, Side, Subject, ToothLimit, ToothPart, Verdict,
 };
-use epicyclic_formats::Dimension::{Angle, Area, Force, Length, Pressure};
+use epicyclic_units::Dimension::{Angle, Area, Force, Length, Pressure};
 
 fn verdict(verdict: Verdict) -> Figure {
     match verdict {

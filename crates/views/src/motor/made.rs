@@ -8,7 +8,7 @@ use epicyclic_answers::motor::{
     AllowedPressure, Efficiency, Extreme, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port,
     Push,
 };
-use epicyclic_formats::Dimension::{
+use epicyclic_units::Dimension::{
     Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
 

@@ -1,9 +1,9 @@
 //! Pressure, stress and efficiency of a motor as plots.
 
 use epicyclic_answers::motor::{EfficiencyMap, OverCycle};
-use epicyclic_formats::Dimension;
 use epicyclic_pictures::contours::Contours;
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension;
 
 /// A curve, with gaps where there is no value.
 fn points(cycle: &OverCycle, values: &[Option<f64>]) -> Vec<[f64; 2]> {

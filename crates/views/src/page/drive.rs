@@ -9,10 +9,10 @@ use crate::units::rpm;
 use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::drive::{Drive, Gear};
 use epicyclic_answers::report::drive::DriveReport;
-use epicyclic_formats::Dimension::{self, AngularSpeed, Inertia, Power, Time, Torque};
-use epicyclic_formats::Physical as _;
 use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension::{self, AngularSpeed, Inertia, Power, Time, Torque};
+use epicyclic_units::Physical as _;
 use uom::si::f64::{Angle, Length};
 
 /// Key figures and drawing, results, plots of a drive; `file` is its file as it was written.

@@ -14,10 +14,10 @@ use epicyclic_answers::analyze::records::{Kind, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::losses::LossKind;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
-use epicyclic_formats::Dimension;
 use epicyclic_pictures::gearbox::scheme::{self, Scale, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension;
 
 /// Ratios and planet speeds from here on are left out of the curves: they would press all others flat.
 const GREATEST: f64 = 20.0;

@@ -10,11 +10,11 @@ use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::motor::{Designed, Motor, OverAngle};
 use epicyclic_answers::report::motor::MotorReport;
 use epicyclic_drawing::Scene;
-use epicyclic_formats::Dimension::{
-    self, AngularSpeed, Area, Length, Power, Pressure, Torque, Volume, VolumeRate,
-};
 use epicyclic_pictures::motor;
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension::{
+    self, AngularSpeed, Area, Length, Power, Pressure, Torque, Volume, VolumeRate,
+};
 
 /// Key figures and drawing, results, plots of a hydromotor; `input` is its file or command as it was written.
 ///

@@ -3,7 +3,7 @@
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_answers::analyze::gear::{Mesh, OneGear, Powers};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// Gears in a table at most; the others stand in further ones.
 const ABREAST: usize = 10;

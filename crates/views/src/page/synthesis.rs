@@ -8,8 +8,8 @@ use crate::synthesize::families::table;
 use crate::{AsReport as _, Error, Report, drawability};
 use epicyclic_answers::synthesize::page::Drawn;
 use epicyclic_answers::synthesize::{Solution, Synthesis};
-use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
+use epicyclic_units::format::trimmed;
 
 /// The best, then what was searched and found, with the schemes of the first; `input` is the command as it was written.
 ///

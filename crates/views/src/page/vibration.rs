@@ -8,8 +8,8 @@ use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{Greatest, Response};
 use epicyclic_drawing::Scene;
-use epicyclic_formats::Dimension::{AngularSpeed, Force, Torque};
 use epicyclic_pictures as pictures;
+use epicyclic_units::Dimension::{AngularSpeed, Force, Torque};
 
 /// Field of a Campbell diagram that stands across a page with the names of its orders.
 const CAMPBELL_MM: [f64; 2] = [130.0, 90.0];

@@ -7,7 +7,7 @@ use crate::report::{Column, Part, Records, Report, Text, View};
 use crate::schemes::speed_lines;
 use epicyclic_answers::catalogue::ShiftElement;
 use epicyclic_answers::select::candidate::{BrakedGear, Candidate, GearOperation};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// The parts that show a candidate in full.
 pub(super) fn parts(one: &Candidate) -> Vec<Part> {

@@ -4,7 +4,7 @@ use crate::figure::{Figure, text};
 use crate::quantities::column;
 use crate::report::{Column, Records, View};
 use epicyclic_answers::select::reached::ReachedSpeed;
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 /// The table of asked and reached speeds; with ratios asked for these first.
 pub(crate) fn speeds_reached(speeds: &[ReachedSpeed]) -> Records {

@@ -12,7 +12,7 @@ use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
 use epicyclic_answers::teeth::shifted::{RequiredShifts, SetShifts};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 use std::io;
 
 impl AsReport for SelectTeeth {

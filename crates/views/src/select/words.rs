@@ -7,7 +7,7 @@ use epicyclic_answers::select::candidate::{
 };
 use epicyclic_answers::select::required::Objective;
 use epicyclic_answers::select::{RelaxedCriterion, Remedy, Select, Unreachable};
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 /// Mechanisms out of reach that are told one by one.
 const MOST_TOLD: usize = 6;

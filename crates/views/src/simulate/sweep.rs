@@ -7,7 +7,7 @@ use crate::quantities::column;
 use crate::report::{Column, Part, Records, Report, View, warned};
 use epicyclic_answers::simulate::ElementKind;
 use epicyclic_answers::simulate::sweep::{Sweep, SweptRun};
-use epicyclic_formats::Dimension::{self, AngularSpeed, Energy, Power, TemperatureDifference, Time};
+use epicyclic_units::Dimension::{self, AngularSpeed, Energy, Power, TemperatureDifference, Time};
 
 impl AsReport for Sweep {
     fn report(&self) -> Report {

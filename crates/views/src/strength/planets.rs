@@ -5,7 +5,7 @@ use crate::quantities::{column, optional};
 use crate::report::{Column, Records, View};
 use crate::units::hours;
 use epicyclic_answers::strength::records::{AxialForce, BearingOverDuty};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
     let row = |one: &AxialForce| {

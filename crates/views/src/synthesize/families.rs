@@ -3,7 +3,7 @@
 use crate::figure::{self, Figure};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::synthesize::families::Family;
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 /// How many families there are, in words.
 pub(super) fn count(families: usize) -> String {

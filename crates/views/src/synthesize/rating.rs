@@ -5,7 +5,7 @@ use crate::figure::{self, Figure};
 use crate::report::{Column, Records, Text, View};
 use epicyclic_answers::synthesize::rating::Objective;
 use epicyclic_answers::synthesize::{Solution, Synthesis};
-use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_units::format::trimmed;
 
 /// Solutions behind the first that are told one by one.
 const MOST_TOLD: usize = 9;

@@ -5,7 +5,7 @@ use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Records, Report, View};
 use epicyclic_answers::teeth::shifted::{ShiftAim, ShiftedNumbers, ShiftedTeeth};
-use epicyclic_formats::Dimension;
+use epicyclic_units::Dimension;
 
 impl AsReport for ShiftedTeeth {
     fn report(&self) -> Report {

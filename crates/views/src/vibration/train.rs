@@ -11,8 +11,8 @@ use epicyclic_answers::vibration::train_records::{
     CoupledKinetic, CoupledMode, CoupledModes, KineticPart, StrainPart, TorsionalMode, TorsionalModes,
     TorsionalOrder, TorsionalResonance, TorsionalStrain,
 };
-use epicyclic_formats::Dimension::{AngularSpeed, Frequency, Mass, Stiffness};
 use epicyclic_pictures::campbell::{self, Branch, Campbell, Ray};
+use epicyclic_units::Dimension::{AngularSpeed, Frequency, Mass, Stiffness};
 
 /// The torsional frequencies of a gear over the speed as a Campbell diagram; its place is that in the answer. Zero modes are left out.
 #[must_use]

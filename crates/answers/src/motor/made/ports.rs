@@ -3,13 +3,13 @@
 use super::{Inputs, Point};
 use crate::number::{maybe_si, si};
 use crate::{Error, Warning};
-use epicyclic_formats::Physical as _;
-use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::ports::throttling::Through;
 use epicyclic_hydromotor::ports::timing::{self, Stretch, Timing};
 use epicyclic_hydromotor::ports::trapped::Trapped;
 use epicyclic_hydromotor::ports::{PortPlate, PortShape};
 use epicyclic_hydromotor::quantity::PortSide;
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};

@@ -4,7 +4,8 @@ use crate::gearbox::{Choice, one};
 use crate::losses;
 use crate::simulate::tests::{close, document, simulated};
 use crate::simulate::{Beside, ChangeKind, DragKind, Simulation, State, answer};
-use epicyclic_formats::{Document, Physical, scenario};
+use epicyclic_formats::{Document, scenario};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
 
 const BOX: &str = "\

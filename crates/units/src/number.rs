@@ -11,12 +11,12 @@ use super::{dimension::Dimension, error::QuantityError};
 /// Reads integers and floats, and refuses NaN, infinity, and the text `3,94`, each with its reason.
 ///
 /// ```
-/// use epicyclic_formats::Number;
+/// use epicyclic_units::Number;
 ///
 /// let ratio: Number = "3.94".parse()?;
 /// assert_eq!(ratio.get(), 3.94);
 /// assert_eq!("3,94".parse::<Number>().unwrap_err().to_string(), "3,94: decimal comma; write 3.94");
-/// # Ok::<(), epicyclic_formats::QuantityError>(())
+/// # Ok::<(), epicyclic_units::QuantityError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
 #[serde(transparent)]

@@ -8,20 +8,20 @@ use std::{borrow::Cow, fmt, marker::PhantomData, str::FromStr};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use super::{conversion::Physical, dimension::Dimension, error::QuantityError, format, parse_as};
+use crate::{conversion::Physical, dimension::Dimension, error::QuantityError, format, parse_as};
 
 /// A physical quantity, written as text with its unit: `106.5 kW`.
 ///
 /// `T` is one of the quantities of `uom::si::f64`.
 ///
 /// ```
-/// use epicyclic_formats::Quantity;
+/// use epicyclic_units::Quantity;
 /// use uom::si::{f64::Power, power::watt};
 ///
 /// let power: Quantity<Power> = "106.5 kW".parse()?;
 /// assert_eq!(power.0.get::<watt>(), 106_500.0);
 /// assert_eq!(power.to_string(), "106.5 kW");
-/// # Ok::<(), epicyclic_formats::QuantityError>(())
+/// # Ok::<(), epicyclic_units::QuantityError>(())
 /// ```
 ///
 /// `Display` writes 6 significant digits, or as many as the precision says: `{:.3}`. Serializing writes 15.
@@ -105,7 +105,8 @@ const fn token(dimension: Dimension) -> &'static str {
 }
 
 /// The dimension a private name stands for.
-pub(crate) fn token_dimension(name: &str) -> Option<Dimension> {
+#[must_use]
+pub fn token_dimension(name: &str) -> Option<Dimension> {
     name.strip_prefix(TOKEN)?;
     Dimension::ALL.into_iter().find(|dimension| token(*dimension) == name)
 }
@@ -115,7 +116,7 @@ fn example(dimension: Dimension) -> String {
     if dimension == Dimension::Dimensionless {
         "a plain number or a percentage, such as 0.977 or 97.7 %".to_owned()
     } else {
-        format!("{} with its unit, such as 12.5 {usual}", super::with_article(dimension.name()))
+        format!("{} with its unit, such as 12.5 {usual}", crate::with_article(dimension.name()))
     }
 }
 
@@ -171,7 +172,7 @@ mod tests {
     #[test]
     fn serializing_keeps_the_value() {
         let length: Quantity<Length> = "0.0081 m".parse().unwrap();
-        assert_eq!(crate::yaml::to_string(&length).unwrap(), "8.1 mm\n");
+        assert_eq!(serde_yaml::to_string(&length).unwrap(), "8.1 mm\n");
     }
 
     #[test]

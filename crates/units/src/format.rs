@@ -1,11 +1,11 @@
 //! Numbers and quantities as text.
 
-use super::{conversion::Physical, dimension::Dimension, unit::Unit};
+use crate::{conversion::Physical, dimension::Dimension, unit::Unit};
 
 /// `value` to `digits` significant digits, trailing zeros kept, with an exponent only below 1e-5 or from 1e15 on.
 ///
 /// ```
-/// use epicyclic_formats::quantity::format::significant;
+/// use epicyclic_units::format::significant;
 ///
 /// assert_eq!(significant(521.837, 4), "521.8");
 /// assert_eq!(significant(521_837.0, 3), "522000");
@@ -108,7 +108,8 @@ const fn scale(dimension: Dimension) -> &'static [&'static str] {
 mod tests {
     use proptest::prelude::*;
 
-    use super::{super::parse, *};
+    use super::*;
+    use crate::parse;
 
     #[test]
     fn digits_are_significant_ones() {

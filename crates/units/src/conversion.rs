@@ -116,7 +116,7 @@ mod tests {
 
     // 1e-7: uom rounds the metric horsepower to seven digits; ours is exact.
     fn agrees(written: &str, si_value: f64) {
-        let ours = super::super::parse(written).unwrap().si();
+        let ours = crate::parse(written).unwrap().si();
         assert!((ours - si_value).abs() <= 1e-7 * si_value.abs(), "{written}: {ours} is not {si_value}");
     }
 

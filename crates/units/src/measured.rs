@@ -1,21 +1,9 @@
-//! Quantities with units, as engineers write them.
+//! A quantity of any dimension, read.
 
-mod conversion;
-mod dimension;
-mod error;
-pub mod format;
-mod number;
-mod typed;
-mod unit;
-
-pub use conversion::{Physical, TorsionalStiffness};
-pub use dimension::Dimension;
-pub use error::QuantityError;
-pub(crate) use error::with_article;
-pub use number::{Number, parse_number};
-pub use typed::Quantity;
-pub(crate) use typed::token_dimension;
-pub use unit::{Unit, find_unit};
+use super::dimension::Dimension;
+use super::error::QuantityError;
+use super::number;
+use super::unit::{self, Unit, find_unit};
 
 /// A quantity as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +33,7 @@ impl Measured {
 /// Reads a quantity of any dimension: `106.5 kW`, `75kW`, `−5 mm`, `1950 1/min`. A bare number is dimensionless.
 ///
 /// ```
-/// use epicyclic_formats::quantity::{self, Dimension};
+/// use epicyclic_units::{self as quantity, Dimension};
 ///
 /// let torque = quantity::parse("1.20 kN·m")?;
 /// assert_eq!(torque.dimension(), Dimension::Torque);
@@ -127,6 +115,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::parse_number;
 
     #[test]
     fn units_in_cyrillic_letters_are_corrected() {

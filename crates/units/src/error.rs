@@ -167,7 +167,9 @@ impl QuantityError {
     }
 }
 
-pub(crate) fn with_article(noun: &str) -> String {
+/// `an angle`, `a torque`.
+#[must_use]
+pub fn with_article(noun: &str) -> String {
     let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {noun}")
 }

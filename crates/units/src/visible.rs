@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 /// The text on one line; line breaks are escaped too. For names, titles, cells of tables.
 ///
 /// ```
-/// use epicyclic_formats::visible::one_line;
+/// use epicyclic_units::visible::one_line;
 ///
 /// assert_eq!(one_line("gear\u{1b}[2J\n1"), r"gear\u001b[2J\n1");
 /// assert_eq!(one_line("η₁ = 0,97 Ω"), "η₁ = 0,97 Ω");
