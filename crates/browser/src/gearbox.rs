@@ -2,10 +2,14 @@
 
 use crate::reply::{Failure, json, object, refuse, refused, text, told};
 use crate::{documents, layouts};
-use epicyclic_answers::adjust::AdjustableNumber;
-use epicyclic_answers::analyze::{self, Input};
-use epicyclic_answers::gearbox::{Choice, Content, Subject, read};
-use epicyclic_answers::{adjust, front as from_the_front, transmissions};
+use epicyclic_commands::adjust::AdjustableNumber;
+use epicyclic_commands::analyze::answer as analyze;
+use epicyclic_commands::analyze::answer::Input;
+use epicyclic_commands::shared::drawability::table as drawability;
+use epicyclic_commands::shared::gearbox::{Choice, Content, Subject, read};
+use epicyclic_commands::shared::transmissions::answer as transmissions;
+use epicyclic_commands::table::report::AsReport as _;
+use epicyclic_commands::{adjust, front as from_the_front};
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::Position;
 use epicyclic_formats::gearbox::written;
@@ -15,7 +19,6 @@ use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
 use epicyclic_units::{Number, Physical, Quantity};
-use epicyclic_views::{AsReport as _, drawability};
 use serde::Deserialize;
 use std::cmp::Reverse;
 use uom::si::f64::Ratio;
@@ -186,7 +189,8 @@ fn scene(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> Re
             let layout = match &*verdict {
                 Verdict::Drawable(layout) => layout,
                 Verdict::SelfCrossing(witness) => {
-                    let conflict = epicyclic_answers::drawability::Conflict::of(gearbox, witness);
+                    let conflict =
+                        epicyclic_commands::shared::drawability::answer::Conflict::of(gearbox, witness);
                     return Err(format!(
                         "{} {}",
                         drawability::together(&conflict),
@@ -265,8 +269,9 @@ pub(crate) fn scheme(name: &str, k1: f64, k2: f64) -> Result<String, Failure> {
     let scheme: Scheme =
         name.parse().map_err(|error: epicyclic_schemes::Error| refuse("scheme", error.to_string()))?;
     let k2 = matches!(scheme, Scheme::Three(_)).then_some(k2);
-    let sizes = epicyclic_answers::schemes::Sizes { k1: Some(k1), k2, ..Default::default() };
-    let found = epicyclic_answers::schemes::sized(scheme, sizes, MeshEfficiency::IDEAL).map_err(refused)?;
+    let sizes = epicyclic_commands::schemes::answer::Sizes { k1: Some(k1), k2, ..Default::default() };
+    let found =
+        epicyclic_commands::schemes::answer::sized(scheme, sizes, MeshEfficiency::IDEAL).map_err(refused)?;
     let found = found.ok_or_else(|| refuse("scheme", "its sizes are missing"))?;
     let file = written(&found.gearbox, &[]).map_err(|error| refuse("scheme", error.to_string()))?;
     Ok(object(&[("file", text(&file))]))

@@ -16,7 +16,7 @@ mod layouts;
 mod motor;
 mod reply;
 
-use epicyclic_answers::answer::schema;
+use epicyclic_commands::answer::schema;
 use reply::object;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -66,18 +66,18 @@ pub fn moving(file: &str, frames: u32) -> String {
 #[wasm_bindgen]
 #[must_use]
 pub fn schemas() -> String {
-    use epicyclic_answers as of;
+    use epicyclic_commands as of;
     let all = [
-        ("analyze", schema::<of::analyze::overview::Overview>()),
-        ("analyze-gear", schema::<of::analyze::gear::OneGear>()),
-        ("analyze-inputs", schema::<of::analyze::inputs::Inputs>()),
-        ("transmissions", schema::<of::transmissions::Transmissions>()),
+        ("analyze", schema::<of::analyze::answer::overview::Overview>()),
+        ("analyze-gear", schema::<of::analyze::answer::gear::OneGear>()),
+        ("analyze-inputs", schema::<of::analyze::answer::inputs::Inputs>()),
+        ("transmissions", schema::<of::shared::transmissions::answer::Transmissions>()),
         ("adjust", schema::<of::adjust::Adjustable>()),
         ("front", schema::<of::front::Front>()),
-        ("motor", schema::<of::motor::Motor>()),
-        ("motor-moving", schema::<of::motor::Moving>()),
-        ("select", schema::<of::select::Select>()),
-        ("schemes", schema::<of::schemes::Schemes>()),
+        ("motor", schema::<of::motor::answer::Motor>()),
+        ("motor-moving", schema::<of::motor::answer::Moving>()),
+        ("select", schema::<of::select::answer::Select>()),
+        ("schemes", schema::<of::schemes::answer::Schemes>()),
         ("error", schema::<of::refused::Refused>()),
     ];
     let parts: Vec<_> =

@@ -2,8 +2,9 @@
 
 use crate::documents;
 use crate::reply::{Failure, json, object, refused, text};
-use epicyclic_answers::motor::{self, Designed, of_file};
-use epicyclic_views::AsReport as _;
+use epicyclic_commands::motor::answer as motor;
+use epicyclic_commands::motor::answer::{Designed, of_file};
+use epicyclic_commands::table::report::AsReport as _;
 
 fn designed(file: &str) -> Result<Designed, Failure> {
     Ok(of_file(&*documents::of("motor.yaml", file)?).map_err(refused)?.1)
@@ -12,7 +13,7 @@ fn designed(file: &str) -> Result<Designed, Failure> {
 /// The answer, what the motor is chosen by, and its tables.
 pub(crate) fn look(file: &str) -> Result<String, Failure> {
     let answer = motor::answer(&designed(file)?).map_err(refused)?;
-    let key = epicyclic_views::motor::key(&answer);
+    let key = epicyclic_commands::motor::table::key(&answer);
     let key = serde_json::to_string(&key).unwrap_or_default();
     Ok(object(&[("motor", json(&answer)?), ("key", key), ("tables", text(&answer.report().html()))]))
 }

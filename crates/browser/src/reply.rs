@@ -1,8 +1,9 @@
 //! What goes back: JSON of answers, or why there is none.
 
-use epicyclic_answers::answer::to_json;
-use epicyclic_answers::refused::{Place, Refused};
-use epicyclic_answers::{Answer, Error};
+use epicyclic_commands::answer::Answer;
+use epicyclic_commands::answer::to_json;
+use epicyclic_commands::error::Error;
+use epicyclic_commands::refused::{Place, Refused};
 
 /// Why there is no answer.
 pub(crate) type Failure = Box<Refused>;

@@ -1,9 +1,9 @@
 //! The command `completions`: what a shell needs to complete this program's commands and options.
 
-use crate::desk::Call;
-use crate::failure::Failure;
-use crate::output::Target;
 use clap_complete::Shell;
+use epicyclic_commands::desk::Call;
+use epicyclic_commands::failure::Failure;
+use epicyclic_commands::output::Target;
 
 /// Completions of commands and options for a shell.
 #[derive(Debug, clap::Args)]
@@ -27,7 +27,8 @@ pub(crate) struct Args {
 }
 
 /// Runs the command for the program's whole command line.
-pub(crate) fn run(call: &Call<'_>, args: &Args, mut program: clap::Command) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let mut program = crate::command_line();
     let name = program.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut program, name, &mut script);

@@ -1,9 +1,9 @@
 //! The command `man`: the manual page, with every command in it.
 
-use crate::desk::Call;
-use crate::failure::Failure;
-use crate::output::Target;
 use clap_mangen::Man;
+use epicyclic_commands::desk::Call;
+use epicyclic_commands::failure::Failure;
+use epicyclic_commands::output::Target;
 use std::fmt::Write as _;
 use std::io;
 
@@ -21,7 +21,8 @@ pub(crate) struct Args {
 }
 
 /// Runs the command for the program's whole command line.
-pub(crate) fn run(call: &Call<'_>, args: &Args, mut program: clap::Command) -> Result<(), Failure> {
+pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let mut program = crate::command_line();
     program.build();
     let page = page(&program).map_err(|error| Failure::Format(error.to_string()))?;
     args.target.write(call, portable(&String::from_utf8_lossy(&page)).as_bytes())

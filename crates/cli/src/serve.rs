@@ -6,11 +6,11 @@
 mod app;
 mod http;
 
-use crate::desk::Call;
-use crate::failure::Failure;
-use crate::input;
 use app::App;
 use clap::ValueHint;
+use epicyclic_commands::desk::Call;
+use epicyclic_commands::failure::Failure;
+use epicyclic_commands::input;
 use http::{Reply, Request};
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Refusals of a command line: as an answer for programs, and shown to people.
 
-use crate::failure::WRONG;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use epicyclic_answers::refused::Refused;
+use epicyclic_commands::failure::WRONG;
+use epicyclic_commands::refused::Refused;
 use epicyclic_units::find_unit;
 use epicyclic_units::visible::one_line;
 use std::ffi::OsString;

@@ -2,19 +2,17 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
 //! | [`document`] | what a YAML file says, and at which line and column |
 //! | [`range`] | what `12..40` means |
 //! | [`wanted_ratio`] | what `4.714±0.5%` and `(-3.295)` mean in a list of ratios |
 //! | [`drive`] | what a drive file asks for |
 //! | [`motor`] | what a motor file asks for |
 //! | [`scenario`] | what is simulated: a gearbox with masses, torques, shifts |
-//! | [`visible`] | how a name with control characters is shown |
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
 //! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
-//! [`name`](Error::name) does not change. A [`Quantity`] derives its JSON Schema like any field of a
+//! [`name`](Error::name) does not change. A [`Quantity`](epicyclic_units::Quantity) derives its JSON Schema like any field of a
 //! [`schemars::JsonSchema`] type.
 //!
 //! ```

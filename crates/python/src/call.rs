@@ -97,6 +97,10 @@ impl Desk for Desktop<'_> {
         self.shared.is_ended().then_some(0.0)
     }
 
+    fn threads(&self) -> usize {
+        self.captured.threads()
+    }
+
     fn seconds(&self) -> f64 {
         self.captured.seconds()
     }

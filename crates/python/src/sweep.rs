@@ -1,11 +1,13 @@
 //! Columns in, columns out: many basic ratios of the sets, or many operating points of a gear.
 
 use crate::work;
-use epicyclic_answers::gearbox::{Choice, one};
-use epicyclic_answers::refused::{Place, Refused};
-use epicyclic_answers::sweep::points::{Columns as PointColumns, Wanted as Points, answer as answer_points};
-use epicyclic_answers::sweep::{self as ratios, Columns};
-use epicyclic_answers::{Error, answer::to_json};
+use epicyclic_commands::answer::to_json;
+use epicyclic_commands::error::Error;
+use epicyclic_commands::refused::{Place, Refused};
+use epicyclic_commands::shared::gearbox::{Choice, one};
+use epicyclic_commands::sweep as ratios;
+use epicyclic_commands::sweep::Columns;
+use epicyclic_commands::sweep::points::{Columns as PointColumns, Wanted as Points, answer as answer_points};
 use epicyclic_formats::Document;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::Gearbox;

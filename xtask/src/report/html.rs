@@ -7,7 +7,8 @@ use crate::cases::run::Outcome;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// The stylesheet of the program's pages.
-const PAGES: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/views/src/page/page.css"));
+const PAGES: &str =
+    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/commands/src/page/page.css"));
 /// What this page needs besides.
 const OWN: &str = include_str!("html.css");
 

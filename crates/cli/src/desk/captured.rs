@@ -1,6 +1,7 @@
 //! The files of the disk, with the answer and the messages of a call kept in memory: for programs that call, and for tests.
 
-use super::{Content, Desk, NotWritten, Source, Text, disk};
+use super::disk;
+use epicyclic_commands::desk::{Content, Desk, NotWritten, Source, Text};
 use std::io;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -80,6 +81,10 @@ impl Desk for Captured {
 
     fn message(&self, text: &str) {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).messages.push(text.to_owned());
+    }
+
+    fn threads(&self) -> usize {
+        std::thread::available_parallelism().map_or(1, usize::from)
     }
 
     fn seconds(&self) -> f64 {

@@ -6,7 +6,7 @@
 //! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while its program lives. What
 //! a killed program left behind has no lock any more, and the next call that writes into the folder removes it.
 
-use super::{Content, NotWritten, Source, Text};
+use epicyclic_commands::desk::{Content, NotWritten, Source, Text};
 use std::collections::VecDeque;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher as _, RandomState};

@@ -1,7 +1,7 @@
 //! The files of the app: in the program, or in a folder.
 
 use super::http::Reply;
-use crate::failure::Failure;
+use epicyclic_commands::failure::Failure;
 use std::fs;
 use std::path::{Path, PathBuf};
 

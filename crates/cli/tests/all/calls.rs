@@ -1,8 +1,10 @@
 //! Calls over a desk in memory answer as the program does, byte for byte.
 
+use epicyclic::call;
 use epicyclic::desk::captured::Captured;
-use epicyclic::desk::memory::Kept;
-use epicyclic::{Desk, Memory, call};
+use epicyclic_commands::desk::Desk;
+use epicyclic_commands::desk::memory::Kept;
+use epicyclic_commands::desk::memory::Memory;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -112,7 +114,7 @@ fn a_file_that_is_the_input_is_not_written_over() {
 struct Ending(Captured);
 
 impl Desk for Ending {
-    fn read(&self, file: Option<&Path>, most: u64) -> io::Result<epicyclic::desk::Text> {
+    fn read(&self, file: Option<&Path>, most: u64) -> io::Result<epicyclic_commands::desk::Text> {
         self.0.read(file, most)
     }
     fn exists(&self, file: &Path) -> bool {
@@ -123,9 +125,9 @@ impl Desk for Ending {
     }
     fn write(
         &self,
-        files: &[epicyclic::desk::Content],
-        streamed: Option<(&Path, &mut epicyclic::desk::Source)>,
-    ) -> Result<(), epicyclic::desk::NotWritten> {
+        files: &[epicyclic_commands::desk::Content],
+        streamed: Option<(&Path, &mut epicyclic_commands::desk::Source)>,
+    ) -> Result<(), epicyclic_commands::desk::NotWritten> {
         self.0.write(files, streamed)
     }
     fn make_folder(&self, folder: &Path) -> io::Result<()> {
@@ -134,7 +136,7 @@ impl Desk for Ending {
     fn remove(&self, file: &Path) -> io::Result<()> {
         self.0.remove(file)
     }
-    fn answer(&self, source: &mut epicyclic::desk::Source) -> io::Result<()> {
+    fn answer(&self, source: &mut epicyclic_commands::desk::Source) -> io::Result<()> {
         self.0.answer(source)
     }
     fn message(&self, text: &str) {
@@ -152,7 +154,10 @@ impl Desk for Ending {
 fn a_search_ends_at_once_where_its_desk_says_so() {
     let words = ["motor", "search", "--displacement", "250 cm3/rev"];
     let desk = Ending(Captured::default());
-    assert_eq!(call(words, &desk), epicyclic::INTERRUPTED);
+    assert_eq!(call(words, &desk), epicyclic_commands::failure::INTERRUPTED);
     let told = desk.0.into_told();
-    assert!(told.answer.is_empty() && told.messages == [format!("error: {}", epicyclic::NOTHING_TO_SHOW)]);
+    assert!(
+        told.answer.is_empty()
+            && told.messages == [format!("error: {}", epicyclic_commands::failure::NOTHING_TO_SHOW)]
+    );
 }

@@ -7,9 +7,10 @@ use crate::common;
 use crate::streams::in_the_foreground;
 
 use common::{SHAKEN, examples, here, text};
+use epicyclic::call;
 use epicyclic::desk::captured::Captured;
-use epicyclic::desk::{Content, Desk, NotWritten, Source, Text};
-use epicyclic::{INTERRUPTED, call};
+use epicyclic_commands::desk::{Content, Desk, NotWritten, Source, Text};
+use epicyclic_commands::failure::INTERRUPTED;
 use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;

@@ -2,7 +2,7 @@
 //! that can be told, it is asked first to end by itself, and ended at the second signal, or where it does not end in time.
 
 use epicyclic::desk::disk::remove_temporary;
-use epicyclic::{INTERRUPTED, NOTHING_TO_SHOW};
+use epicyclic_commands::failure::{INTERRUPTED, NOTHING_TO_SHOW};
 use std::io::{Write as _, stderr};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};

@@ -2,7 +2,8 @@
 
 use crate::interrupt::{WIDTH, answers, asked, hear, line_stands, search_hears};
 use crate::standard_output;
-use epicyclic::desk::{Content, Desk, NotWritten, Source, Text, disk};
+use epicyclic::desk::disk;
+use epicyclic_commands::desk::{Content, Desk, NotWritten, Source, Text};
 use std::io::{self, BufWriter, IsTerminal as _, Write as _, stderr};
 use std::path::Path;
 use std::time::Instant;
@@ -112,6 +113,10 @@ impl Desk for Terminal {
 
     fn asked_to_end(&self) -> Option<f64> {
         asked()
+    }
+
+    fn threads(&self) -> usize {
+        std::thread::available_parallelism().map_or(1, usize::from)
     }
 
     fn seconds(&self) -> f64 {

@@ -1,0 +1,5 @@
+//! `analyze`: every gear of any planetary gearbox.
+
+pub mod answer;
+pub mod request;
+pub mod table;

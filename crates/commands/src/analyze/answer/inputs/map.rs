@@ -1,0 +1,252 @@
+//! A gear with two inputs over a map of their speeds, calculated place by place: a map may have a million places.
+
+use super::{Given, Origin, Task};
+use crate::analyze::answer::warnings;
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::finite;
+use crate::shared::gearbox::Subject;
+use epicyclic_train::inputs::MultiState;
+use epicyclic_train::{InputsFault, LinkId};
+use epicyclic_units::Physical;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::ser::{Error as _, SerializeSeq as _};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// A range of speeds of a link, with a number of places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steps {
+    link: String,
+    from: AngularVelocity,
+    to: AngularVelocity,
+    places: u32,
+}
+
+impl Steps {
+    /// More places in a direction than anyone reads.
+    pub const MOST_PLACES: u32 = 1000;
+
+    /// Both ends are places.
+    ///
+    /// # Errors
+    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST_PLACES`].
+    pub fn new(link: String, from: AngularVelocity, to: AngularVelocity, places: u32) -> Result<Self, Error> {
+        if (2..=Self::MOST_PLACES).contains(&places) {
+            Ok(Self { link, from, to, places })
+        } else {
+            Err(Error::Places { places, most: Self::MOST_PLACES })
+        }
+    }
+
+    fn speeds(&self) -> impl Iterator<Item = AngularVelocity> {
+        let (from, to, steps) = (self.from, self.to, self.places - 1);
+        (0..=steps).map(move |step| from + (to - from) * (f64::from(step) / f64::from(steps)))
+    }
+}
+
+/// A gear with two inputs over a map of their speeds.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields, rename = "Map")]
+pub struct Map<Entries = Vec<MapEntry>> {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// The gear.
+    pub gear: String,
+    /// The link whose speed changes from one row of the map to the next.
+    pub first_link: String,
+    /// The link whose speed changes within a row.
+    pub second_link: String,
+    /// Torques that are given.
+    pub torques: Vec<GivenTorque>,
+    /// Every link at every place of the map, row by row.
+    pub map: Entries,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A torque that is given.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GivenTorque {
+    /// The link.
+    pub link: String,
+    /// The torque on it from outside.
+    pub torque_n_m: f64,
+}
+
+/// A link at a place of a map.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MapEntry {
+    /// Speed of the first link of the map.
+    pub first_speed_rad_s: f64,
+    /// Speed of the second link of the map.
+    pub second_speed_rad_s: f64,
+    /// The link that this entry is of.
+    pub link: String,
+    /// Its speed.
+    pub speed_rad_s: Option<f64>,
+    /// Torque on it from outside, where power enters or leaves there; none where the losses hold the gear.
+    pub torque_n_m: Option<f64>,
+    /// Power through it; none where the losses hold the gear.
+    pub power_w: Option<f64>,
+    /// Efficiency of the whole at this place; none where the losses hold the gear.
+    pub efficiency: Option<f64>,
+}
+
+impl<Entries: Serialize + JsonSchema> Answer for Map<Entries> {
+    const NAME: &'static str = "analyze-map";
+}
+
+/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file states.
+///
+/// The corners of the map are calculated at once, so that what refuses all of it is refused before anything is written.
+///
+/// # Errors
+/// Those of [`answer`](super::answer).
+pub fn map<'a>(
+    subject: &'a Subject<'a>,
+    gear: &str,
+    ranges: [Steps; 2],
+    torques: Option<&[(String, Torque)]>,
+) -> Result<SpeedMap<'a>, Error> {
+    let task = Task::new(subject, gear)?;
+    let own_torques = torques.is_some();
+    let torques = task.torques(torques, true)?;
+    let at = Origin::Question(Given::Map);
+    let links = [task.link(&ranges[0].link, at)?, task.link(&ranges[1].link, at)?];
+    let places = SpeedMap { task, ranges, links, torques, own_torques };
+    let [first, second] = &places.ranges;
+    for one in [first.from, first.to] {
+        for other in [second.from, second.to] {
+            places.state([one, other])?;
+        }
+    }
+    Ok(places)
+}
+
+/// A map whose entries are calculated when they are asked for.
+pub struct SpeedMap<'a> {
+    task: Task<'a>,
+    ranges: [Steps; 2],
+    links: [LinkId; 2],
+    torques: Vec<(LinkId, Torque)>,
+    /// Whether the torques are of the question and not of the file.
+    own_torques: bool,
+}
+
+impl SpeedMap<'_> {
+    /// Number of entries: one for each link at each place.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        let [first, second] = &self.ranges;
+        first.places as usize * second.places as usize * self.link_count()
+    }
+
+    /// Every link at every place of the map, row by row.
+    pub fn entries(&self) -> impl Iterator<Item = Result<MapEntry, Error>> + '_ {
+        let [first, second] = &self.ranges;
+        let places = first.speeds().flat_map(move |one| second.speeds().map(move |other| [one, other]));
+        places.flat_map(move |speeds| {
+            let (entries, fault): (Vec<MapEntry>, Option<Error>) = match self.state(speeds) {
+                Ok(state) => {
+                    ((1..=self.link_count()).map(|link| self.entry(speeds, link, &state)).collect(), None)
+                }
+                Err(why) => (vec![], Some(why)),
+            };
+            entries.into_iter().map(Ok).chain(fault.map(Err))
+        })
+    }
+
+    /// The map with all of its entries.
+    ///
+    /// # Errors
+    /// What a place refuses.
+    pub fn answer(&self) -> Result<Map, Error> {
+        Ok(self.with(self.entries().collect::<Result<_, _>>()?))
+    }
+
+    /// The map with entries that are calculated, and checked to be finite, while they are written.
+    #[must_use]
+    pub fn streamed(&self) -> Map<Streamed<'_>> {
+        self.with(Streamed(self))
+    }
+
+    fn with<Entries>(&self, map: Entries) -> Map<Entries> {
+        let Task { gearbox, gear, subject } = &self.task;
+        let given = |(link, torque): &(LinkId, Torque)| GivenTorque {
+            link: gearbox.link_name(*link).to_owned(),
+            torque_n_m: torque.si(),
+        };
+        Map {
+            gearbox: gearbox.name().to_owned(),
+            gear: gear.name().to_owned(),
+            first_link: self.ranges[0].link.clone(),
+            second_link: self.ranges[1].link.clone(),
+            torques: self.torques.iter().map(given).collect(),
+            map,
+            warnings: warnings::of_gearbox(subject),
+        }
+    }
+
+    fn link_count(&self) -> usize {
+        self.task.gearbox.links().len() - 1
+    }
+
+    fn state(&self, speeds: [AngularVelocity; 2]) -> Result<MultiState, Error> {
+        let at = Origin::Question(Given::Map);
+        let given = [(self.links[0], speeds[0]), (self.links[1], speeds[1])];
+        match self.task.state(&given, &self.torques, at, self.own_torques) {
+            // Where the losses hold the gear there are speeds alone.
+            Err(Error::Inputs { fault: InputsFault::SelfLocking, .. }) => {
+                self.task.state(&given, &[], at, self.own_torques)
+            }
+            found => found,
+        }
+    }
+
+    fn entry(&self, speeds: [AngularVelocity; 2], link: usize, state: &MultiState) -> MapEntry {
+        let load = state.load.as_ref();
+        let end = load.and_then(|load| load.terminals.iter().find(|end| end.link.index() == link));
+        MapEntry {
+            first_speed_rad_s: speeds[0].si(),
+            second_speed_rad_s: speeds[1].si(),
+            link: self.task.gearbox.links()[link].clone(),
+            speed_rad_s: state.speeds[link].map(Physical::si),
+            torque_n_m: end.map(|end| end.torque.si()),
+            power_w: load.and_then(|load| load.power.links[link]),
+            efficiency: load.and_then(|load| load.efficiency),
+        }
+    }
+}
+
+/// The entries of a map, calculated while they are written.
+pub struct Streamed<'a>(&'a SpeedMap<'a>);
+
+impl Serialize for Streamed<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(self.0.count()))?;
+        for entry in self.0.entries() {
+            let entry = entry.map_err(S::Error::custom)?;
+            finite::check(&entry).map_err(S::Error::custom)?;
+            list.serialize_element(&entry)?;
+        }
+        list.end()
+    }
+}
+
+impl JsonSchema for Streamed<'_> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Vec::<MapEntry>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Vec::<MapEntry>::json_schema(generator)
+    }
+}

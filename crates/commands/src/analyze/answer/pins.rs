@@ -1,0 +1,102 @@
+//! Limits of practice for planets on their pins, where the speed of the input and the bearing are known.
+//!
+//! ```text
+//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers        a·ω_H² ≤ 150 g, caged needles 3000 g
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `n` | speed of the planet relative to its carrier | rpm |
+//! | `d_m` | mean diameter of its bearing | mm |
+//! | `a`, `ω_H` | radius of the planets' centres, speed of the carrier | m, rad/s |
+//! | `g` | 9.80665 | m/s² |
+
+use super::Worked;
+use super::records::planet_name;
+use crate::answer::Warning;
+use crate::shared::gearbox::Subject;
+use crate::shared::units::{millimetres, rpm};
+use crate::tolerance::rounded;
+use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+use uom::si::f64::{AngularVelocity, Length};
+
+/// Speed times mean diameter, mm/min, of a bearing with a cage, and of one full of rollers.
+const CAGED: f64 = 500_000.0;
+const FULL: f64 = 200_000.0;
+
+/// Acceleration of a bearing in its orbit, over that of gravity; of caged needles the second.
+const ORBIT: f64 = 150.0;
+const ORBIT_OF_NEEDLES: f64 = 3000.0;
+
+/// Acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.806_65;
+
+/// Digits of a figure in a warning.
+const DIGITS: usize = 4;
+
+/// The planet bearings that turn faster than is usual in these gears: all in one warning.
+pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<Warning> {
+    // A list of transmissions has no diameters of bearings.
+    let file: GearboxFile = subject.document.read().ok().filter(|_| subject.published.is_empty())?;
+    let mut beyond: Vec<String> = vec![];
+    for bearing in subject.planet_bearings.iter().filter(|bearing| bearing.load_rating.is_some()) {
+        let set = &subject.gearbox.sets()[bearing.set];
+        let Some((rolling, diameter)) = stated(&file, set.id(), &set.planets()[bearing.planet].name) else {
+            continue;
+        };
+        for Worked { analysis, input, .. } in worked {
+            let Some(speed) = input.speed else { continue };
+            let planet = analysis.sets()[bearing.set].planets[bearing.planet];
+            let turning = planet.map(|planet| (speed * rounded(planet.relative)).abs());
+            let carrier = analysis.speed(set.carrier()).map(|of| speed * of);
+            let of = format!(
+                "set {}, planet {}, gear {}",
+                set.id(),
+                planet_name(set, bearing.planet),
+                analysis.gear().name()
+            );
+            beyond.extend(turning.zip(diameter).and_then(|(n, d_m)| on_pin(&of, rolling, n, d_m)));
+            beyond
+                .extend(carrier.zip(bearing.radius).and_then(|(omega, a)| in_orbit(&of, rolling, omega, a)));
+        }
+    }
+    beyond.dedup();
+    (!beyond.is_empty()).then(|| Warning {
+        name: "planet-speed",
+        message: format!("planet bearings beyond the limits of practice: {}", beyond.join("; ")),
+    })
+}
+
+/// What rolls in the bearing of a planet, and its mean diameter.
+fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
+    if let Some(entry) = file.sets.iter().find(|entry| entry.id == set) {
+        return Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)));
+    }
+    let entry = file.compound_sets.iter().find(|entry| entry.id == set)?.planet_sizes.get(planet)?;
+    Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)))
+}
+
+fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
+    let (speed_rpm, diameter_mm) = (rpm(speed), millimetres(diameter));
+    let (most, kind) = match rolling {
+        RollingEntry::FullComplement => (FULL, "full of rollers"),
+        _ => (CAGED, "with a cage"),
+    };
+    (speed_rpm * diameter_mm > most).then(|| {
+        format!(
+            "{of}: {} rpm on its pin, at most {} rpm for d_m {} mm {kind} (n·d_m {most} mm/min)",
+            trimmed(speed_rpm, DIGITS),
+            trimmed(most / diameter_mm, DIGITS),
+            trimmed(diameter_mm, DIGITS)
+        )
+    })
+}
+
+fn in_orbit(of: &str, rolling: RollingEntry, carrier: AngularVelocity, radius: Length) -> Option<String> {
+    let acceleration = radius.si() * carrier.si() * carrier.si() / GRAVITY;
+    let most = if rolling == RollingEntry::Needles { ORBIT_OF_NEEDLES } else { ORBIT };
+    (acceleration > most)
+        .then(|| format!("{of}: {} g in its orbit, at most {most} g", trimmed(acceleration, DIGITS)))
+}

@@ -1,0 +1,195 @@
+//! What the reader should know of a gearbox and of its gears.
+
+use super::Worked;
+use super::records::{GearFacts, SelfLocking, State, beside};
+use crate::answer::Warning;
+use crate::shared::gearbox::Subject;
+use epicyclic_train::one_way::Duty;
+use epicyclic_train::set::SetSpec;
+use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
+
+/// `gear 1`, `gears 1, 2`.
+fn named(gears: &[&str]) -> String {
+    format!("gear{} {}", if gears.len() == 1 { "" } else { "s" }, gears.join(", "))
+}
+
+/// Gears by what they have in common, in the order in which each first comes.
+fn grouped<'a, Key: PartialEq>(all: impl IntoIterator<Item = (Key, &'a str)>) -> Vec<(Key, Vec<&'a str>)> {
+    let mut groups: Vec<(Key, Vec<&str>)> = vec![];
+    for (key, gear) in all {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, gears)) => gears.push(gear),
+            None => groups.push((key, vec![gear])),
+        }
+    }
+    groups
+}
+
+/// One-way clutches that do not do what the engaged elements of gears say.
+pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, Duty)> {
+        let all = gear.one_way_clutches().into_iter();
+        all.filter(|one| one.drive.is_contradiction()).map(|one| (one.shift_element, one.drive)).collect()
+    };
+    let all =
+        gears.iter().flat_map(|gear| of_gear(gear).into_iter().map(|found| (found, gear.gear().name())));
+    let message = |((clutch, duty), gears): ((usize, Duty), Vec<&str>)| {
+        let (verb, the_gear) =
+            if gears.len() == 1 { ("relies", "the gear") } else { ("rely", "these gears") };
+        let (clutch, gears) = (gearbox.shift_elements()[clutch].id(), named(&gears));
+        let message = if duty == Duty::WouldOverrun {
+            format!(
+                "{gears} {verb} on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \
+                 {the_gear}, or exchange its links"
+            )
+        } else {
+            format!(
+                "in {gears} the one-way clutch {clutch} would hold, since its first link would turn slower than its \
+                 second: name it in {the_gear}, or exchange its links"
+            )
+        };
+        Warning { name: "one-way-clutch", message }
+    };
+    grouped(all).into_iter().map(message).collect()
+}
+
+/// One-way clutches that let go at the load, and what would have to be engaged besides.
+pub(super) fn released(gearbox: &Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning> {
+    let all = gears
+        .iter()
+        .flat_map(|worked| worked.released.iter().map(|place| (*place, worked.analysis.gear().name())));
+    let message = |(place, gears): (usize, Vec<&str>)| {
+        let clutch = gearbox.shift_elements()[place].id();
+        let remedy = match &beside(gearbox, place)[..] {
+            [] => "no other shift element joins its links".to_owned(),
+            elements => format!("engage {} besides", elements.join(" or ")),
+        };
+        let verb = if gears.len() == 1 { "does" } else { "do" };
+        let message = format!(
+            "{} {verb} not take this load: the torque on the one-way clutch {clutch} would be reversed, so it overruns; \
+             {remedy}",
+            named(&gears)
+        );
+        Warning { name: "one-way-clutch", message }
+    };
+    grouped(all).into_iter().map(message).collect()
+}
+
+/// Gears that cannot be driven from their outputs.
+pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
+    let held: Vec<&str> = gears
+        .iter()
+        .filter(|gear| gear.is_self_locking() == Some(true))
+        .map(|gear| gear.gear().name())
+        .collect();
+    let message = match held[..] {
+        [] => return None,
+        [_] if gears.len() == 1 => "the gear is self-locking when driven from its output".to_owned(),
+        [one] => format!("gear {one} is self-locking when driven from its output"),
+        _ => format!("{} are self-locking when driven from their output", named(&held)),
+    };
+    Some(Warning { name: "self-locking", message })
+}
+
+/// Gears whose output is not driven, one line for each state; but for those that the file gives speeds of several links.
+pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    let is_told = |gear: &&&Analysis<'_>| {
+        !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
+    };
+    let states = grouped(gears.iter().filter(is_told).map(|gear| (gear.state().name(), gear.gear().name())));
+    let message = |(state, names): (&str, Vec<&str>)| match names[..] {
+        [one] => format!("gear {one} does not drive the output: {state}"),
+        _ => format!("{} do not drive the output: {state}", named(&names)),
+    };
+    states.into_iter().map(message).map(|message| Warning { name: "state", message }).collect()
+}
+
+/// Remarks on the gearbox itself.
+pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
+    let gearbox = &subject.gearbox;
+    let name = |warning: &train::Warning| match warning {
+        train::Warning::Unreachable { .. } => "unreachable",
+        train::Warning::NoGears => "no-gears",
+        train::Warning::SameTerminals { .. } => "same-terminals",
+        train::Warning::SharedPlanets { .. } => "shared-planets",
+        _ => "other",
+    };
+    let of_gearbox = gearbox.warnings().iter();
+    let of_gearbox = of_gearbox.map(|warning| Warning { name: name(warning), message: warning.to_string() });
+    let teeth: Vec<String> = subject.tooth_checks().warnings().collect();
+    let teeth = teeth.into_iter().map(|message| Warning { name: "teeth", message });
+    of_gearbox.chain(teeth).collect()
+}
+
+/// Sets with helical teeth among those whose planet bearings have forces or are rated: neither has the moment of the axial forces.
+pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
+    let is_borne = |place: usize| {
+        let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
+        own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
+    };
+    let is_helical = |set: &PlanetSet| set.short().is_some_and(SetSpec::is_helical);
+    let sets = subject.gearbox.sets().iter().enumerate();
+    let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
+    let names: Vec<&str> = sets.collect();
+    tilting(&names)
+}
+
+/// That the teeth of these sets are helical, and what their planet bearings are not held against.
+pub(crate) fn tilting(sets: &[&str]) -> Option<Warning> {
+    let which = match sets {
+        [] => return None,
+        [only] => format!("set {only} has helical teeth"),
+        _ => format!("sets {} have helical teeth", sets.join(", ")),
+    };
+    let message = format!(
+        "{which}: the axial forces of the meshes tilt each planet; forces and lives of planet bearings leave this moment out"
+    );
+    Some(Warning { name: "tilting-moment", message })
+}
+
+/// Drags that the file states are no part of this answer.
+pub(super) fn drags(subject: &Subject<'_>) -> Option<Warning> {
+    let message = "efficiencies are of the meshes alone, without the drags of the file; `losses` takes both";
+    (!subject.drags.is_empty()).then(|| Warning { name: "drags", message: message.to_owned() })
+}
+
+/// The state of a gear as a sentence, without the gear's name.
+#[must_use]
+pub fn state_in_words(facts: &GearFacts) -> String {
+    let links = facts.state_links.join(", ");
+    match facts.state {
+        State::Driven => "driven".to_owned(),
+        State::InputBlocked => format!("input blocked: the input cannot turn; at rest: {links}"),
+        State::OutputAtRest => {
+            format!("output at rest: the output cannot turn while the input can; at rest: {links}")
+        }
+        State::OutputFree => format!("output free: nothing joins the output to the input; free: {links}"),
+        State::Underdetermined => {
+            let speeds = if facts.missing_speeds == Some(1) { "one more speed" } else { "more speeds" };
+            format!("underdetermined: {speeds} must be given, of {links}")
+        }
+        State::SpeedsGiven => {
+            format!("settled by the speeds that the file gives: {}", facts.links_with_given_speeds.join(", "))
+        }
+        State::TorquesIndeterminate => {
+            let of = |what: &str, names: &[String]| {
+                (!names.is_empty()).then(|| format!("{what} {}", names.join(", ")))
+            };
+            let parts = facts.indeterminate.iter().flat_map(|redundant| {
+                [of("shift elements", &redundant.shift_elements), of("sets", &redundant.sets)]
+            });
+            let parts: Vec<String> = parts.flatten().collect();
+            format!(
+                "torques indeterminate: how the torque is shared depends on how tightly they hold: {}",
+                parts.join("; ")
+            )
+        }
+        State::SelfLocking => {
+            let is_both = facts.self_locking == Some(SelfLocking::BothWays);
+            let back = if is_both { "; nor does any at the output" } else { "" };
+            format!(
+                "self-locking: no torque at the input, {links}, moves a load against the mesh losses{back}"
+            )
+        }
+    }
+}

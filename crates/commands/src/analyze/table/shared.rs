@@ -1,0 +1,142 @@
+//! What the tables of gearboxes have in common.
+
+use crate::analyze::answer::records::{Duty, Kind, OneWayClutch, SelfLocking, ShiftElementKind, State};
+use crate::shared::records::Fraction;
+use crate::table::figure::Figure;
+use crate::table::report::{Column, Records, View};
+use epicyclic_units::Dimension;
+
+/// A quantity below a heading with its unit.
+pub(super) fn column(si: Option<f64>, dimension: Dimension) -> Figure {
+    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
+}
+
+/// A quantity with its unit.
+pub(super) fn quantity(si: f64, dimension: Dimension) -> Figure {
+    Figure::Quantity { si, dimension }
+}
+
+pub(super) fn exact(ratio: Option<Fraction>) -> Figure {
+    ratio.map_or(Figure::None, |ratio| Figure::Text(ratio.to_string()))
+}
+
+/// How many.
+pub(super) fn count(count: usize) -> Figure {
+    Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+pub(super) fn yes_no(yes: Option<bool>) -> Figure {
+    yes.map_or(Figure::None, Figure::YesNo)
+}
+
+/// A state in a word or two.
+pub(super) fn state(state: State) -> Figure {
+    let words = match state {
+        State::Driven => "driven",
+        State::InputBlocked => "input blocked",
+        State::OutputAtRest => "output at rest",
+        State::OutputFree => "output free",
+        State::Underdetermined => "underdetermined",
+        State::SpeedsGiven => "given speeds",
+        State::TorquesIndeterminate => "torques indeterminate",
+        State::SelfLocking => "self-locking",
+    };
+    Figure::choice(state, words)
+}
+
+pub(super) fn self_locking(direction: Option<SelfLocking>) -> Figure {
+    direction.map_or(Figure::None, |direction| {
+        let words = match direction {
+            SelfLocking::No => "no",
+            SelfLocking::FromOutput => "from output",
+            SelfLocking::FromInput => "from input",
+            SelfLocking::BothWays => "both ways",
+        };
+        Figure::choice(direction, words)
+    })
+}
+
+/// What a shift element is, in words.
+pub(crate) fn kind(kind: ShiftElementKind) -> Figure {
+    let words = match kind {
+        ShiftElementKind::Brake => "brake",
+        ShiftElementKind::Clutch => "clutch",
+        ShiftElementKind::OneWayBrake => "one-way brake",
+        ShiftElementKind::OneWayClutch => "one-way clutch",
+    };
+    Figure::choice(kind, words)
+}
+
+/// How a set is made, in words.
+pub(super) fn kind_in_words(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Simple => "simple",
+        Kind::DoublePlanet => "double planet",
+        Kind::SteppedSunRing => "stepped, sun and ring",
+        Kind::SteppedSuns => "stepped, two suns",
+        Kind::SteppedRings => "stepped, two rings",
+        Kind::MeshingSuns => "meshing planets, two suns",
+        Kind::Bevel => "bevel",
+        Kind::ExternalPair => "external pair",
+        Kind::InternalPair => "internal pair",
+        Kind::Compound => "compound",
+    }
+}
+
+/// Whether a shift element is engaged.
+pub(super) fn engaged(is_engaged: bool) -> Figure {
+    if is_engaged { Figure::answer("true", "engaged") } else { Figure::answer("false", "open") }
+}
+
+/// The links that a shift element joins.
+pub(super) fn joins(links: &[String; 2]) -> Figure {
+    Figure::Text(links.join(" - "))
+}
+
+fn duty(duty: Option<Duty>) -> Figure {
+    duty.map_or(Figure::None, |duty| {
+        let words = match duty {
+            Duty::Holds => "holds",
+            Duty::Overruns => "overruns",
+            Duty::Idles => "idles",
+            Duty::WouldOverrun => "would overrun",
+            Duty::WouldHold => "would hold",
+        };
+        Figure::choice(duty, words)
+    })
+}
+
+/// What the one-way clutches do, in all gears or in one.
+pub(super) fn one_way_clutches(clutches: &[OneWayClutch], of_one_gear: bool) -> Records {
+    let row = |one: &OneWayClutch| {
+        vec![
+            Figure::Text(one.gear.clone()),
+            Figure::Text(one.clutch.clone()),
+            Figure::YesNo(one.relied_on),
+            duty(one.drive),
+            duty(one.coast),
+            yes_no(one.engine_braking),
+        ]
+    };
+    let mut shown = vec!["gear", "clutch", "relied_on", "drive", "coast", "engine_braking"];
+    if of_one_gear {
+        shown.remove(0);
+    }
+    Records {
+        name: "one_way_clutches",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("clutch", "clutch"),
+            Column::words("relied_on", "relied on"),
+            Column::words("drive", "on drive"),
+            Column::words("coast", "on coast"),
+            Column::words("engine_braking", "engine braking"),
+        ],
+        rows: clutches.iter().map(row).collect(),
+        views: vec![View {
+            note: "Engine braking: of gears that rely on a one-way clutch.".to_owned(),
+            ..View::new("One-way clutches", &shown)
+        }],
+        is_answer: false,
+    }
+}

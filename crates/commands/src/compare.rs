@@ -1,0 +1,6 @@
+//! `compare`: gearboxes side by side.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod table;

@@ -1,0 +1,466 @@
+//! Gearboxes side by side: what each has, and how far it differs from the first.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`page`] | what a page of it draws |
+//! | [`rows`] | which gears of the gearboxes stand beside each other |
+//!
+//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters; efficiencies are those driven from
+//! the input. All of it is taken from the [overviews](crate::analyze::answer::overview) of the gearboxes.
+
+pub mod page;
+pub mod rows;
+
+use crate::analyze::answer::elements::{OverGears, ShiftElement};
+use crate::analyze::answer::overview::{self, Overview};
+use crate::analyze::answer::records::ShiftElementKind;
+use crate::analyze::answer::shifts::Transition;
+use crate::analyze::answer::{Input, OperatingPoint};
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::gearbox::Subject;
+use crate::shared::number::plain;
+use crate::tolerance::ROUNDED;
+use epicyclic_train::{Gearbox, PlanetSet};
+pub use rows::GearsBy;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Gearboxes side by side.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Comparison {
+    /// The gearboxes; the first is the one from which differences are counted.
+    pub gearboxes: Vec<Compared>,
+    /// By what gears stand beside each other.
+    pub gears_by: GearsBy,
+    /// Speed and load of the input that were asked for, all the same.
+    pub operating_point: OperatingPoint,
+    /// Figures of the gearboxes as a whole.
+    pub figures: Vec<ComparedFigure>,
+    /// Figures gear by gear.
+    pub gears: Vec<ComparedGear>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A gearbox of a comparison.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Compared {
+    /// Its name.
+    pub gearbox: String,
+    /// What it is read from: a file, standard input, or the name of a scheme or structure.
+    pub from: String,
+    /// Its shift elements.
+    pub shift_elements: Vec<ComparedElement>,
+}
+
+/// A shift element over all gears.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ComparedElement {
+    /// What it is.
+    #[serde(flatten)]
+    pub element: ShiftElement,
+    /// Its largest torque with losses, over the input's.
+    pub torque_of_input: Option<f64>,
+    /// In which gear.
+    pub torque_gear: Option<String>,
+    /// Its largest slip over the input's speed.
+    pub slip_of_input: Option<f64>,
+    /// In which gear.
+    pub slip_gear: Option<String>,
+    /// Its largest torque at the operating point.
+    pub torque_n_m: Option<f64>,
+    /// Its largest slip at the operating point.
+    pub slip_rad_s: Option<f64>,
+}
+
+impl ComparedElement {
+    fn of(one: OverGears) -> Self {
+        let (torque, slip) = (one.largest_torque, one.largest_slip);
+        Self {
+            element: one.element,
+            torque_n_m: torque.as_ref().and_then(|torque| torque.torque_n_m),
+            slip_rad_s: slip.as_ref().and_then(|slip| slip.slip_rad_s),
+            torque_of_input: torque.as_ref().map(|torque| torque.torque_of_input),
+            torque_gear: torque.map(|torque| torque.gear),
+            slip_of_input: slip.as_ref().map(|slip| slip.slip_of_input),
+            slip_gear: slip.map(|slip| slip.gear),
+        }
+    }
+}
+
+/// Gears that stand beside each other.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ComparedGear {
+    /// The gear of each gearbox; `null` where it has none like it.
+    pub gears: Vec<Option<String>>,
+    /// What they do.
+    pub figures: Vec<GearFigure>,
+}
+
+/// A figure of gears beside each other.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearFigure {
+    /// Which.
+    pub figure: FigureName,
+    /// Of the gear of each gearbox; `null` where there is none.
+    pub values: Vec<Option<f64>>,
+    /// How far they differ.
+    #[serde(flatten)]
+    pub differs: Differs,
+}
+
+/// How far values differ from that of the first gearbox.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Differs {
+    /// The largest difference from the first gearbox's value; `null` where all are equal or the first has none.
+    pub difference: Option<f64>,
+    /// The same over the first gearbox's value.
+    pub relative_difference: Option<f64>,
+}
+
+impl Differs {
+    fn of(values: &[Option<f64>]) -> Self {
+        let first = values.first().copied().flatten();
+        let difference = first.and_then(|first| {
+            let differences = values.iter().flatten().map(|other| other - first);
+            let largest = differences.reduce(|most, one| if one.abs() > most.abs() { one } else { most })?;
+            Some(largest).filter(|largest| largest.abs() > ROUNDED * first.abs().max(1.0))
+        });
+        let relative = difference.zip(first.filter(|first| *first != 0.0));
+        Self { difference, relative_difference: relative.map(|(difference, first)| difference / first) }
+    }
+}
+
+/// A figure of each gearbox.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ComparedFigure {
+    /// Which.
+    pub figure: FigureName,
+    /// Of each gearbox; `null` where there is none.
+    pub values: Vec<Option<Value>>,
+    /// How far they differ.
+    #[serde(flatten)]
+    pub differs: Differs,
+}
+
+/// A value, and where it is.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Value {
+    /// The value.
+    pub value: f64,
+    /// In which gear, or to which gear from the one before, of a largest or smallest value.
+    pub gear: Option<String>,
+    /// Of which shift element or set, of a largest value.
+    pub part: Option<String>,
+}
+
+/// Figures of gearboxes and of gears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FigureName {
+    /// Planet sets.
+    Sets,
+    /// Central gears, planet shafts and carriers of all sets.
+    Members,
+    /// Links that can turn.
+    Links,
+    /// Brakes, one-way clutches apart.
+    Brakes,
+    /// Clutches, one-way clutches apart.
+    Clutches,
+    /// One-way clutches, to the housing or between links.
+    OneWayClutches,
+    /// Gears.
+    Gears,
+    /// Spread of the progression with the most ratios.
+    Spread,
+    /// Largest ratio step between neighbours.
+    LargestStep,
+    /// Smallest ratio step between neighbours.
+    SmallestStep,
+    /// Shifts between neighbours at which at most one shift element is released and one applied.
+    SingleTransitions,
+    /// Shifts between neighbours at which two are.
+    DoubleTransitions,
+    /// Shifts between neighbours at which more than two are.
+    MultipleTransitions,
+    /// Lowest efficiency of a gear.
+    LowestEfficiency,
+    /// Largest circulating power of a gear over what enters; gears that turn as a block have none.
+    LargestCirculatingPower,
+    /// Largest speed of a link over the input's.
+    LargestLinkSpeed,
+    /// Largest speed of a planet relative to its carrier over the input's.
+    LargestPlanetSpeed,
+    /// Largest torque of a brake over the input's.
+    LargestBrakeTorque,
+    /// Largest torque of a clutch over the input's.
+    LargestClutchTorque,
+    /// Largest slip of a brake over the input's speed.
+    LargestBrakeSlip,
+    /// Largest slip of a clutch over the input's speed.
+    LargestClutchSlip,
+    /// Ratio of a gear, input speed over output speed.
+    Ratio,
+    /// Ratio step to a gear from its neighbour of larger ratio.
+    Step,
+    /// Efficiency of a gear, driven from the input.
+    Efficiency,
+    /// Circulating power in a gear over what enters.
+    CirculatingPower,
+    /// Largest speed of a link in a gear over the input's.
+    LinkSpeed,
+    /// Largest speed of a planet in a gear relative to its carrier, over the input's.
+    PlanetSpeed,
+    /// Speed of the output in a gear at the operating point, in rad/s.
+    OutputSpeedRadS,
+    /// Torque on the gearbox at the output in a gear at the operating point, in N·m.
+    OutputTorqueNM,
+    /// Power lost in a gear at the operating point, in W.
+    LossW,
+}
+
+impl Answer for Comparison {
+    const NAME: &'static str = "compare";
+}
+
+/// A gearbox that is compared, and what it is read from.
+#[derive(Debug)]
+pub struct Candidate<'s, 'd> {
+    /// The gearbox.
+    pub subject: &'s Subject<'d>,
+    /// A file, standard input, or the name of a scheme or structure.
+    pub from: String,
+}
+
+/// Gearboxes side by side, at one speed and load of the input where these are given.
+///
+/// # Errors
+/// [`Error::ManyGears`] for a gearbox of more than [`rows::MOST_GEARS`] gears; those of [`overview::answer`].
+pub fn answer(candidates: &[Candidate<'_, '_>], input: Input) -> Result<Comparison, Error> {
+    let overviews = candidates
+        .iter()
+        .map(|candidate| overview::answer(candidate.subject, input, None))
+        .collect::<Result<Vec<Overview>, Error>>()?;
+    let (gears_by, rows) = rows::of(&overviews)?;
+    let boxes: Vec<(&Gearbox, &Overview)> =
+        candidates.iter().map(|candidate| &candidate.subject.gearbox).zip(&overviews).collect();
+    let figures = WHOLE
+        .iter()
+        .map(|(figure, of)| {
+            ComparedFigure::of(*figure, boxes.iter().map(|(gearbox, overview)| of(gearbox, overview)))
+        })
+        .collect();
+    let gears = rows.iter().map(|row| ComparedGear::of(row, &overviews)).collect();
+    Ok(Comparison {
+        gears_by,
+        operating_point: OperatingPoint::of(input),
+        figures,
+        gears,
+        warnings: warnings(&overviews),
+        gearboxes: candidates
+            .iter()
+            .zip(overviews)
+            .map(|(candidate, overview)| Compared {
+                gearbox: overview.gearbox,
+                from: candidate.from.clone(),
+                shift_elements: overview.shift_elements.into_iter().map(ComparedElement::of).collect(),
+            })
+            .collect(),
+    })
+}
+
+/// Losses that some state and others do not.
+fn warnings(overviews: &[Overview]) -> Vec<Warning> {
+    let without: Vec<&str> =
+        overviews.iter().filter(|one| !one.has_losses).map(|one| one.gearbox.as_str()).collect();
+    if without.is_empty() || without.len() == overviews.len() {
+        return vec![];
+    }
+    let message = format!(
+        "efficiencies and torques do not compare: no losses are stated of {}; --efficiency 0.97 gives each set without \
+         losses some",
+        without.join(", ")
+    );
+    vec![Warning { name: "losses", message }]
+}
+
+type OfWhole = fn(&Gearbox, &Overview) -> Option<Value>;
+
+/// The figures of a gearbox as a whole, in their order.
+const WHOLE: &[(FigureName, OfWhole)] = &[
+    (FigureName::Sets, |gearbox, _| count(gearbox.sets().len())),
+    (FigureName::Members, |gearbox, _| {
+        count(gearbox.sets().iter().map(|set| PlanetSet::members(set).len()).sum())
+    }),
+    (FigureName::Links, |gearbox, _| count(gearbox.links().len() - 1)),
+    (FigureName::Brakes, |_, overview| count(elements(overview, &[ShiftElementKind::Brake]).count())),
+    (FigureName::Clutches, |_, overview| count(elements(overview, &[ShiftElementKind::Clutch]).count())),
+    (FigureName::OneWayClutches, |_, overview| {
+        count(elements(overview, &[ShiftElementKind::OneWayBrake, ShiftElementKind::OneWayClutch]).count())
+    }),
+    (FigureName::Gears, |_, overview| count(overview.gears.len())),
+    (FigureName::Spread, |_, overview| {
+        // Of progressions with as many ratios the first.
+        let mut longest = None::<&crate::analyze::answer::progression::Progression>;
+        for one in &overview.progressions {
+            if longest.is_none_or(|most| one.ratios > most.ratios) {
+                longest = Some(one);
+            }
+        }
+        Some(Value { value: longest?.spread, gear: None, part: None })
+    }),
+    (FigureName::LargestStep, |_, overview| extreme(steps(overview), f64::gt)),
+    (FigureName::SmallestStep, |_, overview| extreme(steps(overview), f64::lt)),
+    (FigureName::SingleTransitions, |_, overview| transitions(overview, Transition::Single)),
+    (FigureName::DoubleTransitions, |_, overview| transitions(overview, Transition::Double)),
+    (FigureName::MultipleTransitions, |_, overview| transitions(overview, Transition::Multiple)),
+    (FigureName::LowestEfficiency, |_, overview| {
+        extreme(gears(overview, |gear| gear.facts.efficiency), f64::lt)
+    }),
+    (FigureName::LargestCirculatingPower, |_, overview| extreme(gears(overview, circulating), f64::gt)),
+    (FigureName::LargestLinkSpeed, |_, overview| {
+        extreme(gears(overview, |gear| gear.largest_speed_of_input), f64::gt)
+    }),
+    (FigureName::LargestPlanetSpeed, |_, overview| {
+        let of_planets = overview.planets.iter().filter_map(|planet| {
+            let speed = planet.largest_speed.as_ref()?;
+            let value = speed.relative_speed_of_input.abs();
+            Some(Value { value, gear: Some(speed.gear.clone()), part: Some(planet.set.clone()) })
+        });
+        extreme(of_planets, f64::gt)
+    }),
+    (FigureName::LargestBrakeTorque, |_, overview| torque(overview, ShiftElementKind::Brake)),
+    (FigureName::LargestClutchTorque, |_, overview| torque(overview, ShiftElementKind::Clutch)),
+    (FigureName::LargestBrakeSlip, |_, overview| slip(overview, ShiftElementKind::Brake)),
+    (FigureName::LargestClutchSlip, |_, overview| slip(overview, ShiftElementKind::Clutch)),
+];
+
+fn count(count: usize) -> Option<Value> {
+    Some(Value { value: count as f64, gear: None, part: None })
+}
+
+fn elements<'o>(overview: &'o Overview, kinds: &[ShiftElementKind]) -> impl Iterator<Item = &'o OverGears> {
+    let kinds = kinds.to_vec();
+    overview.shift_elements.iter().filter(move |one| kinds.contains(&one.element.kind))
+}
+
+/// The greatest or least of some values, of equal ones the first.
+fn extreme(values: impl IntoIterator<Item = Value>, is_more: fn(&f64, &f64) -> bool) -> Option<Value> {
+    values.into_iter().reduce(|most, one| if is_more(&one.value, &most.value) { one } else { most })
+}
+
+fn gears(overview: &Overview, of: fn(&overview::Gear) -> Option<f64>) -> impl Iterator<Item = Value> {
+    overview.gears.iter().filter_map(move |gear| {
+        Some(Value { value: of(gear)?, gear: Some(gear.facts.gear.clone()), part: None })
+    })
+}
+
+/// Circulating power; none of a gearbox that turns as a block, where no mesh passes it on.
+fn circulating(gear: &overview::Gear) -> Option<f64> {
+    let rolls = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > ROUNDED);
+    gear.circulating_of_entering.filter(|_| rolls)
+}
+
+/// Steps between neighbours, whichever way the file lists them.
+fn steps(overview: &Overview) -> impl Iterator<Item = Value> {
+    overview.shifts.iter().map(|shift| Value {
+        value: shift.input_speed_after_of_before.recip(),
+        gear: Some(shift.to.clone()),
+        part: None,
+    })
+}
+
+fn transitions(overview: &Overview, transition: Transition) -> Option<Value> {
+    count(overview.shifts.iter().filter(|shift| shift.transition == transition).count())
+}
+
+fn torque(overview: &Overview, kind: ShiftElementKind) -> Option<Value> {
+    let of = |one: &OverGears| {
+        let torque = one.largest_torque.as_ref()?;
+        let value = torque.torque_of_input.abs();
+        Some(Value { value, gear: Some(torque.gear.clone()), part: Some(one.element.shift_element.clone()) })
+    };
+    extreme(elements(overview, &[kind]).filter_map(of), f64::gt)
+}
+
+fn slip(overview: &Overview, kind: ShiftElementKind) -> Option<Value> {
+    let of = |one: &OverGears| {
+        let slip = one.largest_slip.as_ref()?;
+        let value = slip.slip_of_input.abs();
+        Some(Value { value, gear: Some(slip.gear.clone()), part: Some(one.element.shift_element.clone()) })
+    };
+    extreme(elements(overview, &[kind]).filter_map(of), f64::gt)
+}
+
+type OfGear = fn(&Overview, &overview::Gear) -> Option<f64>;
+
+/// The step to a gear from its neighbour of larger ratio, whichever way the file lists them.
+fn step_to(overview: &Overview, gear: &overview::Gear) -> Option<f64> {
+    let shift = overview.shifts.iter().find(|shift| shift.to == gear.facts.gear)?;
+    Some(shift.input_speed_after_of_before.recip())
+}
+
+/// The figures of a gear, in their order.
+const OF_GEAR: &[(FigureName, OfGear)] = &[
+    (FigureName::Ratio, |_, gear| gear.facts.ratio),
+    (FigureName::Step, step_to),
+    (FigureName::Efficiency, |_, gear| gear.facts.efficiency),
+    (FigureName::CirculatingPower, |_, gear| gear.circulating_of_entering),
+    (FigureName::LinkSpeed, |_, gear| gear.largest_speed_of_input),
+    (FigureName::PlanetSpeed, |_, gear| gear.largest_planet_speed_of_input),
+    (FigureName::OutputSpeedRadS, |_, gear| gear.output_speed_rad_s),
+    (FigureName::OutputTorqueNM, |_, gear| gear.output_torque_n_m),
+    (FigureName::LossW, loss),
+];
+
+/// What enters at the input and at the output together: powers on the gearbox.
+fn loss(overview: &Overview, gear: &overview::Gear) -> Option<f64> {
+    let at = &overview.operating_point;
+    let speed = at.speed_rad_s?;
+    let input = at.power_w.or(at.torque_n_m.map(|torque| torque * speed))?;
+    Some(plain(input + gear.output_torque_n_m? * gear.output_speed_rad_s?))
+}
+
+impl ComparedGear {
+    fn of(row: &[Option<usize>], overviews: &[Overview]) -> Self {
+        let gears = || {
+            let all = row.iter().zip(overviews);
+            all.map(|(place, overview)| place.map(|place| (overview, &overview.gears[place])))
+        };
+        let figure = |(figure, of): &(FigureName, OfGear)| {
+            let values: Vec<Option<f64>> = gears()
+                .map(|gear| {
+                    let (overview, gear) = gear?;
+                    of(overview, gear)
+                })
+                .collect();
+            GearFigure { figure: *figure, differs: Differs::of(&values), values }
+        };
+        Self {
+            gears: gears().map(|gear| gear.map(|(_, gear)| gear.facts.gear.clone())).collect(),
+            figures: OF_GEAR.iter().map(figure).collect(),
+        }
+    }
+}
+
+impl ComparedFigure {
+    fn of(figure: FigureName, values: impl Iterator<Item = Option<Value>>) -> Self {
+        // What is nothing is nowhere.
+        let placed = |of: Value| {
+            if of.value.abs() > ROUNDED { of } else { Value { gear: None, part: None, ..of } }
+        };
+        let values: Vec<Option<Value>> = values.map(|of| of.map(placed)).collect();
+        let alone: Vec<Option<f64>> = values.iter().map(|of| of.as_ref().map(|of| of.value)).collect();
+        Self { figure, values, differs: Differs::of(&alone) }
+    }
+}

@@ -1,0 +1,251 @@
+//! Tooth numbers and sizes of one scheme.
+
+use super::records::{SizesStep, TeethStep, TeethTaken};
+use super::{Wanted, order_of_teeth};
+use crate::analyze::answer::pins;
+use crate::answer::Warning;
+use crate::error::Error;
+use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
+use crate::select::answer::saved::Saved;
+use crate::select::answer::teeth::{self, Searches, SizeLimits, Watch};
+use crate::shared::gearbox::{Choice, one};
+use crate::size::answer::records::Minimise;
+use crate::size::answer::{self as size, Size};
+use crate::strength::answer::duty::steps;
+use crate::teeth::answer::shifted::WantedShifts;
+use crate::tolerance::OBJECTIVE;
+use epicyclic_formats::Document;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::yaml::{Mapping, Value, to_string};
+use epicyclic_selection::{Mechanism, Space};
+use epicyclic_train::Gear;
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+use std::ops::ControlFlow;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Parts of the tolerance within which all deviations count as equal, the least first: only where no design of a class has sizes, the
+/// next class is searched. So a deviation is never given for mass beyond a tenth of the tolerance.
+const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
+
+/// Tooth numbers and sizes of a scheme.
+pub(super) struct Attempt {
+    pub(super) teeth: TeethStep,
+    pub(super) sizes: Option<SizesStep>,
+    /// The gearbox with its sizes, where every set has one.
+    pub(super) file: Option<String>,
+    /// Speeds of the tooth numbers taken.
+    pub(super) speeds: Vec<ReachedSpeed>,
+    pub(super) warnings: Vec<Warning>,
+}
+
+impl Attempt {
+    /// Of a scheme: the designs of the class with the least deviation in which one has sizes, the best first.
+    pub(super) fn of(wanted: &Wanted, mechanism: Mechanism, watch: &Watch) -> Result<Self, Error> {
+        let duty = &wanted.selection.duty;
+        let torque = duty.torque()?.ok_or(Error::NoLoad)?;
+        let speed = duty.input_speed.ok_or(Error::LoadWithoutSpeed)?;
+        let tolerance = wanted.selection.requirements.tolerance;
+        let (mut tried, mut listed, mut closer): (Vec<Tried>, usize, Option<f64>) = (vec![], 0, None);
+        let (mut accepted, mut within) = (0, 0.0);
+        for part in CLASSES {
+            within = part * tolerance;
+            // The search lists those of closer classes again.
+            let of_teeth = of_teeth(wanted, mechanism, within, wanted.tries + listed);
+            let found = teeth::search(&of_teeth, watch)?;
+            accepted = found.searched().accepted;
+            for place in 0..found.shown() {
+                let speeds = found.speeds(place);
+                let deviation = largest_deviation(&speeds);
+                // A ratio at the edge of the tolerance may have a speed beyond it.
+                if deviation > within + OBJECTIVE
+                    || closer.is_some_and(|closer| deviation <= closer + OBJECTIVE)
+                {
+                    continue;
+                }
+                listed += 1;
+                if wanted.tooth_design.is_none_or(|wanted| wanted == listed) {
+                    let goes_on = || watch(teeth::At { share: 1.0, searched: None });
+                    let of_input = (torque, speed);
+                    tried.push(Tried::of((&found, place), listed, speeds, wanted, of_input, &goes_on)?);
+                }
+            }
+            let is_found = |one: &Tried| wanted.tooth_design.is_some() || one.is_whole();
+            if tolerance == 0.0 || tried.iter().any(is_found) {
+                break;
+            }
+            closer = Some(within);
+        }
+        if let Some(design) = wanted.tooth_design.filter(|_| tried.is_empty() && listed > 0) {
+            return Err(Error::NoSuchDesign { design, designs: listed });
+        }
+        tried.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
+        let mut taken = tried.iter().map(|one| one.taken.clone());
+        let teeth = TeethStep {
+            accepted,
+            tolerance: within,
+            tried: tried.len(),
+            taken: taken.next(),
+            next: taken.next(),
+        };
+        let Some(best) = tried.into_iter().next() else {
+            return Ok(Self { teeth, sizes: None, file: None, speeds: vec![], warnings: vec![] });
+        };
+        let file = if best.is_whole() {
+            let document = Document::parse_one(MAKING, best.file.as_bytes())?;
+            Some(size::saved(&document, &best.size)?)
+        } else {
+            None
+        };
+        let Tried { size, speeds, .. } = best;
+        let mut warnings = size.warnings.clone();
+        if let Some(file) = &file {
+            let document = Document::parse_one(MAKING, file.as_bytes())?;
+            let gearbox: GearboxFile = document.read()?;
+            let subject = one(&document, &Choice::default())?;
+            let steps = steps(&subject, &gearbox.duty)?;
+            let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+            warnings.extend(pins::warning(&subject, &turning));
+        }
+        Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
+    }
+}
+
+/// The search for so many tooth numbers of a scheme with ratios within a tolerance.
+fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) -> teeth::Wanted {
+    let mut requirements = wanted.selection.requirements.clone();
+    requirements.tolerance = tolerance;
+    teeth::Wanted {
+        requirements,
+        order: order_of_teeth(),
+        space: Space::Mechanisms(vec![mechanism]),
+        bounds: wanted.bounds.clone(),
+        shifts: wanted.ring_offsets.clone().map(|offsets| WantedShifts {
+            offsets,
+            aim: wanted.size.aim,
+            tip_thickness: wanted.size.tip_thickness,
+        }),
+        limits: SizeLimits::default(),
+        most,
+        nth: 1,
+        speeds: wanted.selection.speeds.clone(),
+        duty: wanted.selection.duty,
+    }
+}
+
+/// Digits of torque and speed in the file.
+const DIGITS: usize = 12;
+
+/// A design of the tooth search with its sizes.
+#[derive(Debug)]
+struct Tried {
+    /// Its teeth.
+    taken: TeethTaken,
+    /// Its speeds.
+    speeds: Vec<ReachedSpeed>,
+    /// The gearbox without sizes.
+    file: String,
+    /// Its sizes.
+    size: Size,
+}
+
+impl Tried {
+    /// The design at a place of a search with its sizes, and its number among all that are listed.
+    fn of(
+        (found, place): (&Searches<'_>, usize),
+        listed: usize,
+        speeds: Vec<ReachedSpeed>,
+        wanted: &Wanted,
+        (torque, speed): (Torque, AngularVelocity),
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        let (design, saved) = found.saved_design(place)?;
+        let file = loaded(&saved, wanted, torque, speed)?;
+        let document = Document::parse_one(MAKING, file.as_bytes())?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
+        let mut tried = Self { taken: TeethTaken::of(&design, listed), speeds, file, size };
+        tried.taken.mass_kg = tried.mass_kg();
+        Ok(tried)
+    }
+
+    /// Whether every set has a size.
+    fn is_whole(&self) -> bool {
+        self.size.not_sized.is_empty() && self.size.mass_kg.is_some()
+    }
+
+    /// Mass of its gears, if every set has a size.
+    fn mass_kg(&self) -> Option<f64> {
+        self.size.mass_kg.filter(|_| self.is_whole())
+    }
+
+    /// What is minimised; infinite where a set has no size.
+    fn objective(&self) -> f64 {
+        let rings = self.size.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
+        let objective = match self.size.minimise {
+            Minimise::Mass => self.size.mass_kg,
+            Minimise::Ring => rings.reduce(f64::max),
+        };
+        objective.filter(|_| self.is_whole()).unwrap_or(f64::INFINITY)
+    }
+}
+
+/// What a fault calls the gearbox in the making.
+const MAKING: &str = "the gearbox in the making";
+
+/// The gearbox with what its strength asks for and its duty, as a file. The number of planets and the profile shifts are left to the sizes.
+fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
+    let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
+    let document = Document::parse_one(MAKING, text.as_bytes())?;
+    let mut file = document.value().clone();
+    let strength = &wanted.basis.strength;
+    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+    for set in sets.filter_map(Value::as_mapping_mut) {
+        for key in ["planets", "profile_shifts", "tip_alterations"] {
+            set.remove(key);
+        }
+        set.insert("strength".into(), strength.clone());
+        if let Some(tools) = &wanted.basis.tools {
+            set.insert("tools".into(), tools.clone());
+        }
+    }
+    let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();
+    let shares = match &wanted.shares[..] {
+        [] => vec![1.0 / gears.len() as f64; gears.len()],
+        shares if shares.len() == gears.len() => shares.to_vec(),
+        shares => {
+            let gears = gears.iter().map(|&gear| gear.to_owned()).collect();
+            return Err(Error::Shares { given: shares.len(), gears });
+        }
+    };
+    // Beyond these digits is the rounding of their units.
+    let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
+    let greatest = wanted.overload.map(|factor| written(factor * torque.si(), "N·m"));
+    let [torque, speed] = [written(torque.si(), "N·m"), written(crate::shared::units::rpm(speed), "rpm")];
+    let step = |(gear, share): (&str, f64)| {
+        let mut step = Mapping::new();
+        step.insert("gear".into(), gear.into());
+        step.insert("share".into(), share.into());
+        step.insert("torque".into(), torque.clone());
+        step.insert("speed".into(), speed.clone());
+        Value::Mapping(step)
+    };
+    let duty: Vec<Value> = gears.iter().copied().zip(shares).map(step).collect();
+    let against = |torque: &Value| {
+        let overload = |gear: &&str| {
+            let keys = [("gear", Value::from(*gear)), ("torque", torque.clone())];
+            Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect())
+        };
+        gears.iter().map(overload).collect()
+    };
+    if let Some(file) = file.as_mapping_mut() {
+        for (key, value) in &wanted.basis.keys {
+            file.insert(key.as_str().into(), value.clone());
+        }
+        file.insert("duty".into(), Value::Sequence(duty));
+        if let Some(torque) = &greatest {
+            file.insert("overload".into(), Value::Sequence(against(torque)));
+        }
+        file.insert("gearbox".into(), saved.scheme.as_str().into());
+    }
+    to_string(&file).map_err(|error| Error::Json(error.to_string()))
+}

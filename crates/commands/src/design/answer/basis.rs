@@ -1,0 +1,195 @@
+//! What a design takes that no speed tells: materials, factors, tools, oil, life and required safeties.
+
+use super::records::BasisKey;
+use crate::error::Error;
+use crate::shared::fault::Named;
+use crate::strength::answer::factors;
+use crate::strength::answer::place::refused;
+use epicyclic_formats::yaml::Value;
+use epicyclic_formats::{Document, Path};
+use epicyclic_strength::factor::Symbol;
+
+/// Materials, factors, tools, oil, life and required safeties, as a gearbox file writes them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Basis {
+    /// The key `strength` of each set.
+    pub strength: Value,
+    /// The key `tools` of each set. Without it the tools are the usual ones.
+    pub tools: Option<Value>,
+    /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
+    pub keys: Vec<(String, Value)>,
+}
+
+/// Keys of a gearbox that a basis has.
+const KEYS: [&str; 7] = ["life", "oil", "required", "materials", "density", "pressure_angle", "addendum"];
+
+/// The basis where none is given.
+pub const USUAL: &str = include_str!("basis.yaml");
+
+impl Default for Basis {
+    /// [`USUAL`].
+    ///
+    /// # Panics
+    /// Never: a test reads the text.
+    fn default() -> Self {
+        let document = Document::parse_one("the usual basis", USUAL.as_bytes());
+        document.map_err(Error::from).and_then(|document| Self::of(&document)).expect("a test reads it")
+    }
+}
+
+impl Basis {
+    /// The basis that a file gives: `strength` and `tools`, at its top or of the first set with `strength`, and its keys such as `life`.
+    /// The keys that it lacks are [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
+    ///
+    /// # Errors
+    /// [`Error::Document`] for a file without `strength`.
+    pub fn of(document: &Document) -> Result<Self, Error> {
+        let file = document.value();
+        let sets = file.get("sets").and_then(Value::as_sequence).map_or(0, Vec::len);
+        let of_sets = (0..sets).map(|place| Path::root().key("sets").index(place));
+        let mut places = std::iter::once(Path::root()).chain(of_sets);
+        let found = places.find_map(|of| Some((document.value_at(&of.clone().key("strength"))?, of)));
+        let (strength, of) = found.ok_or_else(|| {
+            let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
+            refused(document, &Path::root(), &[], &Named("missing-key", message))
+        })?;
+        factors::check(document, &of.clone().key("strength"))?;
+        let tools = document.value_at(&of.key("tools")).cloned();
+        let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
+        Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })
+    }
+
+    /// The same with what is usual in place of the keys that it does not have.
+    #[must_use]
+    pub fn completed(mut self) -> Self {
+        for (key, value) in Self::default().keys {
+            if !self.keys.iter().any(|(own, _)| *own == key) {
+                self.keys.push((key, value));
+            }
+        }
+        self
+    }
+
+    /// All keys with their values.
+    pub(super) fn told(&self) -> Vec<BasisKey> {
+        let key = |key: String, value: &Value| BasisKey { key, value: flow(value) };
+        let own = self.keys.iter().map(|(name, value)| key(name.clone(), value));
+        let of_strength = self.strength.as_mapping().into_iter().flatten();
+        let name = |name: &Value| format!("strength.{}", name.as_str().unwrap_or_default());
+        let tools = self.tools.iter().map(|tools| key("tools".to_owned(), tools));
+        own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
+    }
+
+    /// The same with another value of a key.
+    #[must_use]
+    pub fn with(mut self, key: &str, value: Value) -> Self {
+        self.keys.retain(|(own, _)| own != key);
+        self.keys.push((key.to_owned(), value));
+        self
+    }
+
+    /// The same with factors of both meshes by the names of their symbols, in place of those of the same symbol under any key and
+    /// in any spelling.
+    #[must_use]
+    pub fn with_factors(mut self, factors: &[(String, f64)]) -> Self {
+        let Some(strength) = self.strength.as_mapping_mut() else { return self };
+        for (name, value) in factors {
+            let symbol = Symbol::named(name);
+            let is_same = |other: &Value| other.as_str().is_some_and(|other| Symbol::named(other) == symbol);
+            for key in factors::KEYS {
+                let Some(own) = strength.get_mut(key).and_then(Value::as_mapping_mut) else { continue };
+                if key == "factors" {
+                    // The key keeps its place and its spelling.
+                    own.iter_mut()
+                        .filter(|(other, _)| is_same(other))
+                        .for_each(|(_, own)| *own = (*value).into());
+                } else {
+                    own.retain(|other, _| !is_same(other));
+                }
+            }
+            let own = strength.entry("factors".into()).or_insert_with(|| Value::Mapping(Default::default()));
+            if let Some(own) = own.as_mapping_mut().filter(|own| !own.keys().any(is_same)) {
+                own.insert(name.as_str().into(), (*value).into());
+            }
+        }
+        let is_of_factors = |key: &Value| key.as_str().is_some_and(|key| factors::KEYS.contains(&key));
+        strength.retain(|key, value| {
+            !(is_of_factors(key)
+                && value.as_mapping().is_some_and(epicyclic_formats::yaml::Mapping::is_empty))
+        });
+        self
+    }
+}
+
+/// A value in one line: lists and mappings as people write them in a line of YAML.
+fn flow(value: &Value) -> String {
+    match value {
+        Value::Sequence(items) => items.iter().map(flow).collect::<Vec<_>>().join(", "),
+        Value::Mapping(pairs) => {
+            let pair = |(key, value): (&Value, &Value)| format!("{} {}", flow(key), flow(value));
+            pairs.iter().map(pair).collect::<Vec<_>>().join(", ")
+        }
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        Value::Bool(truth) => truth.to_string(),
+        Value::Null | Value::Tagged(_) => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Result<Basis, Error> {
+        Basis::of(&Document::parse_one("basis.yaml", text.as_bytes()).unwrap())
+    }
+
+    #[test]
+    fn the_usual_basis_has_what_strength_asks_for() {
+        let usual = Basis::default();
+        let keys: Vec<&str> = usual.keys.iter().map(|(key, _)| key.as_str()).collect();
+        assert_eq!(keys, ["life", "oil", "required"]);
+        assert!(usual.strength.get("factors").is_some());
+    }
+
+    #[test]
+    fn a_gearbox_is_a_basis_and_what_it_lacks_is_usual() {
+        let own = of("life: 5 h\nsets: [{ id: a }, { id: b, strength: { factors: { K_A: 2 } } }]\n").unwrap();
+        assert_eq!(own.keys.len(), 1);
+        let whole = own.completed();
+        assert_eq!(whole.keys.len(), 3);
+        assert_eq!(whole.keys[0].1, Value::from("5 h"));
+        let changed = whole.with_factors(&[("K_A".into(), 1.5), ("K_v".into(), 1.1)]);
+        assert_eq!(changed.strength["factors"]["K_A"], Value::from(1.5));
+        assert_eq!(changed.with("life", Value::from("7 h")).keys.len(), 3);
+        let tools =
+            of("sets: [{ id: a }, { strength: {}, tools: { sun: { profile: D } } }]\n").unwrap().tools;
+        assert_eq!(tools.unwrap()["sun"]["profile"], Value::from("D"));
+        let refused = of("life: 5 h\n").unwrap_err().to_string();
+        assert!(refused.starts_with("basis.yaml:1:1") && refused.contains("`strength`"), "{refused}");
+    }
+    /// Whatever key has the factor, whatever its spelling.
+    #[test]
+    fn a_factor_given_by_option_acts_in_any_spelling() {
+        let file = "strength: { factors: { KA: 2, K_v: 1 }, sun_mesh_factors: { K_Hβ: 1.3 }, ring_factors: { Y_S: 2 } }\n";
+        let factors = [("K_A".to_owned(), 3.0), ("K_H_beta".to_owned(), 1.1), ("YS".to_owned(), 1.5)];
+        let changed = of(file).unwrap().with_factors(&factors);
+        let own = of("strength: { factors: { KA: 3.0, K_v: 1, K_H_beta: 1.1, YS: 1.5 } }\n").unwrap();
+        assert_eq!(changed.strength, own.strength);
+    }
+
+    #[test]
+    fn a_factor_that_stands_twice_is_refused_with_both_spellings() {
+        for key in factors::KEYS {
+            for [one, other] in
+                [["K_A", "KA"], ["K_Hβ", "K_H_beta"], ["Z_B", "Z_D"], ["Y_δrelT", "Y_delta_rel_T"]]
+            {
+                let file = format!("sets:\n- strength:\n    {key}:\n      {one}: 1\n      {other}: 1\n");
+                let refused = of(&file).unwrap_err().to_string();
+                let both = format!("`{one}` and `{other}` are the same factor");
+                assert!(refused.starts_with("basis.yaml:5:") && refused.contains(&both), "{refused}");
+            }
+        }
+        assert!(of("strength: { factors: { K_A: 1 }, sun_mesh_factors: { K_A: 2 } }\n").is_ok());
+    }
+}

@@ -1,0 +1,330 @@
+//! Limits that would have to give where no gearbox is left, each with the gearbox behind it.
+//!
+//! Every way out is a search with the limit relaxed: what is told is what the same command finds with it.
+
+use super::records::TeethTaken;
+use super::{Design, Wanted, attempted};
+use crate::error::Error;
+use crate::select::answer::candidate::Criterion;
+use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
+use crate::select::answer::teeth::Watch;
+use crate::select::answer::{self as select, Relaxation, RelaxedCriterion};
+use crate::size::answer as size;
+use epicyclic_selection::Space;
+use epicyclic_strength::load::MOST_SHARING;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::RangeInclusive;
+
+/// Limits that would have to give, and the gearbox behind them.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct WayOut {
+    /// The limits, all together.
+    pub limits: Vec<RelaxedLimit>,
+    /// The scheme: the source's name, or that of the structure.
+    pub scheme: String,
+    /// Speeds of its gears, asked for and reached, the slowest first.
+    pub speeds: Vec<ReachedSpeed>,
+    /// Its tooth numbers and mass.
+    pub teeth: TeethTaken,
+}
+
+/// A limit with the value that would do.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RelaxedLimit {
+    /// Which limit.
+    pub limit: Limit,
+    /// The least value, of those that have one.
+    pub least: Option<f64>,
+    /// The greatest value, of those that have one.
+    pub greatest: Option<f64>,
+}
+
+/// A limit of a design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// Deviation of ratios and speeds, as a share.
+    Tolerance,
+    /// Ring-to-sun ratios.
+    RingToSunRatio,
+    /// Efficiency of a gear.
+    Efficiency,
+    /// Speed of a link over the input's.
+    LinkSpeed,
+    /// Speed of a planet relative to its carrier over the input's.
+    PlanetSpeed,
+    /// Slip of the direct-drive clutch over the input's speed.
+    ClutchSlip,
+    /// Circulating power over what enters.
+    Circulation,
+    /// The output turning alike in all gears; lifted.
+    SameDirection,
+    /// Drawable schemes alone; lifted.
+    Drawable,
+    /// Schemes of the source alone; all structures.
+    Structures,
+    /// Teeth of the suns.
+    SunTeeth,
+    /// Teeth of the planets.
+    PlanetTeeth,
+    /// Teeth of the rings.
+    RingTeeth,
+    /// Teeth of the rings less those of sun and twice those of planet.
+    RingOffset,
+    /// Face width over the sun's reference diameter.
+    WidthRatio,
+    /// Modules; the standard series.
+    Modules,
+    /// Face widths; those of the default.
+    FaceWidths,
+    /// Number of planets.
+    Planets,
+}
+
+/// Factors on a limit that is just enough for exact ratios: tooth numbers come near them and may need a little more.
+const MARGINS: [f64; 3] = [1.0, 1.05, 1.15];
+
+/// The greatest tolerance that is tried: that of the source.
+const GREATEST_TOLERANCE: f64 = 0.1;
+
+/// Tooth numbers of sun and planet from here on, and of rings up to here, are tried where those wanted give nothing.
+const TEETH: RangeInclusive<u32> = 12..=200;
+
+/// Ring offsets that are tried where sets without an offset give nothing.
+const OFFSETS: RangeInclusive<i32> = -3..=3;
+
+/// The ways out of a design without a gearbox.
+pub(super) fn of(
+    wanted: &Wanted,
+    design: &Design,
+    relaxations: &[Relaxation],
+    watch: &Watch,
+) -> Result<Vec<WayOut>, Error> {
+    let search = Search { wanted, watch };
+    let mut ways = vec![];
+    if design.teeth.is_none() {
+        for relaxation in relaxations {
+            ways.extend(search.of_criteria(&relaxation.limits().collect::<Vec<_>>(), &[])?);
+        }
+        if wanted.mechanism.is_none() && !matches!(wanted.selection.space, Space::All) {
+            ways.extend(search.of_all_structures(ways.is_empty())?);
+        }
+        ways.extend(search.of_tolerance()?);
+    } else {
+        ways.extend(search.of_tolerance()?);
+        ways.extend(search.of_tooth_bounds()?);
+        ways.extend(search.of_sizes(design.sizes.is_some())?);
+        if wanted.selection.requirements.limits.same_direction {
+            let direction = RelaxedCriterion { criterion: Criterion::SameDirection, limit: None };
+            ways.extend(search.of_criteria(&[direction], &[])?);
+        }
+    }
+    Ok(ways)
+}
+
+/// Searches for a gearbox with limits relaxed.
+struct Search<'a> {
+    wanted: &'a Wanted,
+    watch: &'a Watch<'a>,
+}
+
+impl Search<'_> {
+    /// The gearbox with these limits, if there is one.
+    fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOut, Design)>, Error> {
+        let mut wanted = self.wanted.clone();
+        limits.iter().for_each(|limit| limit.relax(&mut wanted));
+        let (design, _) = attempted(&wanted, self.watch)?;
+        let found =
+            design.teeth.as_ref().and_then(|teeth| teeth.taken.clone()).zip(design.scheme.taken.clone());
+        let Some((teeth, scheme)) = found.filter(|_| design.file.is_some()) else { return Ok(None) };
+        let way = WayOut { limits: limits.to_vec(), scheme, speeds: design.speeds.clone(), teeth };
+        Ok(Some((way, design)))
+    }
+
+    /// With limits just enough for a scheme with exact ratios, or a little more.
+    fn of_criteria(
+        &self,
+        criteria: &[RelaxedCriterion],
+        more: &[RelaxedLimit],
+    ) -> Result<Option<WayOut>, Error> {
+        let has_value = criteria.iter().any(|one| one.limit.is_some());
+        for margin in MARGINS.into_iter().take(if has_value { MARGINS.len() } else { 1 }) {
+            let k = &self.wanted.selection.requirements.limits.ring_to_sun;
+            let limits = criteria.iter().map(|one| RelaxedLimit::of(*one, margin, k));
+            let limits: Vec<RelaxedLimit> = limits.chain(more.iter().copied()).collect();
+            if let Some((way, _)) = self.with(&limits)? {
+                return Ok(Some(way));
+            }
+        }
+        Ok(None)
+    }
+
+    /// With all structures, and where these have none either, with the criteria that keep them out.
+    fn of_all_structures(&self, deeper: bool) -> Result<Vec<WayOut>, Error> {
+        let structures = RelaxedLimit::lifted(Limit::Structures);
+        if let Some((way, _)) = self.with(&[structures])? {
+            return Ok(vec![way]);
+        }
+        let mut ways = vec![];
+        if deeper {
+            let selection = &self.wanted.selection;
+            let all = select::answer(&select::Wanted { space: Space::All, ..selection.clone() })?;
+            for relaxation in &all.relaxations {
+                ways.extend(self.of_criteria(&relaxation.limits().collect::<Vec<_>>(), &[structures])?);
+            }
+        }
+        Ok(ways)
+    }
+
+    /// With a wider tolerance: the one that the gearbox found with the widest needs, if it is found with this one, too.
+    fn of_tolerance(&self) -> Result<Option<WayOut>, Error> {
+        if self.wanted.selection.requirements.tolerance >= GREATEST_TOLERANCE {
+            return Ok(None);
+        }
+        let tolerance =
+            |greatest| RelaxedLimit { greatest: Some(greatest), ..RelaxedLimit::lifted(Limit::Tolerance) };
+        let Some((widest, design)) = self.with(&[tolerance(GREATEST_TOLERANCE)])? else { return Ok(None) };
+        let needed = rounded(largest_deviation(&design.speeds), f64::ceil);
+        Ok(Some(self.with(&[tolerance(needed)])?.map_or(widest, |(way, _)| way)))
+    }
+
+    /// With more tooth numbers: each bound by itself, then offsets of the ring.
+    fn of_tooth_bounds(&self) -> Result<Vec<WayOut>, Error> {
+        let bounds = &self.wanted.bounds;
+        let least =
+            |limit| RelaxedLimit { least: Some(f64::from(*TEETH.start())), ..RelaxedLimit::lifted(limit) };
+        let greatest =
+            |limit| RelaxedLimit { greatest: Some(f64::from(*TEETH.end())), ..RelaxedLimit::lifted(limit) };
+        let offsets = RelaxedLimit {
+            limit: Limit::RingOffset,
+            least: Some(f64::from(*OFFSETS.start())),
+            greatest: Some(f64::from(*OFFSETS.end())),
+        };
+        let all = [
+            (least(Limit::SunTeeth), bounds.sun.start() > TEETH.start()),
+            (least(Limit::PlanetTeeth), bounds.planet.start() > TEETH.start()),
+            (greatest(Limit::RingTeeth), bounds.ring.end() < TEETH.end()),
+            (offsets, self.wanted.ring_offsets.is_none()),
+        ];
+        let mut ways = vec![];
+        for (limit, _) in all.into_iter().filter(|(_, is_narrow)| *is_narrow) {
+            ways.extend(self.with(&[limit])?.map(|(way, _)| way));
+        }
+        Ok(ways)
+    }
+
+    /// With more sizes, where there are tooth numbers.
+    fn of_sizes(&self, has_teeth: bool) -> Result<Vec<WayOut>, Error> {
+        let (own, usual) = (&self.wanted.size, size::Wanted::default());
+        let most = MOST_SHARING;
+        let planets =
+            RelaxedLimit { greatest: Some(f64::from(most)), ..RelaxedLimit::lifted(Limit::Planets) };
+        let all = [
+            (RelaxedLimit::lifted(Limit::Modules), own.modules != usual.modules),
+            (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths != usual.face_widths),
+            (planets, *own.planets.end() < most),
+        ];
+        let mut ways = vec![];
+        for (limit, _) in all.into_iter().filter(|(_, is_narrow)| has_teeth && *is_narrow) {
+            ways.extend(self.with(&[limit])?.map(|(way, _)| way));
+        }
+        if own.width_ratio.is_some() && has_teeth {
+            let lifted = RelaxedLimit::lifted(Limit::WidthRatio);
+            if let Some((way, design)) = self.with(&[lifted])? {
+                let sets = design.sizes.iter().flat_map(|sizes| &sizes.sets);
+                let needed =
+                    sets.filter_map(|set| Some(set.found.first()?.face_width_over_sun)).fold(0.0, f64::max);
+                let needed = RelaxedLimit { greatest: Some(rounded(needed, f64::ceil)), ..lifted };
+                ways.push(self.with(&[needed])?.map_or(way, |(way, _)| way));
+            }
+        }
+        Ok(ways)
+    }
+}
+
+impl RelaxedLimit {
+    /// A limit without a value.
+    const fn lifted(limit: Limit) -> Self {
+        Self { limit, least: None, greatest: None }
+    }
+
+    /// That of a criterion, a little farther, to three digits on the safe side.
+    fn of(one: RelaxedCriterion, margin: f64, k: &RangeInclusive<f64>) -> Self {
+        let value = one.limit.unwrap_or_default();
+        let greatest =
+            |limit| Self { greatest: Some(rounded(margin * value, f64::ceil)), ..Self::lifted(limit) };
+        match one.criterion {
+            Criterion::RatioError => greatest(Limit::Tolerance),
+            Criterion::RingToSunRatio => {
+                let (least, most) = (*k.start(), *k.end());
+                // Ring-to-sun ratios are above 1.
+                let low = rounded(1.0 + (value - 1.0) / margin, f64::floor);
+                let high = rounded(margin * value, f64::ceil);
+                let [least, most] = if value < least { [low, most] } else { [least, high] };
+                Self { limit: Limit::RingToSunRatio, least: Some(least), greatest: Some(most) }
+            }
+            Criterion::Efficiency => {
+                let least = rounded(1.0 - (1.0 - value) * margin, f64::floor);
+                Self { least: Some(least), ..Self::lifted(Limit::Efficiency) }
+            }
+            Criterion::LinkSpeed => greatest(Limit::LinkSpeed),
+            Criterion::PlanetSpeed => greatest(Limit::PlanetSpeed),
+            Criterion::ClutchSlip => greatest(Limit::ClutchSlip),
+            Criterion::Circulation => greatest(Limit::Circulation),
+            Criterion::SameDirection => Self::lifted(Limit::SameDirection),
+            Criterion::Drawable => Self::lifted(Limit::Drawable),
+        }
+    }
+
+    fn relax(self, wanted: &mut Wanted) {
+        let requirements = &mut wanted.selection.requirements;
+        let limits = &mut requirements.limits;
+        let greatest = self.greatest.unwrap_or(f64::INFINITY);
+        match self.limit {
+            Limit::Tolerance => requirements.tolerance = greatest,
+            Limit::RingToSunRatio => {
+                limits.ring_to_sun = self.least.unwrap_or(1.0)..=greatest;
+                wanted.bounds.ring_to_sun_ratio = limits.ring_to_sun.clone();
+            }
+            Limit::Efficiency => limits.efficiency = self.least.unwrap_or_default(),
+            Limit::LinkSpeed => limits.link_speed = greatest,
+            Limit::PlanetSpeed => limits.planet_speed = greatest,
+            Limit::ClutchSlip => limits.clutch_slip = greatest,
+            Limit::Circulation => limits.circulation = greatest,
+            Limit::SameDirection => limits.same_direction = false,
+            Limit::Drawable => limits.drawable = false,
+            Limit::Structures => wanted.selection.space = Space::All,
+            Limit::SunTeeth => wanted.bounds.sun = *TEETH.start()..=*wanted.bounds.sun.end(),
+            Limit::PlanetTeeth => wanted.bounds.planet = *TEETH.start()..=*wanted.bounds.planet.end(),
+            Limit::RingTeeth => wanted.bounds.ring = *wanted.bounds.ring.start()..=*TEETH.end(),
+            Limit::RingOffset => wanted.ring_offsets = Some(OFFSETS),
+            Limit::WidthRatio => wanted.size.width_ratio = self.greatest,
+            Limit::Modules => wanted.size.modules = size::Wanted::default().modules,
+            Limit::FaceWidths => wanted.size.face_widths = size::Wanted::default().face_widths,
+            Limit::Planets => {
+                let most = greatest as u32;
+                wanted.size.planets = *wanted.size.planets.start()..=most;
+                wanted.bounds.planets = *wanted.bounds.planets.start()..=most;
+            }
+        }
+    }
+}
+
+/// Three significant digits, the last by `round`.
+fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
+    if value == 0.0 {
+        return 0.0;
+    }
+    let digit = libm::log10(value.abs()).floor() - 2.0;
+    // A power of ten with a negative exponent is inexact; dividing by a whole one keeps the digits.
+    if digit < 0.0 {
+        let unit = libm::pow(10.0, -digit);
+        round(value * unit) / unit
+    } else {
+        let unit = libm::pow(10.0, digit);
+        round(value / unit) * unit
+    }
+}

@@ -1,0 +1,330 @@
+//! The command `design`: from speeds and power to a gearbox whose sizes hold.
+
+use crate::analyze::request::refuse;
+use crate::design::answer::basis::Basis;
+use crate::design::answer::{Design, Wanted, answer};
+use crate::design::table::way_out;
+use crate::desk::Call;
+use crate::error::Error;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::OutputArgs;
+use crate::page::sheet::Sheet;
+use crate::progress::Progress;
+use crate::report::answer::gearbox;
+use crate::select::answer as select;
+use crate::select::answer::duty::{Duty, Load};
+use crate::select::request::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
+use crate::shared::gearbox::one;
+use crate::shared::lists::List;
+use crate::shared::options;
+use crate::shared::page_options::{self as imprint, PageArgs};
+use crate::shared::profile_shift::offsets;
+use crate::size::request as sizing;
+use crate::strength::answer::factors::twice;
+use epicyclic_formats::{Document, Span};
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
+use epicyclic_strength::factor::Symbol;
+use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_units::{Number, Physical, Quantity};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::str::FromStr;
+use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
+
+/// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in steps.
+///
+/// The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth numbers those with the least class of
+/// deviation and the smallest rings at one load of the teeth get the sizes that size finds over a duty with the load in every gear, and the
+/// lightest is taken. Every step tells what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
+/// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the limits that would have to give are
+/// listed, each with its option and the gearbox found with it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  epicyclic design --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm --save box.yaml
+  epicyclic design --ratios '2.56, 1.465' --torque '500 N·m' --input 1475rpm --scheme II-3 -o box.html")]
+pub struct Args {
+    #[command(flatten)]
+    speeds: Speeds,
+
+    /// Speed of the input.
+    #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
+    input: Quantity<AngularVelocity>,
+
+    /// Power into the input in every gear.
+    #[arg(long, required_unless_present = "torque", conflicts_with = "torque", allow_hyphen_values = true)]
+    power: Option<Quantity<Power>>,
+
+    /// Torque on the input in every gear, in place of --power.
+    #[arg(long, allow_hyphen_values = true)]
+    torque: Option<Quantity<Torque>>,
+
+    /// Shares of the time of the gears, the slowest first, then reverse gears. Default: equal.
+    #[arg(long, value_name = "SHARES")]
+    shares: Option<List<Quantity<Ratio>>>,
+
+    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it statically.
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    overload: Option<Quantity<Ratio>>,
+
+    /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
+    #[arg(long, value_name = "NAME")]
+    scheme: Option<Named>,
+
+    /// The objective that decides first among schemes, then the next for equal values.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
+    order: List<Objective>,
+
+    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the lightest is taken. They are taken
+    /// within a tenth of --tolerance; only where none holds within a third of it, then within all of it.
+    #[arg(long, value_name = "N", default_value = "50")]
+    tries: usize,
+
+    /// The tooth design with this number in place of the lightest. It counts the designs of --tries.
+    #[arg(long, value_name = "N")]
+    tooth_design: Option<usize>,
+
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", default_value = "17..60")]
+    sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", default_value = "17..80")]
+    planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", default_value = "50..140")]
+    ring: Span<u32>,
+
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9; --aim and
+    /// --tip-thickness decide which close. Without it only sets that need no shift get sizes.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
+    ring_offset: Option<RangeInclusive<i32>>,
+
+    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is as without it.
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    basis: Option<PathBuf>,
+
+    /// Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of --basis; each once.
+    #[arg(long, value_name = "FACTORS")]
+    factors: Option<List<Factor>>,
+
+    /// Required life.
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    life: Option<Quantity<Time>>,
+
+    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and report read it.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
+    #[arg(long, default_value = "3%", allow_hyphen_values = true, help_heading = "Ratios")]
+    tolerance: Quantity<Ratio>,
+
+    #[command(flatten)]
+    ratios: RatioOptions,
+
+    #[command(flatten)]
+    criteria: Criteria,
+
+    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no other is left. Default: refused,
+    /// unless a ratio is given with a minus.
+    #[arg(long, help_heading = "Criteria")]
+    may_reverse: bool,
+
+    /// Refuse such schemes even where a ratio has a minus.
+    #[arg(long, hide = true, conflicts_with = "may_reverse")]
+    same_direction: bool,
+
+    #[command(flatten)]
+    sizes: sizing::Options,
+
+    #[command(flatten)]
+    output: OutputArgs,
+
+    #[command(flatten)]
+    page: PageArgs,
+}
+
+/// A mechanism by its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Named(Mechanism);
+
+impl FromStr for Named {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        Mechanism::named(name).map(Self).ok_or_else(|| {
+            "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due".to_owned()
+        })
+    }
+}
+
+/// A factor by its symbol: `K_A 1.5`, `K_A=1.5` or `K_A: 1.5`.
+#[derive(Debug, Clone, PartialEq)]
+struct Factor {
+    name: String,
+    symbol: Symbol,
+    value: f64,
+}
+
+impl FromStr for Factor {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = || format!("{text}: write a symbol and a number, as K_A 1.5");
+        let (name, value) =
+            text.rsplit_once(['=', ':']).or_else(|| text.trim().rsplit_once(' ')).ok_or_else(form)?;
+        let value: Number = value.trim().parse().map_err(|_| form())?;
+        let name = name.trim();
+        let symbol = Symbol::named(name).ok_or_else(|| {
+            let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
+            format!("{text}: no factor is called `{name}`; there are {}", all.join(", "))
+        })?;
+        Ok(Self { name: name.to_owned(), symbol, value: value.get() })
+    }
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.output.is_page())?;
+    let wanted = wanted(call, args)?;
+    let shown = Progress::new(call);
+    let design = answer(&wanted, &|at| shown.at(at.share)).map_err(refuse_of)?;
+    drop(shown);
+    let files = match (&args.save, &design.file) {
+        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
+        _ => vec![],
+    };
+    if args.output.is_page() {
+        let sheet = crate::design::page::sheet(&design, own_page(call, &design)?, &imprint::command(call));
+        args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
+    } else {
+        args.output.deliver_with(call, files, &design)?;
+    }
+    match design.file {
+        Some(_) => Ok(()),
+        None => {
+            let way = design
+                .ways_out
+                .iter()
+                .flatten()
+                .next()
+                .map(|way| format!("; {}", way_out(way)))
+                .unwrap_or_default();
+            Err(Failure::NothingFound(format!("no gearbox that holds was found{way}")))
+        }
+    }
+}
+
+/// The page of the gearbox that was designed.
+fn own_page(call: &Call<'_>, design: &Design) -> Result<Option<Sheet>, Failure> {
+    let Some(file) = &design.file else { return Ok(None) };
+    let document = Document::parse_one("the gearbox of the design", file.as_bytes())?;
+    let subject = one(&document, &crate::shared::gearbox::Choice::default())?;
+    let (report, shown) =
+        gearbox::answer(&subject, Default::default(), &Default::default(), &|| call.goes_on())
+            .map_err(refuse)?;
+    Ok(Some(crate::report::page::sheet(&report, &shown, None, file.clone())?))
+}
+
+fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
+    let power = args.power.map(|power| Load::Power(power.0));
+    let duty = Duty {
+        input_speed: Some(args.input.0),
+        load: args.torque.map(|torque| Load::Torque(torque.0)).or(power),
+    };
+    let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
+    let order = Order::new(&args.order.0).map_err(refuse_selection)?;
+    let is_reverse_asked = args.ratios.signs(&args.speeds) == Signs::AsGiven;
+    let same_direction = args.same_direction || (!args.may_reverse && !is_reverse_asked);
+    let (tolerance, speeds) = (args.tolerance, &args.speeds);
+    let requirements = requirements(speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
+    let space = args.speeds.space();
+    let size = args.sizes.wanted(call)?;
+    let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
+    let bounds = Bounds {
+        planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),
+        ring_to_sun_ratio: k,
+        ..options::proposed([args.sun, args.planet, args.ring])?
+    };
+    Ok(Wanted {
+        selection: select::Wanted {
+            requirements,
+            order,
+            space,
+            speeds: speeds.of_machine(),
+            nth: 1,
+            most: usize::MAX,
+            duty,
+        },
+        mechanism: args.scheme.map(|scheme| scheme.0),
+        bounds,
+        ring_offsets: args.ring_offset.clone(),
+        tries: args.tries.max(1),
+        tooth_design: args.tooth_design,
+        shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
+        overload: overload(args)?,
+        basis: basis(call, args)?,
+        size,
+    })
+}
+
+/// The factor of the overload.
+fn overload(args: &Args) -> Result<Option<f64>, Failure> {
+    let factor = args.overload.map(|factor| factor.0.si());
+    match factor {
+        Some(factor) if !(factor.is_finite() && factor > 0.0) => {
+            let message = format!("{factor} is no factor of a torque; it must be above 0");
+            Err(Failure::Option { option: "--overload", message })
+        }
+        _ => Ok(factor),
+    }
+}
+
+/// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its table does not have, that of 7.
+fn sharing() -> Result<[f64; 7], Failure> {
+    let mut all = [1.0; 7];
+    for (planets, of) in (2..).zip(&mut all) {
+        *of = load_sharing(planets.min(7), Floating::Assumed).map_err(Error::from)?;
+    }
+    Ok(all)
+}
+
+fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
+    let mut basis = match &args.basis {
+        None => Basis::default(),
+        Some(file) => Basis::of(&input::document(call, file)?)?.completed(),
+    };
+    if let Some(factors) = &args.factors {
+        for (place, of) in factors.0.iter().enumerate() {
+            if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
+                let message = twice(of.symbol, [&before.name, &of.name]);
+                return Err(Failure::Option { option: "--factors", message });
+            }
+        }
+        let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
+        basis = basis.with_factors(&all);
+    }
+    if let Some(life) = &args.life {
+        basis = basis.with("life", life.to_string().into());
+    }
+    Ok(basis)
+}
+
+/// The option that a refusal speaks of.
+fn refuse_of(error: Error) -> Failure {
+    match &error {
+        Error::NoSuchDesign { .. } => {
+            Failure::Option { option: "--tooth-design", message: error.to_string() }
+        }
+        Error::Shares { .. } => Failure::Option { option: "--shares", message: error.to_string() },
+        Error::Selection(of) => refuse_selection(of.clone()),
+        Error::Duty(_) => {
+            Failure::Option { option: "--power, --torque, --input", message: error.to_string() }
+        }
+        _ => sizing::refuse(error),
+    }
+}

@@ -1,0 +1,331 @@
+//! A design from speeds and power, step by step.
+
+use crate::design::answer::Design;
+use crate::design::answer::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
+use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
+use crate::select::answer::reached::largest_deviation;
+use crate::select::answer::required::Objective;
+use crate::select::table::{percent, speeds_reached};
+use crate::size::answer::records::{Requirement, SizedDesign, SizedSet};
+use crate::size::table::{designs, left_out};
+use crate::strength::table::{Worn, over_duty};
+use crate::table::figure::{Figure, text};
+use crate::table::quantities::{column, words};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
+
+/// Digits of ratios and of lengths in words.
+const DIGITS: usize = 4;
+
+impl AsReport for Design {
+    fn report(&self) -> Report {
+        let mut parts = parts_of_choice(self);
+        parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
+        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+    }
+}
+
+/// The speeds asked for and reached, the steps, ways out, and assumed values.
+pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
+    let mut parts = vec![];
+    if !design.speeds.is_empty() {
+        parts.push(Part::Records(speeds_reached(&design.speeds)));
+    }
+    parts.push(Part::Records(steps(design)));
+    parts.extend(stopped(design).map(|why| Part::Text(Text::paragraph(why))));
+    if let Some(ways) = design.ways_out.as_deref().filter(|ways| !ways.is_empty()) {
+        parts.push(Part::Records(ways_out(ways)));
+        parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
+    }
+    parts.push(Part::Records(basis(&design.basis)));
+    parts
+}
+
+/// The sizes with their safeties, and what was left out.
+pub(crate) fn parts_of_sizes(sizes: &SizesStep) -> Vec<Part> {
+    let sets = &sizes.sets;
+    let mut parts = vec![];
+    if sets.iter().any(|set| !set.found.is_empty()) {
+        parts.push(Part::Records(Records {
+            is_answer: false,
+            ..designs("designs", "Best sizes", sets, |set| &set.found)
+        }));
+        parts.push(Part::Records(over_duty(sets.iter().flat_map(safeties))));
+    }
+    if sets.iter().any(|set| set.nearest_miss.is_some()) {
+        let misses = designs("nearest_misses", "Nearest misses", sets, |set| set.nearest_miss.as_slice());
+        parts.push(Part::Records(misses));
+    }
+    parts.push(Part::Records(left_out(sets)));
+    parts
+}
+
+/// The gears of the best size of a set.
+fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
+    let best = set.found.first();
+    best.into_iter().flat_map(|best| &best.over_duty).map(|of| Worn {
+        set: &set.set,
+        mesh: of.mesh,
+        toothed_gear: of.toothed_gear,
+        material: &of.material,
+        flank: Some(&of.flank),
+        root: Some(&of.root),
+    })
+}
+
+/// The scheme with the mass of its gears.
+pub(crate) fn in_short(design: &Design) -> String {
+    let name = design.scheme.taken.as_deref().unwrap_or("no scheme");
+    let off = percent(largest_deviation(&design.speeds)).replace('+', "");
+    match design.sizes.as_ref().and_then(|sizes| sizes.mass_kg).filter(|_| design.file.is_some()) {
+        Some(mass) => {
+            let mass = words(Dimension::Mass, mass, DIGITS);
+            format!("{name}: speeds within {off} of those asked for; gears of {mass} hold over the duty.")
+        }
+        None => format!("{name}: no gearbox that holds was found."),
+    }
+}
+
+/// Why a design ends before its last step.
+fn stopped(design: &Design) -> Option<String> {
+    let why = match (&design.teeth, &design.sizes, &design.file) {
+        (.., Some(_)) => return None,
+        (None, ..) => {
+            "No scheme meets the criteria. `epicyclic select` with the same speeds and --tolerance lists the criteria that each one fails."
+        }
+        (Some(_), None, _) => "No tooth numbers within the bounds give the ratios, or not so many.",
+        (Some(_), Some(_), _) => {
+            "No size of a set holds over the duty; the nearest misses list what they lack."
+        }
+    };
+    let none = if design.ways_out.as_ref().is_some_and(Vec::is_empty) {
+        " No single limit relaxed gives a gearbox: the tolerance up to 10 %, the criteria, directions of rotation, structures, tooth numbers, \
+         ring offsets and sizes were tried, as far as they apply."
+    } else {
+        ""
+    };
+    Some(format!("{why}{none}"))
+}
+
+/// Limits that would have to give, each with its gearbox.
+fn ways_out(ways: &[WayOut]) -> Records {
+    let row = |way: &WayOut| {
+        let off = largest_deviation(&way.speeds);
+        let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
+        vec![
+            text(options(way)),
+            text(format!("{}{reverses}", way.scheme)),
+            text(sets(&way.teeth)),
+            text(percent(off).replace('+', "")),
+            column(Dimension::Mass, way.teeth.mass_kg),
+        ]
+    };
+    Records {
+        name: "ways_out",
+        columns: vec![
+            Column::words("option", "option"),
+            Column::words("scheme", "scheme"),
+            Column::words("teeth", "teeth"),
+            Column::number("deviation", "deviation"),
+            Column::headed("mass", "kg", Dimension::Mass),
+        ],
+        rows: ways.iter().map(row).collect(),
+        views: vec![View {
+            note: "Each line is the result of the same search with this option. Deviation: the largest of a gear.".to_owned(),
+            ..View::new(
+                "Limits that would have to give, and the gearbox behind each",
+                &["option", "scheme", "teeth", "deviation", "mass"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+/// Speeds that a way out reaches.
+fn speeds_of(way: &WayOut) -> Records {
+    let mut records = speeds_reached(&way.speeds);
+    for view in &mut records.views {
+        view.title = format!("{}: {}", options(way), view.title.to_lowercase());
+    }
+    records
+}
+
+/// A way out in words: the options and what they give.
+#[must_use]
+pub fn way_out(way: &WayOut) -> String {
+    let mass = way.teeth.mass_kg.map(|mass| format!(", gears of {}", words(Dimension::Mass, mass, DIGITS)));
+    format!("{} gives {}{}", options(way), way.scheme, mass.unwrap_or_default())
+}
+
+/// The options that relax the limits, as they are typed.
+fn options(way: &WayOut) -> String {
+    let all: Vec<String> = way.limits.iter().map(option).collect();
+    all.join(" ")
+}
+
+fn option(one: &RelaxedLimit) -> String {
+    let number = |value: Option<f64>| trimmed(value.unwrap_or_default(), 6);
+    let (least, greatest) = (number(one.least), number(one.greatest));
+    match one.limit {
+        Limit::Tolerance => format!("--tolerance {}%", trimmed(100.0 * one.greatest.unwrap_or_default(), 6)),
+        Limit::RingToSunRatio => format!("--k {least}..{greatest}"),
+        Limit::Efficiency => format!("--least-efficiency {least}"),
+        Limit::LinkSpeed => format!("--link-speed {greatest}"),
+        Limit::PlanetSpeed => format!("--planet-speed {greatest}"),
+        Limit::ClutchSlip => format!("--clutch-slip {greatest}"),
+        Limit::Circulation => format!("--circulation {greatest}"),
+        Limit::SameDirection => "--may-reverse".to_owned(),
+        Limit::Drawable => "--allow-crossing".to_owned(),
+        Limit::Structures => "--all-structures".to_owned(),
+        Limit::SunTeeth => format!("--sun {least}.."),
+        Limit::PlanetTeeth => format!("--planet {least}.."),
+        Limit::RingTeeth => format!("--ring ..{greatest}"),
+        Limit::RingOffset => format!("--ring-offset {least}..{greatest}"),
+        Limit::WidthRatio => format!("--width-ratio {greatest}"),
+        Limit::Modules => "without --modules".to_owned(),
+        Limit::FaceWidths => "without --face-widths".to_owned(),
+        Limit::Planets => format!("--planets ..{greatest}"),
+    }
+}
+
+fn steps(design: &Design) -> Records {
+    let mut rows = vec![scheme(&design.scheme)];
+    rows.extend(design.teeth.as_ref().map(teeth));
+    rows.extend(design.sizes.as_ref().map(sizes));
+    rows.extend(design.sizes.as_ref().and_then(strength));
+    Records {
+        name: "steps",
+        columns: vec![
+            Column::words("step", "step"),
+            Column::words("taken", "taken"),
+            Column::words("among", "among"),
+            Column::words("next", "next"),
+            Column::words("chosen_otherwise_by", "otherwise by"),
+        ],
+        rows: rows
+            .into_iter()
+            .map(|row| row.map(|cell| if cell.is_empty() { Figure::None } else { text(cell) }).to_vec())
+            .collect(),
+        views: vec![View::new("Steps: what was taken", &["step", "taken"]), View {
+            note: "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
+                   scheme, may be lighter."
+                .to_owned(),
+            ..View::new("Steps: among what, what came next, and how to choose otherwise", &["step", "among", "next", "chosen_otherwise_by"])
+        }],
+        is_answer: true,
+    }
+}
+
+fn scheme(step: &SchemeStep) -> [String; 5] {
+    let among = match step.decided_by {
+        _ if step.asked_for => "asked for".to_owned(),
+        None => format!("{} of {} that meet the criteria", step.accepted, step.compared),
+        Some(by) => {
+            format!("{} of {} that meet the criteria, by {}", step.accepted, step.compared, objective(by))
+        }
+    };
+    let taken = step.taken.clone().unwrap_or_else(|| "none".to_owned());
+    let among = match &step.passed_over[..] {
+        [] => among,
+        before => format!("{among}; before it {} without sizes that hold", before.join(", ")),
+    };
+    ["scheme".to_owned(), taken, among, step.next.clone().unwrap_or_default(), "--scheme, --order".to_owned()]
+}
+
+const fn objective(objective: Objective) -> &'static str {
+    match objective {
+        Objective::Direction => "direction of rotation",
+        Objective::Efficiency => "efficiency",
+        Objective::Speed => "speed",
+        Objective::RingToSunRatio => "k",
+        Objective::RatioError => "ratio error",
+        Objective::Size => "size",
+        Objective::Circulation => "circulating power",
+    }
+}
+
+/// Teeth of sun, planet and ring of each set.
+fn sets(of: &TeethTaken) -> String {
+    let all: Vec<String> =
+        of.sets.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
+    all.join(" + ")
+}
+
+fn teeth(step: &TeethStep) -> [String; 5] {
+    let taken = step.taken.as_ref().map_or_else(
+        || "none".to_owned(),
+        |of| {
+            let ratios: Vec<String> = of.ratios.iter().map(|ratio| trimmed(*ratio, DIGITS)).collect();
+            format!("no. {}: {}, i = {}", of.number, sets(of), ratios.join(" and "))
+        },
+    );
+    let within = trimmed(100.0 * step.tolerance, DIGITS);
+    let among = format!("{} of {} with sizes, within {within} %", step.tried, step.accepted);
+    let mass = |of: &TeethTaken| of.mass_kg.map(|mass| format!(", {}", words(Dimension::Mass, mass, DIGITS)));
+    let next = step
+        .next
+        .as_ref()
+        .map(|of| format!("no. {}: {}{}", of.number, sets(of), mass(of).unwrap_or_default()));
+    [
+        "teeth".to_owned(),
+        taken,
+        among,
+        next.unwrap_or_default(),
+        "--tooth-design, --tries, --tolerance".to_owned(),
+    ]
+}
+
+fn sizes(step: &SizesStep) -> [String; 5] {
+    let length = |si: f64| words(Dimension::Length, si, DIGITS);
+    let of = |design: &SizedDesign| {
+        format!(
+            "m {}, b {}, {} planets",
+            length(design.module_m),
+            length(design.face_width_m),
+            design.planets
+        )
+    };
+    let all = |place: usize| {
+        let each = step.sets.iter().map(|set| set.found.get(place).map_or("none".to_owned(), of));
+        each.collect::<Vec<_>>().join(" + ")
+    };
+    let next = if step.sets.iter().all(|set| set.found.len() > 1) { all(1) } else { String::new() };
+    ["sizes".to_owned(), all(0), format!("{} designs", step.designs), next, "--modules …, --save".to_owned()]
+}
+
+fn strength(step: &SizesStep) -> Option<[String; 5]> {
+    let governing = step.governing.as_ref()?;
+    let of = governing.requirement;
+    let what = match of.requirement {
+        Requirement::Flank => format!("S_H of the {}'s flank", of.toothed_gear),
+        Requirement::Root => format!("S_F of the {}'s root", of.toothed_gear),
+        Requirement::OverloadFlank => format!("S_H of the {}'s flank against the overload", of.toothed_gear),
+        Requirement::OverloadRoot => format!("S_F of the {}'s root against the overload", of.toothed_gear),
+        Requirement::BearingLife => {
+            "of the planet bearing, the load that it carries for the required life over its own".to_owned()
+        }
+    };
+    let taken = format!(
+        "{} of {} required: {what} of set {}",
+        trimmed(of.value, DIGITS),
+        trimmed(of.required, DIGITS),
+        governing.set
+    );
+    Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
+}
+
+fn basis(keys: &[BasisKey]) -> Records {
+    Records {
+        name: "basis",
+        columns: vec![Column::words("key", "key"), Column::words("value", "value")],
+        rows: keys.iter().map(|key| vec![text(&key.key), text(&key.value)]).collect(),
+        views: vec![View {
+            note: "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated."
+                .to_owned(),
+            ..View::new("Assumed values; change with --basis, --factors, --life", &["key", "value"])
+        }],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,610 @@
+//! A planetary drive from power, speed and ratio to its starting time.
+
+mod masses;
+mod warning;
+
+pub use masses::{CarrierMass, CarrierShape, GearMass, Masses};
+
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::fault::Fault as _;
+use crate::shared::number::{maybe_si, plain, si};
+use crate::shared::records::Fraction;
+use epicyclic_dynamics::drive::{self as dynamics, Choice, DriveDesign, DriveSpec, Start};
+use epicyclic_formats::{Document, drive as file};
+use epicyclic_gears::bearing;
+use epicyclic_gears::geometry::ToothedGear;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A planetary drive: the sun drives, the ring is fixed, the load is on the carrier.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Drive {
+    /// What the drive is for, where its file says so.
+    pub title: Option<String>,
+    /// Tooth numbers, planets and ratio.
+    pub tooth_numbers: ToothNumbers,
+    /// Efficiencies by the losses of the meshes alone.
+    pub efficiencies: Efficiencies,
+    /// Speeds, positive in the direction of the sun.
+    pub speeds: Speeds,
+    /// Torques at the nominal power.
+    pub torques: Torques,
+    /// Powers at the nominal speed.
+    pub powers: Powers,
+    /// Dimensions of sun, planets and ring.
+    pub gear_set: GearSet,
+    /// Forces at the nominal power, planets sharing the load evenly (mesh load factor 1).
+    pub forces: Forces,
+    /// Shafts by torsion, and their bearings.
+    pub shafts: Shafts,
+    /// Masses and inertias of the parts.
+    pub masses: Masses,
+    /// All moving parts as one inertia at the sun's shaft.
+    pub equivalent_inertia: EquivalentInertia,
+    /// The start from rest under constant torques.
+    pub start: Starting,
+    /// What deserves a second look.
+    pub warnings: Vec<Warning>,
+}
+
+/// Tooth numbers, and how well they meet their conditions.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ToothNumbers {
+    /// Teeth of the sun, `z₁`.
+    pub sun: u32,
+    /// Teeth of a planet, `z₂`.
+    pub planet: u32,
+    /// Teeth of the ring, `z₃`.
+    pub ring: u32,
+    /// Number of planets, `N`.
+    pub planets: u32,
+    /// The most planets that clear each other at equal spacing.
+    pub most_planets: u32,
+    /// Whether the planets stand at equal angles.
+    pub equal_spacing: bool,
+    /// Where each planet stands.
+    pub planet_angles_rad: Vec<f64>,
+    /// Clearance between the tips of the planets that stand nearest to each other; negative where they overlap.
+    pub tip_gap_m: f64,
+    /// Basic ratio `i₀ = −z₃/z₁`, speed of the sun over speed of the ring with the carrier at rest.
+    pub basic_ratio: f64,
+    /// Ratio `U`, speed of the sun over speed of the carrier.
+    pub ratio: f64,
+    /// The same, exactly.
+    pub exact_ratio: Fraction,
+    /// How far it is from the ratio wanted, as a share of it.
+    pub ratio_error: f64,
+}
+
+/// Efficiencies by the losses of the meshes alone.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Efficiencies {
+    /// Of the gear set with its carrier fixed, `η₀`.
+    pub basic: f64,
+    /// Of the drive, `η`.
+    pub overall: f64,
+}
+
+/// Speeds, positive in the direction of the sun.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Speeds {
+    /// Of the sun, `ω₁`.
+    pub sun_rad_s: f64,
+    /// Planet speed, `ω₂`.
+    pub planet_rad_s: f64,
+    /// Planet speed relative to the carrier, `ω₂ − ω_H`.
+    pub planet_relative_rad_s: f64,
+    /// Of the carrier, `ω_H`.
+    pub carrier_rad_s: f64,
+}
+
+/// Torques at the nominal power.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Torques {
+    /// On the sun, `T₁`.
+    pub sun_n_m: f64,
+    /// On all planets together about their own axes, `T₂`; it does not reach the planet pins.
+    pub planets_n_m: f64,
+    /// Delivered by the carrier, `T_H`.
+    pub carrier_n_m: f64,
+    /// Of the housing on the ring, `T_H − T₁`.
+    pub ring_reaction_n_m: f64,
+}
+
+/// Powers at the nominal speed.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Powers {
+    /// Into the sun, `N₁`.
+    pub input_w: f64,
+    /// Rolling power: through the meshes, relative to the carrier.
+    pub rolling_w: f64,
+    /// Lost in the meshes and in the bearings of the planets.
+    pub lost_w: f64,
+    /// On the shafts of the planets as the source counts, `N₁·η₁₂·η_b`: as if the carrier stood still.
+    pub planets_w: f64,
+    /// Out of the carrier, `N_H`.
+    pub output_w: f64,
+}
+
+/// Dimensions of sun, planets and ring.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearSet {
+    /// Module `m`.
+    pub module_m: f64,
+    /// Face width `b`.
+    pub face_width_m: f64,
+    /// Centre distance `a_w` of sun and planet, the radius of the planets' orbit.
+    pub centre_distance_m: f64,
+    /// Teeth of an external gear below which the rack undercuts it, `2·h_a*/sin²α`.
+    pub undercut_limit: f64,
+    /// The fewest teeth of an external gear that count as not undercut, `z_min`.
+    pub least_teeth_without_undercut: u32,
+    /// The sun.
+    pub sun: Gear,
+    /// A planet.
+    pub planet: Gear,
+    /// The ring.
+    pub ring: Gear,
+}
+
+/// Diameters of a gear.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Gear {
+    /// Pitch diameter `d`.
+    pub pitch_diameter_m: f64,
+    /// Tip diameter `d_a`.
+    pub tip_diameter_m: f64,
+    /// Root diameter `d_f`.
+    pub root_diameter_m: f64,
+    /// Base diameter `d_b`.
+    pub base_diameter_m: f64,
+}
+
+/// Forces at the nominal power, planets sharing the load evenly.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Forces {
+    /// Tangential force at each mesh with the sun, friction of the teeth included.
+    pub sun_mesh_n: f64,
+    /// Tangential force at each mesh with the ring, friction of the teeth included; with that at the sun it adds to
+    /// `planet_bearing_tangential_n`.
+    pub ring_mesh_n: f64,
+    /// Tangential force on the bearings of each planet, from the carrier's torque.
+    pub planet_bearing_tangential_n: f64,
+    /// Radial force of both meshes on the bearings of each planet, outwards.
+    pub planet_bearing_meshes_n: f64,
+    /// Centrifugal force of a planet on its bearings, outwards.
+    pub planet_bearing_centrifugal_n: f64,
+    /// On the bearings of each planet, all together.
+    pub planet_bearing_n: f64,
+    /// Nominal tangential force of a tooth of the sun for its strength, `2·T₁/(N·d₁)`: without the torque of friction on
+    /// the planet, so larger than at the mesh.
+    pub sun_nominal_n: f64,
+    /// The same of the ring, `2·T₃/(N·d₃)`.
+    pub ring_nominal_n: f64,
+}
+
+/// The three shafts.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Shafts {
+    /// The sun's shaft.
+    pub sun: Shaft,
+    /// A planet pin. It carries no torque; the method sizes it by the torque on the planets all the same. Its real load
+    /// is bending by the force on the planet bearings.
+    pub planet_pin: Shaft,
+    /// The carrier's shaft.
+    pub carrier: Shaft,
+}
+
+/// A shaft by a low allowable torsional stress.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Shaft {
+    /// The torque that it is sized for.
+    pub torque_n_m: f64,
+    /// The diameter that the formula asks for.
+    pub needed_diameter_m: f64,
+    /// The next standard diameter.
+    pub standard_diameter_m: f64,
+    /// The smallest bearing of the series that goes on the standard diameter.
+    pub standard_bearing: Option<Bearing>,
+    /// The diameter used: as given, or else the standard one.
+    pub diameter_m: f64,
+    /// Torsional stress at the diameter used.
+    pub stress_pa: f64,
+    /// The bearing used.
+    pub bearing: Option<Bearing>,
+}
+
+/// A deep-groove ball bearing.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Bearing {
+    /// Its designation by GOST; the international one has a 6 before it.
+    pub designation: String,
+    /// Bore `d`.
+    pub bore_m: f64,
+    /// Outside diameter `D`.
+    pub outside_diameter_m: f64,
+    /// Width `B`.
+    pub width_m: f64,
+}
+
+/// The equivalent inertia, referred to the sun's shaft, and its parts.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct EquivalentInertia {
+    /// Of the sun.
+    pub sun_kg_m2: f64,
+    /// Of what else is on the sun's shaft.
+    pub motor_kg_m2: f64,
+    /// Of the planets' masses on their orbit.
+    pub planets_orbiting_kg_m2: f64,
+    /// Of the planets' own rotation.
+    pub planets_turning_kg_m2: f64,
+    /// Of the carrier.
+    pub carrier_kg_m2: f64,
+    /// Of the driven machine.
+    pub machine_kg_m2: f64,
+    /// The whole, `J_pr`.
+    pub total_kg_m2: f64,
+    /// Kinetic energy at the nominal speed, `T`.
+    pub kinetic_energy_j: f64,
+    /// Equivalent inertia and kinetic energy by the shapes alone; null if no mass or inertia of a part is
+    /// given.
+    pub of_shapes: Option<OfShapes>,
+}
+
+/// Equivalent inertia and kinetic energy by the shapes alone, in place of the given masses and inertias.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OfShapes {
+    /// Equivalent inertia.
+    pub total_kg_m2: f64,
+    /// Kinetic energy at the nominal speed.
+    pub kinetic_energy_j: f64,
+}
+
+/// The start from rest.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Starting {
+    /// Torque on the sun, `M₁`.
+    pub driving_torque_n_m: f64,
+    /// Torque on the carrier against it, `M_H`.
+    pub load_n_m: f64,
+    /// Without losses.
+    pub without_losses: Motion,
+    /// With the losses of the meshes.
+    pub with_losses: Motion,
+}
+
+/// How the drive moves from rest.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Motion {
+    /// It starts forward under loads below this one.
+    pub held_from_n_m: f64,
+    /// It runs backward under loads above this one; between both it stays at rest.
+    pub held_to_n_m: f64,
+    /// Generalized force at the sun's shaft, friction taken off, `Q`; 0 where it stays at rest.
+    pub generalized_force_n_m: f64,
+    /// The inertia that the driving torque feels.
+    pub inertia_kg_m2: f64,
+    /// Acceleration of the sun.
+    pub acceleration_sun_rad_s2: f64,
+    /// Acceleration of a planet.
+    pub acceleration_planet_rad_s2: f64,
+    /// Acceleration of the carrier.
+    pub acceleration_carrier_rad_s2: f64,
+    /// Whether it starts.
+    pub outcome: Outcome,
+    /// Time to the nominal speed; null where it does not start.
+    pub starting_time_s: Option<f64>,
+}
+
+/// Whether a drive starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// It starts forward.
+    Starts,
+    /// Driving torque and load balance: it does not start.
+    InBalance,
+    /// The friction of the meshes holds it.
+    Held,
+    /// The load turns it backward.
+    RunsBackward,
+}
+
+impl Answer for Drive {
+    const NAME: &'static str = "drive";
+}
+
+/// The drive of a specification.
+///
+/// # Errors
+/// [`Error::Drive`].
+///
+/// # Example
+/// ```
+/// use crate::drive::answer::{Outcome, answer};
+/// use epicyclic_dynamics::drive::DriveSpec;
+/// use uom::si::angular_velocity::revolution_per_minute;
+/// use uom::si::f64::{AngularVelocity, Length, Power};
+/// use uom::si::{length::millimeter, power::kilowatt};
+///
+/// let mm = Length::new::<millimeter>;
+/// let speed = AngularVelocity::new::<revolution_per_minute>(1950.0);
+/// let spec = DriveSpec::new(Power::new::<kilowatt>(106.5), speed, 6.0, mm(8.0), mm(60.0));
+/// let drive = answer(None, &spec)?;
+/// assert!((drive.torques.sun_n_m - 521.5).abs() < 0.1);
+/// assert_eq!(drive.start.with_losses.outcome, Outcome::InBalance);
+/// # Ok::<(), crate::error::Error>(())
+/// ```
+pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
+    let design = dynamics::design(spec).map_err(|error| Error::Drive(Box::new(error)))?;
+    Ok(Drive::of(title, &design))
+}
+
+/// The drive of a file.
+///
+/// # Errors
+/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refused drive depends on.
+pub fn of_file(document: &Document) -> Result<Drive, Error> {
+    let (file, spec) = file::read(document)?;
+    answer(file.title, &spec).map_err(|error| match error {
+        Error::Drive(why) => {
+            let at = document.error(&file::place(&why), why.problem());
+            Error::Placed { at: Box::new(at), why: Box::new(Error::Drive(why)) }
+        }
+        error => error,
+    })
+}
+
+impl Drive {
+    /// The design as a record.
+    #[must_use]
+    pub fn of(title: Option<String>, design: &DriveDesign) -> Self {
+        let DriveDesign { speeds, torques, powers, forces, shafts, .. } = design;
+        let parts = &design.equivalent_inertia;
+        Self {
+            title,
+            tooth_numbers: ToothNumbers::of(&design.teeth),
+            efficiencies: Efficiencies {
+                basic: design.efficiency.basic,
+                overall: plain(design.efficiency.overall),
+            },
+            speeds: Speeds {
+                sun_rad_s: si(speeds.sun),
+                planet_rad_s: si(speeds.planet),
+                planet_relative_rad_s: si(speeds.planet_relative),
+                carrier_rad_s: si(speeds.carrier),
+            },
+            torques: Torques {
+                sun_n_m: si(torques.sun),
+                planets_n_m: si(torques.planets),
+                carrier_n_m: si(torques.carrier),
+                ring_reaction_n_m: si(torques.ring_reaction),
+            },
+            powers: Powers {
+                input_w: si(powers.input),
+                rolling_w: si(powers.mesh),
+                lost_w: si(powers.lost),
+                planets_w: si(powers.planets),
+                output_w: si(powers.output),
+            },
+            gear_set: GearSet::of(&design.gear_set),
+            forces: Forces {
+                sun_mesh_n: si(forces.sun_mesh),
+                ring_mesh_n: si(forces.ring_mesh),
+                planet_bearing_tangential_n: si(forces.planet_bearing_tangential),
+                planet_bearing_meshes_n: si(forces.planet_bearing_meshes),
+                planet_bearing_centrifugal_n: si(forces.planet_bearing_centrifugal),
+                planet_bearing_n: si(forces.planet_bearing),
+                sun_nominal_n: si(forces.sun_nominal),
+                ring_nominal_n: si(forces.ring_nominal),
+            },
+            shafts: Shafts {
+                sun: Shaft::of(&shafts.sun),
+                planet_pin: Shaft::of(&shafts.planet),
+                carrier: Shaft::of(&shafts.carrier),
+            },
+            masses: Masses::of(design),
+            equivalent_inertia: EquivalentInertia {
+                sun_kg_m2: si(parts.sun),
+                motor_kg_m2: si(parts.motor),
+                planets_orbiting_kg_m2: si(parts.planets_orbiting),
+                planets_turning_kg_m2: si(parts.planets_turning),
+                carrier_kg_m2: si(parts.carrier),
+                machine_kg_m2: si(parts.machine),
+                total_kg_m2: si(parts.total),
+                kinetic_energy_j: si(parts.kinetic_energy),
+                of_shapes: design.inertia_of_shapes.as_ref().map(|shapes| OfShapes {
+                    total_kg_m2: si(shapes.total),
+                    kinetic_energy_j: si(shapes.kinetic_energy),
+                }),
+            },
+            start: Starting {
+                driving_torque_n_m: si(design.driving_torque),
+                load_n_m: si(design.load),
+                without_losses: Motion::of(&design.without_losses),
+                with_losses: Motion::of(&design.with_losses),
+            },
+            warnings: warning::all(design),
+        }
+    }
+}
+
+impl ToothNumbers {
+    fn of(teeth: &dynamics::TeethDesign) -> Self {
+        let numbers = teeth.numbers;
+        Self {
+            sun: numbers.sun.get(),
+            planet: numbers.planet.get(),
+            ring: numbers.ring.get(),
+            planets: numbers.planets,
+            most_planets: teeth.most_planets,
+            equal_spacing: teeth.spacing.is_equal(),
+            planet_angles_rad: teeth.spacing.angles().into_iter().map(si).collect(),
+            tip_gap_m: si(teeth.tip_gap),
+            basic_ratio: numbers.basic_ratio().get(),
+            ratio: plain(teeth.ratio),
+            exact_ratio: Fraction::of(teeth.exact_ratio),
+            ratio_error: plain(teeth.ratio_error),
+        }
+    }
+}
+
+impl GearSet {
+    fn of(set: &dynamics::GearSetGeometry) -> Self {
+        let rack = set.sun.rack();
+        Self {
+            module_m: si(set.sun.module()),
+            face_width_m: si(set.face_width),
+            centre_distance_m: si(set.centre_distance),
+            undercut_limit: rack.undercut_limit(),
+            least_teeth_without_undercut: rack.least_teeth_without_undercut(),
+            sun: Gear::of(&set.sun),
+            planet: Gear::of(&set.planet),
+            ring: Gear::of(&set.ring),
+        }
+    }
+}
+
+impl Gear {
+    fn of(gear: &ToothedGear) -> Self {
+        Self {
+            pitch_diameter_m: si(gear.pitch_diameter()),
+            tip_diameter_m: si(gear.tip_diameter()),
+            root_diameter_m: si(gear.root_diameter()),
+            base_diameter_m: si(gear.base_diameter()),
+        }
+    }
+}
+
+impl Shaft {
+    fn of(shaft: &dynamics::ShaftDesign) -> Self {
+        let bearing = |choice: &Choice| choice.bearing.map(Bearing::of);
+        Self {
+            torque_n_m: si(shaft.torque),
+            needed_diameter_m: si(shaft.needed),
+            standard_diameter_m: si(shaft.standard.diameter),
+            standard_bearing: bearing(&shaft.standard),
+            diameter_m: si(shaft.used.diameter),
+            stress_pa: si(shaft.stress),
+            bearing: bearing(&shaft.used),
+        }
+    }
+}
+
+impl Bearing {
+    fn of(bearing: &bearing::Bearing) -> Self {
+        Self {
+            designation: bearing.designation.to_owned(),
+            bore_m: si(bearing.bore),
+            outside_diameter_m: si(bearing.outside_diameter),
+            width_m: si(bearing.width),
+        }
+    }
+}
+
+impl Motion {
+    fn of(motion: &dynamics::Motion) -> Self {
+        let (outcome, time) = match motion.start {
+            Start::After(time) => (Outcome::Starts, Some(time)),
+            Start::InBalance => (Outcome::InBalance, None),
+            Start::Held => (Outcome::Held, None),
+            Start::Backward(_) => (Outcome::RunsBackward, None),
+        };
+        let [from, to] = motion.held;
+        Self {
+            held_from_n_m: si(from),
+            held_to_n_m: si(to),
+            generalized_force_n_m: si(motion.generalized_force),
+            inertia_kg_m2: si(motion.inertia),
+            acceleration_sun_rad_s2: si(motion.accelerations.sun),
+            acceleration_planet_rad_s2: si(motion.accelerations.planet),
+            acceleration_carrier_rad_s2: si(motion.accelerations.carrier),
+            outcome,
+            starting_time_s: maybe_si(time),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Result<Drive, Error> {
+        of_file(&Document::parse_one("drive.yaml", text.as_bytes()).unwrap())
+    }
+
+    const GEAR_SET: &str = "gear_set: { module: 5 mm, face_width: 50 mm }\n";
+
+    #[test]
+    fn forces_at_both_meshes_add_to_that_on_the_planet_bearings() {
+        let drive = of(&format!("power: 30 kW\nspeed: 1450 rpm\nratio: 5\n{GEAR_SET}")).unwrap();
+        let forces = &drive.forces;
+        let sum = forces.sun_mesh_n + forces.ring_mesh_n;
+        assert!((sum / forces.planet_bearing_tangential_n - 1.0).abs() < 1e-12);
+        assert_eq!(drive.tooth_numbers.exact_ratio, Fraction { numerator: 5, denominator: 1 });
+        let parts = &drive.equivalent_inertia;
+        let sum = parts.sun_kg_m2
+            + parts.motor_kg_m2
+            + parts.planets_orbiting_kg_m2
+            + parts.planets_turning_kg_m2
+            + parts.carrier_kg_m2
+            + parts.machine_kg_m2;
+        assert!((sum / parts.total_kg_m2 - 1.0).abs() < 1e-12);
+        assert!(drive.warnings.iter().any(|warning| warning.name == "carrier-neglected"));
+    }
+
+    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source, against the
+    /// sums written out.
+    #[test]
+    fn what_is_given_of_a_part_replaces_its_shape() {
+        let text = std::fs::read_to_string("../../examples/xe215cll-drive-as-printed.yaml").unwrap();
+        let drive = of(&text).unwrap();
+        let inertia = &drive.equivalent_inertia;
+        let due = 0.008_18 + 4.0 * 31.5 * 0.24 * 0.24 / 36.0 + 4.0 * 0.3 / 16.0 + 0.144 / 36.0;
+        assert!((inertia.total_kg_m2 / due - 1.0).abs() < 1e-12 && (due - 0.288_78).abs() < 1e-9);
+        assert!((inertia.kinetic_energy_j / (0.5 * due * 204.1 * 204.1) - 1.0).abs() < 1e-12);
+        assert!((inertia.kinetic_energy_j - 6014.8).abs() < 0.05);
+        let motion = &drive.start.without_losses;
+        assert!((motion.acceleration_sun_rad_s2 / ((521.8 - 2974.26 / 6.0) / due) - 1.0).abs() < 1e-12);
+        assert!((motion.acceleration_sun_rad_s2 - 90.35).abs() < 0.005);
+        assert!((drive.powers.planets_w / 102_271.95 - 1.0).abs() < 1e-12);
+        let shapes = inertia.of_shapes.as_ref().unwrap();
+        let by_shape = |gear: &GearMass| (gear.shape_mass_kg, gear.shape_inertia_kg_m2);
+        let (sun, (planet_kg, planet)) = (by_shape(&drive.masses.sun).1, by_shape(&drive.masses.planet));
+        let carrier = drive.masses.carrier.shape.as_ref().unwrap().inertia_kg_m2;
+        let of_shapes = sun + 4.0 * planet_kg * 0.24 * 0.24 / 36.0 + 4.0 * planet / 16.0 + carrier / 36.0;
+        assert!((shapes.total_kg_m2 / of_shapes - 1.0).abs() < 1e-12);
+        let (before, parts) = text.split_once("parts:").unwrap();
+        let (_, after) = parts.split_once("\n\n").unwrap();
+        let same = of(&format!("{before}{after}")).unwrap();
+        assert_eq!(same.equivalent_inertia.of_shapes, None);
+        assert!((same.equivalent_inertia.total_kg_m2 / of_shapes - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_ratio_that_no_teeth_have_is_told_at_its_key() {
+        let error = of(&format!("power: 30 kW\nspeed: 1450 rpm\nratio: 60\n{GEAR_SET}")).unwrap_err();
+        assert!(error.is_nothing_found());
+        assert!(error.to_string().starts_with("drive.yaml:3:8: ratio: "), "{error}");
+        let error = of(&format!("power: 0 kW\nspeed: 1450 rpm\nratio: 5\n{GEAR_SET}")).unwrap_err();
+        assert!(!error.is_nothing_found());
+        assert!(error.to_string().starts_with("drive.yaml:1:8: power: "), "{error}");
+    }
+}

@@ -1,0 +1,464 @@
+//! What is refused instead of answered.
+
+use crate::refusal::{DutyProblem, Given, LoadQuantity, SizeName, SizeProblem};
+
+/// A question without an answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number of an answer that no double holds.
+    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
+    NotFinite {
+        /// Its key in the answer.
+        figure: String,
+    },
+    /// An answer that cannot be put in its format.
+    #[error("the answer cannot be written as text: {0}")]
+    Json(String),
+    /// More things than are written at once.
+    #[error("{found} are found and at most {most} are written")]
+    TooMany {
+        /// How many there are.
+        found: u64,
+        /// How many can be written.
+        most: usize,
+    },
+    /// A fault in a file, with its line and column.
+    #[error(transparent)]
+    Document(#[from] epicyclic_formats::Error),
+    /// A refusal at the place in a file that it is about.
+    #[error("{at}")]
+    Placed {
+        /// The refusal with file, line and column.
+        at: Box<epicyclic_formats::Error>,
+        /// The refusal itself.
+        why: Box<Error>,
+    },
+    /// What the design of a drive refuses.
+    #[error(transparent)]
+    Drive(Box<epicyclic_dynamics::Error>),
+    /// What a hydromotor refuses.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// A search that no hydromotor passes.
+    #[error("no motor within the limits: {0}")]
+    NoMotor(Box<crate::motor::search::answer::Funnel>),
+    /// A search with free tooth forms in which no motor passes with any.
+    #[error("no motor within the limits: {0}")]
+    NoMotorForm(Box<crate::motor::forms::answer::Funnel>),
+    /// A number of a design that a search has not found.
+    #[error("{design}: there are designs 1 to {designs}")]
+    NoSuchDesign {
+        /// The number.
+        design: usize,
+        /// How many there are.
+        designs: usize,
+    },
+    /// A pressure drop of a hydromotor that is not above 0.
+    #[error("it is high less low pressure, so above 0; the motor runs counter-clockwise")]
+    PressureDrop,
+    /// A speed of a hydromotor's rotor that is not above 0.
+    #[error("it must be above 0; a motor that runs backwards is its mirror image")]
+    RotorSpeed,
+    /// Distances of a stator's arcs with which there are no arcs, or none on which a satellite rolls.
+    #[error("{why}; {closing}")]
+    NoConstruction {
+        /// Why.
+        why: epicyclic_hydromotor::Error,
+        /// The `a` with which the rotor closes at the given `l`, or the range of `l` in which motors close.
+        closing: String,
+    },
+    /// A construction of arcs of a motor that has none.
+    #[error("a rotor by the cosine law is not made of arcs; it has no construction (1)-(8)")]
+    NoArcs,
+    /// A stator of more teeth than a list of all its satellites takes.
+    #[error(
+        "{teeth} stator teeth: without the teeth of a satellite all satellites are listed, of at most {most} stator teeth; give --zs"
+    )]
+    TooManyToList {
+        /// Teeth of the stator.
+        teeth: u32,
+        /// The most.
+        most: u32,
+    },
+    /// What is said of a hydromotor beside its geometry and does not go together.
+    #[error("{message}")]
+    MotorKey {
+        /// The key that it is about: `oil.viscosity`.
+        key: &'static str,
+        /// What is wrong, and what is allowed.
+        message: String,
+    },
+    /// Too few or too many points of a hydromotor's centrodes.
+    #[error("{points} points of a half-lobe: from 1 to {most}")]
+    CentrodePoints {
+        /// How many were wanted.
+        points: u32,
+        /// The most there can be.
+        most: u32,
+    },
+    /// What a gear or a simple set refuses.
+    #[error(transparent)]
+    Gear(#[from] epicyclic_gears::Error),
+    /// What the solver refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// A transmission chosen in a file that holds one gearbox.
+    #[error("the file holds one gearbox, and no transmissions to choose from")]
+    OneGearbox,
+    /// Transmissions of which one must be named.
+    #[error("the file has {}; name one of: {}", names.len(), names.join("; "))]
+    SeveralTransmissions {
+        /// All of them.
+        names: Vec<String>,
+    },
+    /// A name that is part of no transmission's.
+    #[error("no name in the file has `{name}` in it; there are: {}", names.join("; "))]
+    NoTransmission {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        names: Vec<String>,
+    },
+    /// A name that is part of several transmissions'.
+    #[error("`{name}` is part of several names; write more of one of: {}", names.join("; "))]
+    AmbiguousTransmission {
+        /// The name.
+        name: String,
+        /// Those that it is part of.
+        names: Vec<String>,
+    },
+    /// A gear that the gearbox does not have.
+    #[error("no gear is called `{name}`: there are {}", gears.join(", "))]
+    NoGear {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        gears: Vec<String>,
+    },
+    /// A load that a gear cannot take.
+    #[error("{why} (gear {gear})")]
+    Load {
+        /// Of which quantity.
+        quantity: LoadQuantity,
+        /// The gear.
+        gear: String,
+        /// Why.
+        why: epicyclic_train::OperatingFault,
+    },
+    /// A progression factor that leaves a step of the ideal progression at or below 1.
+    #[error(
+        "{factor} leaves a step at or below 1 between the gears {first} and {last}; with their spread it is between {least:.4} and {most:.4}"
+    )]
+    ProgressionFactor {
+        /// The factor.
+        factor: f64,
+        /// The first gear of the progression.
+        first: String,
+        /// Its last gear.
+        last: String,
+        /// The factor must be above this.
+        least: f64,
+        /// The factor must be below this.
+        most: f64,
+    },
+    /// A gearbox of more gears than are taken in pairs.
+    #[error("the gearbox has {gears} gears; in pairs, as here, at most {most} are told")]
+    ManyGears {
+        /// How many gears it has.
+        gears: usize,
+        /// How many it may have.
+        most: usize,
+    },
+    /// A link that the gearbox does not have.
+    #[error("no link is called `{name}`: there are {}", links.join(", "))]
+    NoLink {
+        /// Where it is named.
+        given: Given,
+        /// The name.
+        name: String,
+        /// Those that there are.
+        links: Vec<String>,
+    },
+    /// Speeds or torques of several links that do not settle the others.
+    #[error("{fault}")]
+    Inputs {
+        /// Which of them.
+        given: Given,
+        /// Why.
+        fault: epicyclic_train::InputsFault,
+    },
+    /// Too few or too many places of a range.
+    #[error("{places} places: 2 to {most} are allowed")]
+    Places {
+        /// How many.
+        places: u32,
+        /// The most.
+        most: u32,
+    },
+    /// What a scheme or a machine refuses.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::Error),
+    /// A size of a scheme.
+    #[error("{size}: {problem}")]
+    SchemeSize {
+        /// Which.
+        size: SizeName,
+        /// What is wrong with it.
+        problem: SizeProblem,
+    },
+    /// What a selection refuses.
+    #[error(transparent)]
+    Selection(#[from] epicyclic_selection::Error),
+    /// A list of ratios that no gearbox of the classes asked for can have.
+    #[error(transparent)]
+    Synthesis(#[from] epicyclic_synthesis::Error),
+    /// A speed or load of an input.
+    #[error(transparent)]
+    Duty(#[from] DutyProblem),
+    /// More designs than are told at once.
+    #[error("{wanted} designs, each measured and written in full: at most {most}")]
+    TooManyDesigns {
+        /// How many are wanted.
+        wanted: usize,
+        /// How many can be told.
+        most: usize,
+    },
+    /// Limits of a module that leave none.
+    #[error("the least module, {least_mm} mm, is above the greatest, {greatest_mm} mm")]
+    ModuleRange {
+        /// The least.
+        least_mm: f64,
+        /// The greatest.
+        greatest_mm: f64,
+    },
+    /// A one-way clutch that lets go at a load.
+    #[error("gear `{gear}` relies on the one-way clutch `{clutch}`, which lets go at this load")]
+    Released {
+        /// The clutch.
+        clutch: String,
+        /// The gear.
+        gear: String,
+    },
+    /// Strength without a load.
+    #[error("no load: give a torque or power with a speed, or write a `duty` in the file")]
+    NoLoad,
+    /// Shares of the time that are not one of each gear.
+    #[error("{given} shares of the time for {} gears: {}", .gears.len(), .gears.join(", "))]
+    Shares {
+        /// How many were given.
+        given: usize,
+        /// The gears in their order.
+        gears: Vec<String>,
+    },
+    /// Strength at a load without a speed: its cycles follow from it.
+    #[error("the load cycles of teeth follow from a speed: give it, too")]
+    LoadWithoutSpeed,
+    /// What is of one operating point, asked over a duty.
+    #[error(
+        "a gear and a speed are of one operating point: give a torque or power, or leave them out for the duty of the file"
+    )]
+    OfOnePoint,
+    /// No set whose strength can be calculated.
+    #[error("no set can be rated: {}", sets.join("; "))]
+    NothingRated {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// A data sheet of no set.
+    #[error("no set has a data sheet: {}", sets.join("; "))]
+    NothingDescribed {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// No set whose vibration can be calculated.
+    #[error("no set can be calculated: {}", sets.join("; "))]
+    NothingVibrates {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// No harmonic of the meshes, or too many.
+    #[error("{harmonics} harmonics: 1 to {most} are allowed")]
+    Harmonics {
+        /// How many were wanted.
+        harmonics: u32,
+        /// The most there can be.
+        most: u32,
+    },
+    /// A balance of heat with what cannot be.
+    #[error("{quantity} {given} {unit}: it must be {allowed}")]
+    Cooling {
+        /// Of what: `conductance`, `cooler`, `allowed-rise`.
+        quantity: &'static str,
+        /// What was given.
+        given: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A damping ratio with which nothing rings, or for ever.
+    #[error("damping ratio {given}: {low} to {high} are allowed")]
+    DampingRatio {
+        /// What was given.
+        given: f64,
+        /// The least allowed.
+        low: f64,
+        /// The greatest.
+        high: f64,
+    },
+    /// An amplitude that is none, or nothing but zeros.
+    #[error("a transmission error of {} µm: amplitudes are 0 or above, and one above 0", crate::shared::number::short(given_m * 1e6))]
+    TransmissionError {
+        /// What was given.
+        given_m: f64,
+    },
+    /// What excites a vibration, given without what it needs.
+    #[error("{given} needs {lacks}: as an option, or as a key of `vibration` of the file")]
+    ExcitationWithout {
+        /// What was given: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`, `without-gyroscopic`.
+        given: &'static str,
+        /// What it needs.
+        lacks: &'static str,
+    },
+    /// A set that does not exist.
+    #[error("no set `{name}`: there are {}", sets.join(", "))]
+    NoSet {
+        /// The name.
+        name: String,
+        /// The sets.
+        sets: Vec<String>,
+    },
+    /// What a search for a size refuses of its space.
+    #[error(transparent)]
+    Sizing(#[from] epicyclic_strength::Error),
+    /// A key of a scenario that cannot be swept, or a value that it does not take.
+    #[error("{why}")]
+    Sweep {
+        /// Why.
+        why: String,
+    },
+    /// Columns of different lengths.
+    #[error("`{name}` has {given} values, and `{first}` has {expected}: every variant takes one of each")]
+    SweptLength {
+        /// The set or link.
+        name: String,
+        /// How many values it has.
+        given: usize,
+        /// The first set or link.
+        first: String,
+        /// How many values that has.
+        expected: usize,
+    },
+    /// A variant of a sweep that is refused.
+    #[error("variant {variant}: {why}")]
+    SweptVariant {
+        /// Its place, from 0.
+        variant: usize,
+        /// Why.
+        why: epicyclic_train::Error,
+    },
+    /// What a simulated motion refuses.
+    #[error(transparent)]
+    Motion(#[from] epicyclic_motion::Error),
+    /// No set whose size can be sought.
+    #[error("no set can be sized: {}", sets.join("; "))]
+    NothingToSize {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// A file of sizes where some set has none.
+    #[error("set {set} has no size that meets the requirements")]
+    NoSize {
+        /// The set.
+        set: String,
+    },
+    /// A throw of a bucket wheel without an angle of the chute.
+    #[error("no angle of the chute: at least one is due")]
+    NoChute,
+}
+
+/// What would close instead.
+impl Error {
+    /// The name of the error, which does not change: `no-tooth-numbers`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::Json(_) => "not-writable",
+            Self::TooMany { .. } => "too-many",
+            Self::Document(error) => error.name(),
+            Self::Placed { why, .. } => why.name(),
+            Self::Drive(error) => error.name(),
+            Self::Motor(error) => error.name(),
+            Self::NoMotor(_) | Self::NoMotorForm(_) => "no-motor",
+            Self::NoSuchDesign { .. } => "no-such-design",
+            Self::PressureDrop => "pressure-drop",
+            Self::RotorSpeed => "rotor-speed",
+            Self::NoConstruction { why, .. } => why.name(),
+            Self::NoArcs => "no-construction",
+            Self::TooManyToList { .. } => "too-many-to-list",
+            Self::MotorKey { .. } => "motor-key",
+            Self::CentrodePoints { .. } => "centrode-points",
+            Self::Gear(error) => error.name(),
+            Self::Gearbox(error) => error.name(),
+            Self::OneGearbox => "one-gearbox",
+            Self::SeveralTransmissions { .. } => "several-transmissions",
+            Self::NoTransmission { .. } => "no-transmission",
+            Self::AmbiguousTransmission { .. } => "ambiguous-transmission",
+            Self::NoGear { .. } => "no-gear",
+            Self::Load { .. } => "load",
+            Self::ProgressionFactor { .. } => "progression-factor",
+            Self::ManyGears { .. } => "many-gears",
+            Self::NoLink { .. } => "no-link",
+            Self::Inputs { .. } => "inputs",
+            Self::Places { .. } => "places",
+            Self::Design(error) => error.name(),
+            Self::SchemeSize { .. } => "scheme-size",
+            Self::Selection(error) => error.name(),
+            Self::Synthesis(_) => "synthesis",
+            Self::Duty(_) => "duty",
+            Self::TooManyDesigns { .. } => "too-many-designs",
+            Self::ModuleRange { .. } => "module-range",
+            Self::Released { .. } => "one-way-clutch",
+            Self::NoLoad => "no-load",
+            Self::Shares { .. } => "shares",
+            Self::LoadWithoutSpeed => "load-without-speed",
+            Self::OfOnePoint => "of-one-point",
+            Self::NothingRated { .. } => "nothing-rated",
+            Self::NothingDescribed { .. } => "nothing-described",
+            Self::NothingVibrates { .. } => "nothing-vibrates",
+            Self::Harmonics { .. } => "harmonics",
+            Self::Cooling { .. } => "cooling",
+            Self::DampingRatio { .. } => "damping-ratio",
+            Self::TransmissionError { .. } => "transmission-error",
+            Self::ExcitationWithout { .. } => "excitation-without",
+            Self::NoSet { .. } => "no-set",
+            Self::Sizing(error) => error.name(),
+            Self::Sweep { .. } => "sweep",
+            Self::SweptLength { .. } => "swept-length",
+            Self::SweptVariant { why, .. } => why.name(),
+            Self::Motion(error) => error.name(),
+            Self::NothingToSize { .. } => "nothing-to-size",
+            Self::NoSize { .. } => "no-size",
+            Self::NoChute => "no-chute",
+        }
+    }
+
+    /// Whether the question is sound and only has no answer within its bounds.
+    #[must_use]
+    pub fn is_nothing_found(&self) -> bool {
+        use epicyclic_gears::Error as Gear;
+        match self {
+            Self::Placed { why, .. } => why.is_nothing_found(),
+            Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
+            | Self::NoMotor(_)
+            | Self::NoMotorForm(_)
+            | Self::NoSize { .. } => true,
+            Self::Drive(why) => {
+                matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
+            }
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! What ends the program, and with which exit code.
+//!
+//! | code | means |
+//! |---|---|
+//! | 0 | answered |
+//! | 1 | nothing found: the question is sound and has no answer within its bounds |
+//! | 2 | wrong usage, or an input that cannot be |
+//! | 3 | a file or stream that cannot be read or written |
+//! | 130 | asked to end: Ctrl-C, or SIGTERM |
+
+use crate::refused::{Place, Refused};
+use crate::shared::drawability::answer::Conflict;
+use crate::shared::drawability::table as drawability;
+use epicyclic_formats::gearbox::gear_place;
+use epicyclic_formats::{Document, Path, Problem, motor};
+use epicyclic_units::visible::one_line;
+use std::io;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+/// Nothing meets the requirements.
+const NOTHING_FOUND: u8 = 1;
+/// Wrong usage, or an input that cannot be.
+pub const WRONG: u8 = 2;
+/// A file or stream that fails.
+const INPUT_OUTPUT: u8 = 3;
+/// Asked to end.
+pub const INTERRUPTED: u8 = 130;
+
+/// What is told of a call that was ended before there was anything to show.
+pub const NOTHING_TO_SHOW: &str = "interrupted: ended before there was an answer; no file is half-written";
+
+/// The exit codes, as the help tells them.
+pub const EXIT_CODES: &str = "\
+Exit codes:
+  0  answered
+  1  nothing found: no design, set of tooth numbers, scheme or motor meets
+     the requirements
+  2  wrong usage, or an input that cannot be
+  3  a file or stream that cannot be read or written; a reader that
+     leaves before the end, as head does, is told nothing
+  130  asked to end, by Ctrl-C or SIGTERM; within a second, with what was
+     found where there is something to show, and no file half-written";
+
+/// A refusal, shown after `error: `.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// A file that cannot be read.
+    #[error("{}: cannot be read: {source}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// An answer that cannot be written.
+    #[error("{}: cannot be written: {source}{}", file.display(), if file.is_file() { "; it is unchanged" } else { "" })]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file to write that is named `-`.
+    #[error(
+        "{option} -: a - is no file; leave --output out for standard output, or write ./- for a file of that name"
+    )]
+    WrittenDash {
+        /// The option.
+        option: String,
+    },
+    /// Standard output that takes nothing.
+    #[error("standard output: {0}")]
+    StandardOutput(io::Error),
+    /// A fault in a file, with its line and column.
+    #[error(transparent)]
+    Document(#[from] epicyclic_formats::Error),
+    /// A question without an answer.
+    #[error(transparent)]
+    Answer(#[from] crate::error::Error),
+    /// An answer that cannot be shown.
+    #[error(transparent)]
+    View(crate::table::text::Error),
+    /// Requirements that no gear meets.
+    #[error(transparent)]
+    Gear(#[from] epicyclic_gears::Error),
+    /// A ratio that no set of tooth numbers has, and how several sets have it.
+    #[error("{error}{hint}")]
+    NoToothNumbers {
+        /// The ratio and the bounds.
+        error: epicyclic_gears::Error,
+        /// Several sets in series, or nothing.
+        hint: String,
+    },
+    /// A gearbox that cannot be analysed so.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// Requirements on the catalogue or of a machine that nothing meets.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::Error),
+    /// A selection that cannot be made.
+    #[error(transparent)]
+    Selection(epicyclic_selection::Error),
+    /// A gearbox that no drawing in the half-plane exists of.
+    #[error(
+        "{gearbox} crosses itself: {}\n{}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder",
+        drawability::shut_in(conflict),
+        drawability::together(conflict)
+    )]
+    SelfCrossing {
+        /// The gearbox.
+        gearbox: String,
+        /// What stands in each other's way.
+        conflict: Box<Conflict>,
+    },
+    /// A picture that cannot be made.
+    #[error(transparent)]
+    Picture(#[from] epicyclic_pictures::Error),
+    /// An answer that says that there is none.
+    #[error("{0}")]
+    NothingFound(String),
+    /// A call that was asked to end.
+    #[error("{0}")]
+    Interrupted(String),
+    /// A search that takes too long here, with the commands to divide it.
+    #[error("{0}")]
+    TooLong(String),
+    /// A table of a search that cannot be used.
+    #[cfg(feature = "tables")]
+    #[error(transparent)]
+    Table(#[from] epicyclic_tables::Error),
+    /// A hydromotor that cannot be.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// What an option says cannot be.
+    #[error("{option}: {message}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Why.
+        message: String,
+    },
+    /// Bounds of an option that its defaults contradict.
+    #[error("{option} {error}")]
+    Range {
+        /// The option.
+        option: &'static str,
+        /// Why.
+        error: epicyclic_formats::RangeError,
+    },
+    /// A range of teeth in which every wheel is undercut.
+    #[error("{option} ..{most}: every such wheel is undercut; without undercut at least {least} teeth")]
+    AllUndercut {
+        /// The option.
+        option: &'static str,
+        /// The most teeth it allows.
+        most: u32,
+        /// The fewest without undercut.
+        least: u32,
+    },
+    /// An output that would replace the input, or another output.
+    #[error("{one} and {other} are one file; {remedy}")]
+    OneFile {
+        /// The option and its file.
+        one: String,
+        /// The other option, or what is read, and its file.
+        other: String,
+        /// What to change.
+        remedy: &'static str,
+    },
+    /// An answer that cannot be put in its format.
+    #[error("the answer cannot be written as text: {0}")]
+    Format(String),
+}
+
+impl Failure {
+    /// The failure as it is, or [`Failure::Interrupted`] where the call was asked to end: that ended the search, whatever it says.
+    #[must_use]
+    pub fn unless_asked_to_end(self, goes_on: ControlFlow<()>) -> Self {
+        match self {
+            Self::Interrupted(_) | Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) => self,
+            _ if goes_on.is_continue() => self,
+            _ => Self::Interrupted(NOTHING_TO_SHOW.to_owned()),
+        }
+    }
+
+    /// The exit code.
+    #[must_use]
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::NothingFound(_)
+            | Self::NoToothNumbers { .. }
+            | Self::SelfCrossing { .. }
+            | Self::Gear(
+                epicyclic_gears::Error::NoToothNumbers { .. }
+                | epicyclic_gears::Error::NoDoublePlanetSet { .. },
+            ) => NOTHING_FOUND,
+            Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
+            Self::Interrupted(_) => INTERRUPTED,
+            Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
+                INPUT_OUTPUT
+            }
+            _ => WRONG,
+        }
+    }
+
+    /// The name of the failure, which does not change: `no-tooth-numbers`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Read { .. } => "cannot-be-read",
+            Self::Write { .. } => "cannot-be-written",
+            Self::WrittenDash { .. } => "written-dash",
+            Self::StandardOutput(_) => "standard-output",
+            Self::Document(error) => error.name(),
+            Self::Answer(error) => error.name(),
+            Self::View(_) => "not-finite",
+            Self::Gear(error) | Self::NoToothNumbers { error, .. } => error.name(),
+            Self::Gearbox(error) => error.name(),
+            Self::Design(error) => error.name(),
+            Self::Selection(error) => error.name(),
+            Self::SelfCrossing { .. } => "self-crossing",
+            Self::Picture(_) => "no-picture",
+            Self::NothingFound(_) => "nothing-found",
+            Self::Interrupted(_) => "interrupted",
+            Self::TooLong(_) => "too-long",
+            #[cfg(feature = "tables")]
+            Self::Table(_) => "table",
+            Self::Motor(error) => error.name(),
+            Self::Option { .. } | Self::Range { .. } => "option",
+            Self::AllUndercut { .. } => "all-undercut",
+            Self::OneFile { .. } => "one-file",
+            Self::Format(_) => "not-writable",
+        }
+    }
+
+    /// The failure as an answer.
+    #[must_use]
+    pub fn as_answer(&self) -> Refused {
+        let option = match self {
+            Self::Option { option, .. } | Self::Range { option, .. } | Self::AllUndercut { option, .. } => {
+                Some((*option).to_owned())
+            }
+            Self::WrittenDash { option } => Some(option.clone()),
+            _ => None,
+        };
+        let place = match self {
+            Self::Document(error) => Some(Place::of(error)),
+            Self::Answer(error) => Place::of_answer(error),
+            _ => None,
+        };
+        Refused { name: self.name(), message: self.to_string(), exit_code: self.code(), option, place }
+    }
+
+    /// What is told of it: one line, whatever the names in it hold, but for messages that list several things.
+    pub fn told(&self) -> String {
+        let text = self.to_string();
+        match self {
+            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::TooLong(_) => text,
+            // Names to choose from stand below each other, set in.
+            Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
+            _ => one_line(&text).into_owned(),
+        }
+    }
+
+    /// Whether there is nothing to say: the reader has seen enough, as in `epicyclic … | head`.
+    #[must_use]
+    pub fn is_quiet(&self) -> bool {
+        matches!(self, Self::StandardOutput(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+impl Failure {
+    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name, else where the thing itself
+    /// is described.
+    pub fn in_file(self, document: &Document, base: &Path) -> Self {
+        use epicyclic_pictures::Error as E;
+        let gearbox = |key: &str| {
+            let path = base.clone().key(key);
+            if document.value_at(&path).is_some() { path } else { base.clone() }
+        };
+        let place = match &self {
+            Self::Picture(E::SpeedsUnknown { gear, .. } | E::NoPower { gear, .. }) => {
+                gear_place(document, base, gear, "name")
+            }
+            Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
+            Self::Picture(E::Motor(error))
+            | Self::Motor(error)
+            | Self::Answer(crate::error::Error::Motor(error)) => motor::place(error),
+            Self::Answer(crate::error::Error::MotorKey { key, .. }) => {
+                key.split('.').fold(Path::root(), Path::key)
+            }
+            Self::Picture(_)
+            | Self::Answer(crate::error::Error::NotFinite { .. })
+            | Self::View(crate::table::text::Error::NotFinite { .. }) => base.clone(),
+            _ => return self,
+        };
+        document.error(&place, Problem::refused(self.name(), self.to_string())).into()
+    }
+}
+
+impl From<crate::table::text::Error> for Failure {
+    fn from(error: crate::table::text::Error) -> Self {
+        match error {
+            crate::table::text::Error::Picture(error) => Self::Picture(error),
+            error => Self::View(error),
+        }
+    }
+}
+
+impl From<epicyclic_drawing::Error> for Failure {
+    fn from(error: epicyclic_drawing::Error) -> Self {
+        Self::Picture(error.into())
+    }
+}

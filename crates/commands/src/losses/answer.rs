@@ -1,0 +1,629 @@
+//! The losses of a gearbox at work: those of its meshes under load, and drags that do not depend on it.
+//!
+//! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power is against its speed.
+
+mod heat;
+
+use crate::analyze::answer::records::meshes;
+use crate::analyze::answer::{Input, analysis, warnings};
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::gearbox::Subject;
+use epicyclic_formats::gearbox::{DescriptionError, located};
+use epicyclic_train::drag::{Load, WithDrags};
+use epicyclic_train::{self as train, Analysis, Gear, InputLoad, InputsFault, OperatingFault};
+use epicyclic_units::Physical;
+pub use heat::{Cooling, GearHeat, Heat};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// What is asked of one point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// One gear; all without.
+    pub gear: Option<String>,
+    /// Speed of the input.
+    pub speed: AngularVelocity,
+    /// The load.
+    pub load: GivenLoad,
+    /// What takes the heat, for the temperature.
+    pub cooling: Option<Cooling>,
+}
+
+/// The load of the input or of the output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GivenLoad {
+    /// Of the input.
+    Input(InputLoad),
+    /// Torque that a machine takes from the output: against its speed where it is above 0.
+    Output(Torque),
+}
+
+/// Places from one value to another, both among them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Places<T> {
+    from: T,
+    to: T,
+    places: u32,
+}
+
+impl<T: Physical> Places<T> {
+    /// More places in a direction than anyone reads.
+    pub const MOST: u32 = 200;
+
+    /// Both ends are places.
+    ///
+    /// # Errors
+    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST`].
+    pub fn new(from: T, to: T, places: u32) -> Result<Self, Error> {
+        if (2..=Self::MOST).contains(&places) {
+            Ok(Self { from, to, places })
+        } else {
+            Err(Error::Places { places, most: Self::MOST })
+        }
+    }
+
+    /// The places in their order.
+    pub(crate) fn values(&self) -> Vec<T> {
+        let (from, to, steps) = (self.from.si(), self.to.si(), f64::from(self.places - 1));
+        (0..self.places).map(|step| T::from_si(from + (to - from) * (f64::from(step) / steps))).collect()
+    }
+}
+
+/// Losses of a gearbox at a speed and a load.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Losses {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// Speed and load that were given.
+    pub operating_point: LossPoint,
+    /// The gears: powers, torques, efficiency.
+    pub gears: Vec<GearLosses>,
+    /// Every loss of every gear, the largest of a gear first.
+    pub losses: Vec<Loss>,
+    /// The balance of heat; `null` where nothing is said of what takes it.
+    pub heat: Option<Heat>,
+    /// Gears whose losses do not follow.
+    pub not_calculated: Vec<NotCalculated>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// The same as a chapter of a page, which has the operating point elsewhere.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LossChapter {
+    /// The gears: powers, torques, efficiency.
+    pub gears: Vec<GearLosses>,
+    /// Every loss of every gear, the largest of a gear first.
+    pub losses: Vec<Loss>,
+    /// Gears whose losses do not follow.
+    pub not_calculated: Vec<NotCalculated>,
+}
+
+/// The speed of the input and the load that were asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LossPoint {
+    /// Speed of the input.
+    pub speed_rad_s: f64,
+    /// Torque on the input.
+    pub torque_n_m: Option<f64>,
+    /// Power into the input.
+    pub power_w: Option<f64>,
+    /// Torque that a machine takes from the output.
+    pub load_torque_n_m: Option<f64>,
+}
+
+/// Powers and torques of a gear with all its losses.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearLosses {
+    /// The gear.
+    pub gear: String,
+    /// Speed of the output.
+    pub output_speed_rad_s: f64,
+    /// Torque on the input from outside.
+    pub input_torque_n_m: f64,
+    /// Torque on the output from outside.
+    pub output_torque_n_m: f64,
+    /// Power that enters at the input; negative where it leaves.
+    pub input_power_w: f64,
+    /// Power that enters at the output; negative where it leaves.
+    pub output_power_w: f64,
+    /// What the meshes take.
+    pub mesh_loss_w: f64,
+    /// What the drags take.
+    pub drag_loss_w: f64,
+    /// What is lost in all, and so the heat.
+    pub loss_w: f64,
+    /// Power that leaves over power that enters; `null` where all that enters is lost.
+    pub efficiency: Option<f64>,
+}
+
+/// One loss.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Loss {
+    /// The gear.
+    pub gear: String,
+    /// Of what kind it is.
+    pub kind: LossKind,
+    /// The set, the drag, or the shift element that it is of.
+    pub of: String,
+    /// The gears that mesh, the one that drives first, or the links between which the drag stands.
+    pub between: [String; 2],
+    /// Relative speed of these links; `null` of a mesh.
+    pub slip_rad_s: Option<f64>,
+    /// Torque of the drag; `null` of a mesh.
+    pub torque_n_m: Option<f64>,
+    /// Power lost, of a mesh over all planets.
+    pub loss_w: f64,
+    /// Over all that the gear loses; `null` where it loses nothing.
+    pub of_loss: Option<f64>,
+}
+
+/// What loses power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LossKind {
+    /// A mesh under load.
+    Mesh,
+    /// A drag of the gearbox.
+    Drag,
+    /// A brake or clutch that is not engaged.
+    OpenElement,
+}
+
+/// A gear whose losses do not follow.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct NotCalculated {
+    /// The gear.
+    pub gear: String,
+    /// Name of the reason, which does not change: `not-driven`, `drag`, `inputs`, `one-way-clutch`.
+    pub reason: String,
+    /// The reason in words.
+    pub message: String,
+}
+
+/// Efficiency and losses of a gear over speed and torque of its input.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LossMap {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// The gear.
+    pub gear: String,
+    /// Speeds of the input.
+    pub speeds_rad_s: Vec<f64>,
+    /// Torques on the input.
+    pub torques_n_m: Vec<f64>,
+    /// Every place of the map: all torques at the first speed, then at the next.
+    pub map: Vec<MapPlace>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A place of a map. Where losses hold the gear its figures are `null`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MapPlace {
+    /// Speed of the input.
+    pub speed_rad_s: f64,
+    /// Torque on the input.
+    pub torque_n_m: f64,
+    /// Torque on the output.
+    pub output_torque_n_m: Option<f64>,
+    /// What the meshes take.
+    pub mesh_loss_w: Option<f64>,
+    /// What the drags take.
+    pub drag_loss_w: Option<f64>,
+    /// What is lost in all.
+    pub loss_w: Option<f64>,
+    /// Power that leaves over power that enters; `null` also where all that enters is lost, or none enters.
+    pub efficiency: Option<f64>,
+}
+
+impl Answer for Losses {
+    const NAME: &'static str = "losses";
+}
+
+impl Answer for LossMap {
+    const NAME: &'static str = "losses-map";
+}
+
+/// The losses at a speed and a load.
+///
+/// # Errors
+/// [`Error::NoGear`]; of a gear that is named also why its losses do not follow: [`Error::Gearbox`] and, for a speed outside the curve of
+/// a drag, [`Error::Document`] with its place; [`Error::Cooling`].
+pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
+    if let Some(cooling) = &wanted.cooling {
+        cooling.check()?;
+    }
+    let gearbox = &subject.gearbox;
+    let names: Vec<&str> = match &wanted.gear {
+        Some(name) => vec![name],
+        None => gearbox.gears().iter().map(Gear::name).collect(),
+    };
+    let (mut gears, mut losses, mut not_calculated) = (vec![], vec![], vec![]);
+    for name in names {
+        let gear = analysis(gearbox, name)?;
+        match at(subject, &gear, wanted.speed, wanted.load) {
+            Ok(found) => {
+                let of_gear = GearLosses::of(name, &found);
+                losses.extend(all_losses(subject, &of_gear, &found));
+                gears.push(of_gear);
+            }
+            Err(held) if wanted.gear.is_some() => return Err(held.refused(subject, name)),
+            Err(held) => not_calculated.push(held.told(name)),
+        }
+    }
+    let heat = wanted.cooling.map(|cooling| heat::of(subject, wanted, &cooling, &gears)).transpose()?;
+    Ok(Losses {
+        gearbox: gearbox.name().to_owned(),
+        operating_point: LossPoint::of(wanted),
+        gears,
+        losses,
+        heat,
+        not_calculated,
+        warnings: warned(subject),
+    })
+}
+
+/// The losses of all gears for a chapter of a page: where speed and load are given and something loses power.
+///
+/// # Errors
+/// Those of [`answer`].
+pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter>, Error> {
+    let (Some(speed), Some(load)) = (input.speed, input.load) else { return Ok(None) };
+    if is_lossless(subject) {
+        return Ok(None);
+    }
+    let wanted = Wanted { gear: None, speed, load: GivenLoad::Input(load), cooling: None };
+    let Losses { gears, losses, not_calculated, .. } = answer(subject, &wanted)?;
+    Ok(Some(LossChapter { gears, losses, not_calculated }))
+}
+
+/// The losses of a gear over speeds and torques of its input.
+///
+/// # Errors
+/// [`Error::NoGear`]; [`Error::Gearbox`] for a gear that is not driven; [`Error::Document`] for a speed outside the curve of a drag.
+pub fn map(
+    subject: &Subject<'_>,
+    gear: &str,
+    speeds: &Places<AngularVelocity>,
+    torques: &Places<Torque>,
+) -> Result<LossMap, Error> {
+    let analysis = analysis(&subject.gearbox, gear)?;
+    let (speeds, torques) = (speeds.values(), torques.values());
+    let mut map = Vec::with_capacity(speeds.len() * torques.len());
+    for &speed in &speeds {
+        for &torque in &torques {
+            let load = GivenLoad::Input(InputLoad::Torque(torque));
+            let found = match at(subject, &analysis, speed, load) {
+                Ok(found) => Some(found),
+                Err(held) if held.is_of_the_place() => None,
+                Err(held) => return Err(held.refused(subject, gear)),
+            };
+            let watts =
+                |of: fn(&WithDrags) -> uom::si::f64::Power| found.as_ref().map(|found| of(found).si());
+            map.push(MapPlace {
+                speed_rad_s: speed.si(),
+                torque_n_m: torque.si(),
+                output_torque_n_m: found.as_ref().map(|found| found.output.si()),
+                mesh_loss_w: watts(WithDrags::mesh_loss),
+                drag_loss_w: watts(WithDrags::drag_loss),
+                loss_w: watts(|found| found.mesh_loss() + found.drag_loss()),
+                efficiency: found.as_ref().and_then(WithDrags::efficiency),
+            });
+        }
+    }
+    Ok(LossMap {
+        gearbox: subject.gearbox.name().to_owned(),
+        gear: gear.to_owned(),
+        speeds_rad_s: speeds.into_iter().map(Physical::si).collect(),
+        torques_n_m: torques.into_iter().map(Physical::si).collect(),
+        map,
+        warnings: warned(subject),
+    })
+}
+
+/// Why the losses of a gear do not follow.
+enum Held {
+    /// What the solver refuses.
+    Refused(Box<train::Error>),
+    /// A one-way clutch that lets go.
+    Released(String),
+}
+
+impl Held {
+    /// Whether other speeds and torques of the same gear may do: the losses hold it, or a one-way clutch lets go.
+    fn is_of_the_place(&self) -> bool {
+        match self {
+            Self::Released(_) => true,
+            Self::Refused(error) => matches!(
+                **error,
+                train::Error::Inputs(InputsFault::SelfLocking)
+                    | train::Error::OperatingPoint { why: OperatingFault::SelfLocking }
+            ),
+        }
+    }
+
+    /// The same as an error, at its place in the file where the fault of a drag has one.
+    fn refused(self, subject: &Subject<'_>, gear: &str) -> Error {
+        match self {
+            Self::Released(clutch) => Error::Released { clutch, gear: gear.to_owned() },
+            Self::Refused(error) if matches!(*error, train::Error::Drag { .. }) => {
+                located(subject.document, &subject.base, &DescriptionError::Gearbox(*error)).into()
+            }
+            Self::Refused(error) => (*error).into(),
+        }
+    }
+
+    fn told(self, gear: &str) -> NotCalculated {
+        let (reason, message) = match self {
+            Self::Refused(error) => (error.name().to_owned(), error.to_string()),
+            Self::Released(clutch) => ("one-way-clutch".to_owned(), released(&clutch)),
+        };
+        NotCalculated { gear: gear.to_owned(), reason, message }
+    }
+}
+
+fn released(clutch: &str) -> String {
+    format!("one-way clutch {clutch} lets go at this load")
+}
+
+fn at(
+    subject: &Subject<'_>,
+    analysis: &Analysis<'_>,
+    speed: AngularVelocity,
+    load: GivenLoad,
+) -> Result<WithDrags, Held> {
+    let load = match load {
+        GivenLoad::Input(InputLoad::Torque(torque)) => Load::Input(torque),
+        GivenLoad::Input(InputLoad::Power(power)) => {
+            let torque = power.si() / speed.si();
+            if !torque.is_finite() {
+                let why = OperatingFault::PowerAtRest;
+                return Err(Held::Refused(Box::new(train::Error::OperatingPoint { why })));
+            }
+            Load::Input(Torque::from_si(torque))
+        }
+        GivenLoad::Output(taken) => {
+            let output = analysis.speed(analysis.gear().output()).unwrap_or(1.0) * speed.si();
+            Load::Output(taken * -output.signum())
+        }
+    };
+    let found = analysis.with_drags(speed, load, &subject.drags);
+    let found = found.map_err(|error| Held::Refused(Box::new(error)))?;
+    match found.released.first() {
+        None => Ok(found),
+        Some(&place) => Err(Held::Released(subject.gearbox.shift_elements()[place].id().to_owned())),
+    }
+}
+
+fn is_lossless(subject: &Subject<'_>) -> bool {
+    !subject.has_losses() && subject.drags.is_empty()
+}
+
+fn warned(subject: &Subject<'_>) -> Vec<Warning> {
+    let mut all = warnings::of_gearbox(subject);
+    if is_lossless(subject) {
+        let message =
+            "nothing loses power here: the file states no efficiencies, friction or drags".to_owned();
+        all.push(Warning { name: "no-losses", message });
+    }
+    all
+}
+
+impl LossPoint {
+    fn of(wanted: &Wanted) -> Self {
+        let (mut torque, mut power, mut load) = (None, None, None);
+        match wanted.load {
+            GivenLoad::Input(InputLoad::Torque(given)) => torque = Some(given.si()),
+            GivenLoad::Input(InputLoad::Power(given)) => power = Some(given.si()),
+            GivenLoad::Output(given) => load = Some(given.si()),
+        }
+        Self { speed_rad_s: wanted.speed.si(), torque_n_m: torque, power_w: power, load_torque_n_m: load }
+    }
+}
+
+impl GearLosses {
+    fn of(gear: &str, found: &WithDrags) -> Self {
+        let (mesh, drag) = (found.mesh_loss(), found.drag_loss());
+        Self {
+            gear: gear.to_owned(),
+            output_speed_rad_s: found.output_speed.si(),
+            input_torque_n_m: found.input.si(),
+            output_torque_n_m: found.output.si(),
+            input_power_w: found.input_power().si(),
+            output_power_w: found.output_power().si(),
+            mesh_loss_w: mesh.si(),
+            drag_loss_w: drag.si(),
+            loss_w: (mesh + drag).si(),
+            efficiency: found.efficiency(),
+        }
+    }
+}
+
+/// Every loss of a gear that is not 0, the largest first.
+fn all_losses(subject: &Subject<'_>, gear: &GearLosses, found: &WithDrags) -> Vec<Loss> {
+    let gearbox = &subject.gearbox;
+    let one = |kind, of: &str, between, slip, torque, loss_w: f64| Loss {
+        gear: gear.gear.clone(),
+        kind,
+        of: of.to_owned(),
+        between,
+        slip_rad_s: slip,
+        torque_n_m: torque,
+        loss_w,
+        of_loss: (gear.loss_w > 0.0).then(|| loss_w / gear.loss_w),
+    };
+    let through = meshes(gearbox, |set| found.meshes[set].clone()).into_iter();
+    let of_mesh = |mesh: crate::analyze::answer::records::MeshFigures| {
+        let loss = mesh.enters.unwrap_or(0.0) - mesh.leaves.unwrap_or(0.0);
+        one(LossKind::Mesh, &mesh.set, [mesh.from, mesh.to], None, None, loss)
+    };
+    let mut all: Vec<Loss> = through.map(of_mesh).collect();
+    for (drag, at) in subject.drags.iter().zip(&found.drags) {
+        let kind = if drag.shift_element.is_some() { LossKind::OpenElement } else { LossKind::Drag };
+        let between = drag.links.map(|link| gearbox.link_name(link).to_owned());
+        all.push(one(kind, &drag.name, between, Some(at.slip.si()), Some(at.torque.si()), at.loss.si()));
+    }
+    all.retain(|loss| loss.loss_w != 0.0);
+    all.sort_by(|one, other| other.loss_w.total_cmp(&one.loss_w));
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze::answer::gear;
+    use crate::shared::gearbox::{Choice, one};
+    use epicyclic_formats::Document;
+    use uom::si::f64::{Power, TemperatureInterval, ThermalConductance};
+
+    const BOX: &str = "\
+gearbox: two speeds
+input: D
+output: B
+sets: [{ id: P, sun: D, ring: T, carrier: B, k: 3, meshes: [0.98, 0.99] }]
+brakes: [{ id: K1, link: T, drag: { speeds: [0 rpm, 2000 rpm], torques: [0.5 N·m, 1.5 N·m] } }]
+clutches: [{ id: K2, links: [D, B], drag: { speeds: [0 rpm], torques: [3 N·m], beyond: constant } }]
+drags: [{ id: seal, between: [D, ground], curve: { speeds: [0 rpm, 3000 rpm], torques: [1 N·m, 2.5 N·m] } }]
+gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: none, engaged: [] }]
+";
+
+    fn document(text: &str) -> Document {
+        Document::parse_one("box.yaml", text.as_bytes()).unwrap()
+    }
+
+    fn rpm(speed: f64) -> AngularVelocity {
+        AngularVelocity::from_si(speed * std::f64::consts::PI / 30.0)
+    }
+
+    fn wanted(gear: Option<&str>, speed: f64, load: GivenLoad) -> Wanted {
+        Wanted { gear: gear.map(str::to_owned), speed: rpm(speed), load, cooling: None }
+    }
+
+    fn on_input(torque: f64) -> GivenLoad {
+        GivenLoad::Input(InputLoad::Torque(Torque::from_si(torque)))
+    }
+
+    /// By hand: seal and open clutch between D and B take from the input, what the meshes leave of the sun's torque.
+    #[test]
+    fn every_loss_of_a_gear_has_its_name() {
+        let document = document(BOX);
+        let subject = one(&document, &Choice::default()).unwrap();
+        let found = answer(&subject, &wanted(None, 1000.0, on_input(100.0))).unwrap();
+        let [slow, fast] = &found.gears[..] else { panic!("{:?}", found.gears) };
+        let omega = rpm(1000.0).si();
+        // 1.5 N·m in the seal; the clutch drags at 3/4 of the input's speed and hands its 3 N·m on to the output.
+        let sun = 100.0 - 1.5 - 3.0;
+        let output = sun * (1.0 + 3.0 * 0.98 * 0.99) + 3.0;
+        assert!((slow.output_torque_n_m + output).abs() < 1e-10 && slow.efficiency.unwrap() > 0.9);
+        let clutch = found.losses.iter().find(|loss| loss.of == "K2").unwrap();
+        assert!((clutch.loss_w - 3.0 * 0.75 * omega).abs() < 1e-9 && clutch.kind == LossKind::OpenElement);
+        let of_gear = |gear: &str| {
+            found.losses.iter().filter(|loss| loss.gear == gear).map(|loss| loss.loss_w).sum::<f64>()
+        };
+        for gear in [slow, fast] {
+            let left = gear.input_power_w + gear.output_power_w - of_gear(&gear.gear);
+            assert!(left.abs() < 1e-9 * gear.input_power_w, "{gear:?}");
+        }
+        // In direct drive the set is one block and the brake drags on all of it.
+        assert!((fast.output_torque_n_m + 100.0 - 1.5 - 1.0).abs() < 1e-10 && fast.mesh_loss_w == 0.0);
+        assert_eq!(found.not_calculated.len(), 1);
+        assert_eq!(found.not_calculated[0].reason, "not-driven");
+        // The same the other way: the input's torque for what the output gives.
+        let load = GivenLoad::Output(Torque::from_si(output));
+        let back = answer(&subject, &wanted(Some("slow"), 1000.0, load)).unwrap();
+        assert!((back.gears[0].input_torque_n_m - 100.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn without_drags_it_is_what_analyze_tells() {
+        let document = document(BOX);
+        let mut subject = one(&document, &Choice::default()).unwrap();
+        subject.drags.clear();
+        for torque in [100.0, -40.0] {
+            let found = answer(&subject, &wanted(Some("slow"), 1450.0, on_input(torque))).unwrap();
+            let load = Some(InputLoad::Torque(Torque::from_si(torque)));
+            let analyzed = gear::answer(&subject, "slow", Input { speed: Some(rpm(1450.0)), load }).unwrap();
+            let powers = analyzed.powers.unwrap().at_load.unwrap();
+            assert!((found.gears[0].loss_w - powers.loss_w).abs() < 1e-10 * powers.entering_w);
+            let efficiency = powers.leaving_w / powers.entering_w;
+            assert!((found.gears[0].efficiency.unwrap() - efficiency).abs() < 1e-12);
+        }
+    }
+
+    /// What housing and cooler take is what is lost; at the thermal limit the oil has the allowed rise, whatever torque led there.
+    #[test]
+    fn heat_is_balanced_and_the_thermal_limit_has_the_allowed_rise() {
+        let document = document(BOX);
+        let subject = one(&document, &Choice::default()).unwrap();
+        let with = |torque: f64, cooler: f64, rise: f64| {
+            let cooling = Cooling {
+                conductance: ThermalConductance::from_si(20.0),
+                cooler: Power::from_si(cooler),
+                allowed_rise: Some(TemperatureInterval::from_si(rise)),
+            };
+            let wanted = Wanted { cooling: Some(cooling), ..wanted(Some("slow"), 1000.0, on_input(torque)) };
+            answer(&subject, &wanted).unwrap().heat.unwrap().gears.remove(0)
+        };
+        for (cooler, rise) in [(0.0, 50.0), (300.0, 40.0)] {
+            let one = with(100.0, cooler, rise);
+            assert!((one.rise_k * 20.0 + one.cooler_w - one.loss_w).abs() < 1e-9 * one.loss_w);
+            let torque = one.thermal_torque_n_m.unwrap();
+            let at_limit = with(torque, cooler, rise);
+            assert!((at_limit.rise_k - rise).abs() < 1e-8 * rise, "{at_limit:?}");
+            for other in [0.3 * torque, 7.0 * torque] {
+                let same = with(other, cooler, rise).thermal_torque_n_m.unwrap();
+                assert!((same - torque).abs() < 1e-8 * torque, "{same} {torque}");
+            }
+        }
+        // By hand: seal and open clutch 1.5 and 3·3/4 N·m, meshes 3/4·(1 − 0.98·0.99) of what the sun gets.
+        let omega = rpm(1000.0).si();
+        let sun = (50.0 * 20.0 / omega - 1.5 - 3.0 * 0.75) / (0.75 * (1.0 - 0.98 * 0.99));
+        assert!((with(100.0, 0.0, 50.0).thermal_torque_n_m.unwrap() - sun - 4.5).abs() < 1e-6);
+        // A large cooler takes all; drags alone may be too much.
+        assert_eq!(with(100.0, 1e6, 50.0).rise_k, 0.0);
+        assert_eq!(with(100.0, 0.0, 1.0).thermal_torque_n_m, Some(0.0));
+    }
+
+    #[test]
+    fn a_place_of_the_map_is_the_point() {
+        let document = document(BOX);
+        let subject = one(&document, &Choice::default()).unwrap();
+        let speeds = Places::new(rpm(0.0), rpm(2000.0), 5).unwrap();
+        let torques = Places::new(Torque::from_si(0.0), Torque::from_si(200.0), 5).unwrap();
+        let found = map(&subject, "slow", &speeds, &torques).unwrap();
+        assert_eq!(found.map.len(), 25);
+        let place = &found.map[3 * 5 + 2];
+        let point = answer(&subject, &wanted(Some("slow"), 1500.0, on_input(100.0))).unwrap();
+        let point = &point.gears[0];
+        assert!((place.efficiency.unwrap() - point.efficiency.unwrap()).abs() < 1e-12);
+        assert!((place.loss_w.unwrap() - point.loss_w).abs() < 1e-12 * point.input_power_w);
+        // At rest there is no power, and without a torque the output would have to help.
+        assert!(found.map[2].efficiency.is_none() && found.map[15].efficiency.is_none());
+        assert!(Places::new(rpm(0.0), rpm(1.0), 1).is_err());
+    }
+
+    #[test]
+    fn a_speed_outside_a_curve_is_refused_at_its_place() {
+        let document = document(BOX);
+        let subject = one(&document, &Choice::default()).unwrap();
+        let refused =
+            answer(&subject, &wanted(Some("slow"), 4000.0, on_input(100.0))).unwrap_err().to_string();
+        assert!(
+            refused.starts_with("box.yaml:7:60: drags[0].curve.speeds: drag `seal`: its links turn 4000 rpm"),
+            "{refused}"
+        );
+        let all = answer(&subject, &wanted(None, 4000.0, on_input(100.0))).unwrap();
+        assert!(all.gears.is_empty() && all.not_calculated[0].reason == "drag");
+    }
+}

@@ -1,0 +1,189 @@
+//! The command `losses`: what heats a gearbox at work, and its efficiency over speed and torque.
+
+use crate::analyze::request::{self as analyze, Choice, refuse};
+use crate::desk::Call;
+use crate::error::Error;
+use crate::failure::Failure;
+use crate::losses::answer::{self as answers, Cooling, GivenLoad, Places, Wanted};
+use crate::output::OutputArgs;
+use crate::shared::named_gearbox as named;
+use epicyclic_train::InputLoad;
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{Physical, Quantity};
+use std::str::FromStr;
+use uom::si::f64::{AngularVelocity, Power, TemperatureInterval, ThermalConductance, Torque};
+
+/// Losses of a gearbox at work: of its meshes under load, and drags of seals, bearings, oil and open shift elements.
+///
+/// At a --speed and a load each loss of each gear by its name, and the balance of powers; with --speeds and --torques the
+/// efficiency of one gear over both. With --conductance how warm the oil becomes, and what torque it bears. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nsets:\\n' > drags.yaml
+  printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> drags.yaml
+  printf '    teeth: [21, 63]\\n    friction: [0.05, 0.05]\\n' >> drags.yaml
+  printf 'brakes: [{ id: K1, link: T1 }]\\n' >> drags.yaml
+  printf 'clutches:\\n  - id: K2\\n    links: [D, B]\\n' >> drags.yaml
+  printf '    drag: { speeds: [0 rpm, 3000 rpm], ' >> drags.yaml
+  printf 'torques: [0.5 N·m, 2 N·m] }\\n' >> drags.yaml
+  printf 'drags:\\n  - id: seal\\n    between: [D, ground]\\n' >> drags.yaml
+  printf '    curve: { speeds: [0 rpm], torques: [1.5 N·m], ' >> drags.yaml
+  printf 'beyond: constant }\\n' >> drags.yaml
+  printf 'gears:\\n  - { name: slow, engaged: [K1] }\\n' >> drags.yaml
+  printf '  - { name: fast, engaged: [K2] }\\n' >> drags.yaml
+  epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m'
+  epicyclic losses drags.yaml --speed '1475 rpm' --load-torque '350 N·m' --gear slow
+  epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m' \\
+    --conductance '12 W/K' --allowed-rise '60 K'
+  epicyclic losses drags.yaml --gear slow --speeds 500rpm..3000rpm/6 --torques 10N·m..100N·m/10
+
+Keys of the file beyond those of `epicyclic analyze`:
+  drags: id, between: [link, link], curve; of brakes and clutches: drag
+  a curve is { speeds: [...], torques: [...], beyond: refused or constant },
+  torques over relative speeds, linear between the points")]
+pub struct Args {
+    #[command(flatten)]
+    choice: Choice,
+
+    /// One gear; all without.
+    #[arg(long, value_name = "NAME")]
+    gear: Option<String>,
+
+    /// Speed of the input: 1475 rpm.
+    #[arg(
+        long,
+        visible_alias = "input",
+        allow_hyphen_values = true,
+        required_unless_present = "speeds",
+        conflicts_with = "speeds"
+    )]
+    speed: Option<Quantity<AngularVelocity>>,
+
+    /// Torque on the input: 500 N·m; below 0 the machine brakes it.
+    #[arg(long, conflicts_with_all = ["power", "load_torque", "speeds"], allow_hyphen_values = true)]
+    torque: Option<Quantity<Torque>>,
+
+    /// Power into the input: 75 kW.
+    #[arg(long, conflicts_with_all = ["load_torque", "speeds"], allow_hyphen_values = true)]
+    power: Option<Quantity<Power>>,
+
+    /// Torque that the driven machine takes from the output; the input's follows.
+    #[arg(long, conflicts_with = "speeds", allow_hyphen_values = true)]
+    load_torque: Option<Quantity<Torque>>,
+
+    /// Conductance of the housing to the air, area times coefficient: 25 W/K. Tells how warm the oil becomes.
+    #[arg(long, value_name = "CONDUCTANCE", conflicts_with = "speeds", allow_hyphen_values = true)]
+    conductance: Option<Quantity<ThermalConductance>>,
+
+    /// What a cooler takes at most: 2 kW. Default: none.
+    #[arg(long, value_name = "POWER", requires = "conductance", allow_hyphen_values = true)]
+    cooler: Option<Quantity<Power>>,
+
+    /// By how much the oil may be warmer than the air: 60 K. Tells the greatest torque on the input.
+    #[arg(long, value_name = "DIFFERENCE", requires = "conductance", allow_hyphen_values = true)]
+    allowed_rise: Option<Quantity<TemperatureInterval>>,
+
+    #[command(flatten)]
+    map: Map,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// A map over speed and torque of the input.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Map {
+    /// A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places; with --torques.
+    #[arg(long, value_name = "FROM..TO/PLACES", requires_all = ["gear", "torques"])]
+    speeds: Option<Range<AngularVelocity>>,
+
+    /// Torques on the input of the map: 10N·m..100N·m/10.
+    #[arg(long, value_name = "FROM..TO/PLACES", requires = "speeds")]
+    torques: Option<Range<Torque>>,
+}
+
+/// Speeds and torques of a map.
+type Ranges = (Places<AngularVelocity>, Places<Torque>);
+
+/// From one value to another, with how many places.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Range<T> {
+    from: T,
+    to: T,
+    places: u32,
+}
+
+impl<T: Physical> Range<T> {
+    /// The places, which an option gives.
+    pub(crate) fn places(&self, option: &'static str) -> Result<Places<T>, Failure> {
+        let refused = |error: Error| Failure::Option { option, message: error.to_string() };
+        Places::new(self.from, self.to, self.places).map_err(refused)
+    }
+}
+
+impl<T: Physical> FromStr for Range<T> {
+    type Err = String;
+
+    fn from_str(written: &str) -> Result<Self, String> {
+        let form =
+            || format!("{}: write a range and how many places, as 500rpm..3000rpm/6", one_line(written));
+        let (range, places) = written.rsplit_once('/').ok_or_else(form)?;
+        let (from, to) = range.split_once("..").ok_or_else(form)?;
+        let value = |text: &str| {
+            let value: Result<Quantity<T>, _> = text.trim().parse();
+            value.map(|value| value.0).map_err(|error| error.to_string())
+        };
+        Ok(Self { from: value(from)?, to: value(to)?, places: places.trim().parse().map_err(|_| form())? })
+    }
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let named::Read { document, .. } = args.choice.document(call, false)?;
+    let subject = analyze::subject(&args.choice, &document)?;
+    if let (Some(gear), Some((speeds, torques))) = (&args.gear, args.map.places()?) {
+        return args.output.deliver(call, &answers::map(&subject, gear, &speeds, &torques).map_err(refuse)?);
+    }
+    let input = |load| Some(GivenLoad::Input(load));
+    let load = match (args.torque, args.power, args.load_torque) {
+        (Some(torque), ..) => input(InputLoad::Torque(torque.0)),
+        (_, Some(power), _) => input(InputLoad::Power(power.0)),
+        (.., load) => load.map(|torque| GivenLoad::Output(torque.0)),
+    };
+    let missing = |option, message: &str| Failure::Option { option, message: message.to_owned() };
+    let load =
+        load.ok_or_else(|| missing("--torque", "a load is due: --torque, --power or --load-torque"))?;
+    let speed = args.speed.ok_or_else(|| missing("--speed", "the speed of the input is due"))?.0;
+    let cooling = args.conductance.map(|conductance| Cooling {
+        conductance: conductance.0,
+        cooler: args.cooler.map_or(Power::default(), |cooler| cooler.0),
+        allowed_rise: args.allowed_rise.map(|rise| rise.0),
+    });
+    let wanted = Wanted { gear: args.gear.clone(), speed, load, cooling };
+    let found = answers::answer(&subject, &wanted).map_err(|error| match error {
+        Error::Cooling { quantity, .. } => {
+            let option = match quantity {
+                "cooler" => "--cooler",
+                "allowed-rise" => "--allowed-rise",
+                _ => "--conductance",
+            };
+            Failure::Option { option, message: error.to_string() }
+        }
+        error => refuse(error),
+    })?;
+    args.output.deliver(call, &found)
+}
+
+impl Map {
+    /// Whether a map is asked for.
+    pub(crate) fn is_given(&self) -> bool {
+        self.speeds.is_some() || self.torques.is_some()
+    }
+
+    /// The places of the map, if one is asked for.
+    pub(crate) fn places(&self) -> Result<Option<Ranges>, Failure> {
+        let (Some(speeds), Some(torques)) = (self.speeds, self.torques) else { return Ok(None) };
+        Ok(Some((speeds.places("--speeds")?, torques.places("--torques")?)))
+    }
+}

@@ -1,0 +1,494 @@
+//! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
+
+use crate::answer::Answer;
+use crate::error::Error;
+use crate::tolerance::SAME;
+use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
+use epicyclic_schemes::machines::{self as tables, recommended_speeds};
+use epicyclic_schemes::ratio_series::{self, PrintedSeries, RatioSeries, step};
+use epicyclic_schemes::rotor::{
+    discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
+};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
+
+/// How many speeds a range of speeds asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SpeedRange {
+    /// The greatest speed over the least.
+    pub range: f64,
+    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range
+    /// is not above 1.
+    pub recommended: Option<u32>,
+    /// Whether the source prints that number; otherwise it is this program's choice.
+    pub recommendation_is_printed: Option<bool>,
+}
+
+impl SpeedRange {
+    fn of(range: f64) -> Self {
+        let found = recommended_speeds(range).ok();
+        Self {
+            range,
+            recommended: found.map(|found| found.speeds),
+            recommendation_is_printed: found.map(|found| found.printed),
+        }
+    }
+}
+
+/// Machines in service beside the number of speeds recommended for their ranges.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Machines {
+    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of
+    /// speeds for no others.
+    pub bucket_wheels_with_steps: usize,
+    /// How many of those have the recommended number of speeds.
+    pub as_recommended: usize,
+    /// The machines, in the order of the tables.
+    pub machines: Vec<Machine>,
+}
+
+/// A machine in service.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Machine {
+    /// Its name, as printed.
+    pub machine: &'static str,
+    /// What is driven, as printed.
+    pub kind: &'static str,
+    /// Number of the source's table that lists it.
+    pub table: &'static str,
+    /// Its range of speeds, the fastest over the slowest.
+    pub range: f64,
+    /// Number of speeds of the machine; `null` if the source prints none.
+    pub speeds: Option<u32>,
+    /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
+    pub recommended: Option<u32>,
+    /// Whether the machine has that number; `null` if the source prints no number of speeds or recommends
+    /// none.
+    pub as_recommended: Option<bool>,
+    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where
+    /// there is none.
+    pub recommendation_is_printed: Option<bool>,
+}
+
+impl Answer for Machines {
+    const NAME: &'static str = "machines";
+}
+
+/// All machines, or the one of this name.
+///
+/// # Errors
+/// [`Error::Design`] of a name that the tables lack.
+pub fn list(name: Option<&str>) -> Result<Machines, Error> {
+    let machines: Vec<Machine> = match name {
+        Some(name) => vec![Machine::of(tables::machine(name)?)],
+        None => tables::machines().iter().map(Machine::of).collect(),
+    };
+    let alike = || machines.iter().filter_map(|machine| machine.as_recommended);
+    Ok(Machines {
+        bucket_wheels_with_steps: alike().count(),
+        as_recommended: alike().filter(|alike| *alike).count(),
+        machines,
+    })
+}
+
+impl Machine {
+    fn of(machine: &tables::Machine) -> Self {
+        let recommended = machine.recommended();
+        Self {
+            machine: machine.name,
+            kind: machine.kind,
+            table: machine.table.number(),
+            range: machine.speed_range,
+            speeds: machine.steps,
+            recommended: recommended.map(|found| found.speeds),
+            as_recommended: machine.is_as_recommended(),
+            recommendation_is_printed: recommended.map(|found| found.printed),
+        }
+    }
+}
+
+/// Ratios of a gearbox for some speeds of a machine.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MachineSpeeds {
+    /// The speeds wanted.
+    pub speeds: Speeds,
+    /// The range of these speeds.
+    pub range: SpeedRange,
+    /// Series of ratios, one for each place of direct drive.
+    pub series: Vec<Series>,
+}
+
+/// The speeds wanted of a machine.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Speeds {
+    /// How many they are.
+    pub speeds: usize,
+    /// The fastest over the next.
+    pub first_step: f64,
+    /// Step of a geometric series of as many speeds over the same range.
+    pub geometric_step: f64,
+}
+
+/// Ratios of a gearbox with direct drive at one of its speeds.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Series {
+    /// Place of direct drive, from 1, the fastest speed.
+    pub direct: usize,
+    /// Which speeds the gearbox gives by slowing down, which by speeding up.
+    pub regime: Regime,
+    /// The ratios, the fastest speed first.
+    pub ratios: Vec<f64>,
+    /// The series that the source prints for this place, if it does.
+    pub printed: Option<Printed>,
+}
+
+/// Which speeds a gearbox gives by slowing down, which by speeding up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Regime {
+    /// Direct drive is the fastest: all ratios at least 1.
+    Reduction,
+    /// Direct drive is the slowest: all ratios at most 1.
+    Overdrive,
+    /// Direct drive is between.
+    Combined,
+}
+
+/// A series of ratios as the source prints it, for speeds in geometric progression.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Printed {
+    /// Its number in the source.
+    pub number: &'static str,
+    /// Its members for the speeds wanted, the fastest speed first.
+    pub ratios: Vec<f64>,
+    /// Whether it gives these speeds.
+    pub serves: bool,
+}
+
+impl Answer for MachineSpeeds {
+    const NAME: &'static str = "machine-speeds";
+}
+
+/// Ratios for two to four speeds, the slowest first.
+///
+/// # Errors
+/// [`Error::Design`] of speeds that are no series.
+pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
+    let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
+    let (count, range) = (speeds.len(), fastest_direct.speed_range());
+    let series = (1..=count)
+        .map(|direct| Series::of(speeds, direct))
+        .collect::<Result<_, epicyclic_schemes::Error>>()?;
+    Ok(MachineSpeeds {
+        speeds: Speeds {
+            speeds: count,
+            first_step: fastest_direct.ratios()[1],
+            geometric_step: step(range, count)?,
+        },
+        range: SpeedRange::of(range),
+        series,
+    })
+}
+
+impl Series {
+    fn of(speeds: &[Velocity], direct: usize) -> Result<Self, epicyclic_schemes::Error> {
+        let series = RatioSeries::of_speeds(speeds, direct)?;
+        let count = speeds.len();
+        let (q, d) = ((speeds[count - 1] / speeds[count - 2]).value, series.speed_range());
+        let printed = PrintedSeries::ALL
+            .into_iter()
+            .find(|printed| printed.count() == count && printed.direct() == direct)
+            .map(|printed| {
+                Ok::<_, epicyclic_schemes::Error>(Printed {
+                    number: printed.number(),
+                    ratios: printed.members(q, d),
+                    serves: printed.serves(speeds, SAME)?,
+                })
+            });
+        Ok(Self {
+            direct,
+            regime: match series.regime() {
+                ratio_series::Regime::Reduction => Regime::Reduction,
+                ratio_series::Regime::Overdrive => Regime::Overdrive,
+                ratio_series::Regime::Combined => Regime::Combined,
+            },
+            ratios: series.ratios().to_vec(),
+            printed: printed.transpose()?,
+        })
+    }
+}
+
+/// Mean cutting forces in the rock for which the feed is given, and in other rock.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forces {
+    /// In this rock.
+    pub here: Force,
+    /// In other rock.
+    pub elsewhere: Vec<Force>,
+}
+
+/// Cutting speed of a chain cutter.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ChainCutter {
+    /// In the rock for which the feed is given.
+    pub cutting: Cutting,
+    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    pub rocks: Vec<Rock>,
+    /// The range of these speeds; `null` where they are all one.
+    pub range: Option<SpeedRange>,
+}
+
+/// Cutting speed of a drum or auger.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Drum {
+    /// In the rock for which the feed is given.
+    pub cutting: Cutting,
+    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    pub rocks: Vec<Rock>,
+    /// The range of these speeds; `null` where they are all one.
+    pub range: Option<SpeedRange>,
+}
+
+/// How a cutter works.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Cutting {
+    /// Cutting speed.
+    pub speed_m_s: f64,
+    /// Feed of the machine.
+    pub feed_m_s: f64,
+}
+
+/// How a cutter works in some rock.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Rock {
+    /// Mean cutting force.
+    pub force_n: f64,
+    /// Cutting speed at the power of the first rock.
+    pub speed_m_s: f64,
+    /// Feed that keeps the chip.
+    pub feed_m_s: f64,
+}
+
+impl Answer for ChainCutter {
+    const NAME: &'static str = "machine-chain-cutter";
+}
+
+impl Answer for Drum {
+    const NAME: &'static str = "machine-drum";
+}
+
+/// Cutting speed of a chain cutter with this mean spacing of the picks in a line, this feed and mean chip.
+///
+/// # Errors
+/// [`Error::Design`] of a quantity that is not above 0.
+pub fn chain_cutter(
+    pick_spacing: Length,
+    feed: Velocity,
+    mean_chip: Length,
+    forces: Option<&Forces>,
+) -> Result<ChainCutter, Error> {
+    let speed = chain_speed(pick_spacing, feed, mean_chip)?;
+    let (cutting, rocks, range) = in_rocks(speed, feed, forces)?;
+    Ok(ChainCutter { cutting, rocks, range })
+}
+
+/// Cutting speed of a drum of this diameter, feed, greatest chip and number of picks in a line.
+///
+/// # Errors
+/// [`Error::Design`] of a quantity that is not above 0.
+pub fn drum(
+    diameter: Length,
+    feed: Velocity,
+    greatest_chip: Length,
+    picks_per_line: u32,
+    forces: Option<&Forces>,
+) -> Result<Drum, Error> {
+    let speed = drum_speed(diameter, feed, greatest_chip, picks_per_line)?;
+    let (cutting, rocks, range) = in_rocks(speed, feed, forces)?;
+    Ok(Drum { cutting, rocks, range })
+}
+
+type InRocks = (Cutting, Vec<Rock>, Option<SpeedRange>);
+
+fn in_rocks(
+    speed: Velocity,
+    feed: Velocity,
+    forces: Option<&Forces>,
+) -> Result<InRocks, epicyclic_schemes::Error> {
+    let m_s = |speed: Velocity| speed.si();
+    let rock =
+        |force: Force, speed, feed| Rock { force_n: force.si(), speed_m_s: m_s(speed), feed_m_s: m_s(feed) };
+    let mut rocks = vec![];
+    if let Some(forces) = forces {
+        rocks.push(rock(forces.here, speed, feed));
+        for &force in &forces.elsewhere {
+            let there = speed_at_force(speed, forces.here, force)?;
+            rocks.push(rock(force, there, matching_feed(feed, speed, there)?));
+        }
+    }
+    let least = rocks.iter().map(|rock| rock.speed_m_s).fold(f64::INFINITY, f64::min);
+    let greatest = rocks.iter().map(|rock| rock.speed_m_s).fold(0.0, f64::max);
+    let range = (least < greatest).then(|| SpeedRange::of(greatest / least));
+    Ok((Cutting { speed_m_s: m_s(speed), feed_m_s: m_s(feed) }, rocks, range))
+}
+
+/// A bucket wheel whose speeds are wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wheel {
+    /// Cutting radius of the boom.
+    pub boom_radius: Length,
+    /// Slewing speed with the boom in the machine's axis, the least.
+    pub slewing: AngularVelocity,
+    /// Width of the chip.
+    pub chip_width: Length,
+    /// Number of buckets.
+    pub buckets: u32,
+    /// Slewing angle of the boom from the machine's axis.
+    pub boom_angle: Angle,
+    /// Radius of the wheel.
+    pub radius: Length,
+    /// How it throws onto the chute.
+    pub throw: Throw,
+}
+
+/// How a bucket wheel throws onto its chute.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Throw {
+    /// The discharge parameter `Ω = ω²R/g` itself.
+    Discharge(f64),
+    /// By flight from the buckets to the edge of the chute.
+    Flight {
+        /// Angle at which a particle leaves its bucket.
+        release: Angle,
+        /// Angles of the chute's edge, as with the boom raised and lowered; the smaller Ω counts.
+        chutes: Vec<Angle>,
+        /// Radius of the chute's edge over that of the wheel.
+        radius_ratio: f64,
+    },
+}
+
+/// Greatest and least speed of a bucket wheel.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Rotor {
+    /// Its speeds.
+    pub wheel: WheelSpeeds,
+    /// Discharge parameters, of which the smallest counts.
+    pub discharges: Vec<Discharge>,
+    /// The range of its speeds; not above 1 where the wheel would have to turn faster to throw than it may to empty.
+    pub range: SpeedRange,
+}
+
+/// Speeds of a bucket wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct WheelSpeeds {
+    /// A bucket passes while the boom advances by a chip.
+    pub optimal_rad_s: f64,
+    /// The greatest speed at which the buckets empty.
+    pub greatest_rad_s: f64,
+    /// The least speed that throws onto the chute.
+    pub least_rad_s: f64,
+}
+
+/// A discharge parameter `Ω = ω²R/g`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Discharge {
+    /// Angle of the chute's edge from which it follows; `null` where the parameter is given.
+    pub chute_rad: Option<f64>,
+    /// The parameter.
+    pub discharge: f64,
+    /// Whether it is the one that counts: the smallest.
+    pub counts: bool,
+}
+
+impl Answer for Rotor {
+    const NAME: &'static str = "machine-rotor";
+}
+
+/// Greatest and least speed of a bucket wheel.
+///
+/// # Errors
+/// [`Error::Design`] of a quantity that is not above 0, and of a throw that does not reach the chute; [`Error::NoChute`].
+pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
+    let optimal =
+        optimal_speed(wheel.boom_radius, wheel.slewing, wheel.chip_width, wheel.buckets, wheel.boom_angle)?;
+    let greatest = greatest_speed(optimal)?;
+    let found = discharges(&wheel.throw)?;
+    let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
+    let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
+    let rad_s = |speed: AngularVelocity| speed.si();
+    Ok(Rotor {
+        wheel: WheelSpeeds {
+            optimal_rad_s: rad_s(optimal),
+            greatest_rad_s: rad_s(greatest),
+            least_rad_s: rad_s(least),
+        },
+        discharges: found
+            .into_iter()
+            .map(|(chute, discharge)| Discharge {
+                chute_rad: chute.map(Physical::si),
+                discharge,
+                counts: discharge == smallest,
+            })
+            .collect(),
+        range: SpeedRange::of(speed_range(greatest, least)?),
+    })
+}
+
+fn discharges(throw: &Throw) -> Result<Vec<(Option<Angle>, f64)>, epicyclic_schemes::Error> {
+    match throw {
+        Throw::Discharge(given) => Ok(vec![(None, *given)]),
+        Throw::Flight { release, chutes, radius_ratio } => chutes
+            .iter()
+            .map(|&chute| Ok((Some(chute), discharge(*release, chute, *radius_ratio)?)))
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_of_a_wheel_have_a_series_for_each_place_of_direct_drive() {
+        let found = speeds(&[0.76, 1.33, 1.95].map(Velocity::from_si)).unwrap();
+        assert_eq!(found.series.len(), 3);
+        assert_eq!(found.range.recommended, Some(4));
+        let serves: Vec<_> = found.series.iter().map(|one| one.printed.as_ref().unwrap().serves).collect();
+        assert_eq!(serves, [true, false, false]);
+        assert_eq!(found.series[2].regime, Regime::Overdrive);
+    }
+
+    #[test]
+    fn a_throw_without_a_chute_is_refused() {
+        let metre = Length::new::<uom::si::length::meter>;
+        let angle = Angle::from_si;
+        let wheel = Wheel {
+            boom_radius: metre(20.0),
+            slewing: AngularVelocity::from_si(0.02),
+            chip_width: metre(0.3),
+            buckets: 8,
+            boom_angle: angle(1.0),
+            radius: metre(3.0),
+            throw: Throw::Flight { release: angle(1.2), chutes: vec![], radius_ratio: 0.6 },
+        };
+        assert!(matches!(rotor(&wheel), Err(Error::NoChute)));
+        let given = rotor(&Wheel { throw: Throw::Discharge(0.3), ..wheel }).unwrap();
+        assert_eq!((given.discharges[0].chute_rad, given.discharges[0].counts), (None, true));
+    }
+}

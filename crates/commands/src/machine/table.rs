@@ -1,0 +1,249 @@
+//! Speeds of mining machines, as tables.
+
+use crate::machine::answer::{
+    ChainCutter, Cutting, Drum, Machine, MachineSpeeds, Machines, Regime, Rock, Rotor, Series, SpeedRange,
+};
+use crate::table::figure::{Figure, text};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View};
+use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
+
+fn quantity(si: f64, dimension: Dimension) -> Figure {
+    Figure::Quantity { si, dimension }
+}
+
+fn report(parts: Vec<Part>) -> Report {
+    Report { title: None, parts, warnings: None }
+}
+
+impl AsReport for Machines {
+    fn report(&self) -> Report {
+        let mut parts = vec![Part::Records(Records {
+            name: "machines",
+            columns: vec![
+                Column::words("machine", "machine"),
+                Column::words("kind", "drive"),
+                Column::words("table", "table"),
+                Column::number("range", "d"),
+                Column::number("speeds", "speeds"),
+                Column::number("recommended", "recommended"),
+                Column::words("as_recommended", "agree"),
+                Column::words("recommendation_is_printed", "printed"),
+            ],
+            rows: self.machines.iter().map(machine).collect(),
+            views: vec![View::new(
+                "Machines: range d of the fastest speed over the slowest, and numbers of speeds",
+                &["machine", "kind", "range", "speeds", "recommended", "as_recommended"],
+            )],
+            is_answer: true,
+        })];
+        if self.machines.len() > 1 {
+            parts.push(Part::Text(Text::paragraph(format!(
+                "{} of {} bucket wheels with a number of steps have the number that table 2.1 recommends. The table is drawn up for \
+                 bucket wheels, and applied to no other machine. At the ends of its intervals, and for d above 4, the number is this program's choice.",
+                self.as_recommended, self.bucket_wheels_with_steps
+            ))));
+        }
+        report(parts)
+    }
+}
+
+fn machine(machine: &Machine) -> Vec<Figure> {
+    vec![
+        text(machine.machine),
+        text(machine.kind),
+        text(machine.table),
+        Figure::Printed(machine.range, 2),
+        machine.speeds.map_or_else(|| Figure::answer("stepless", "stepless"), Figure::Count),
+        machine.recommended.map_or(Figure::None, Figure::Count),
+        machine.as_recommended.map_or(Figure::None, Figure::YesNo),
+        machine.recommendation_is_printed.map_or(Figure::None, Figure::YesNo),
+    ]
+}
+
+/// A range of speeds, and how many of them it asks for.
+fn range_rows(label: &'static str, range: &SpeedRange) -> Vec<Row> {
+    let mut rows = vec![Row::new("range", label, "d", [Figure::Multiple(range.range)])];
+    rows.extend(range.recommended.map(|speeds| Row {
+        remark: match range.recommendation_is_printed {
+            Some(false) => "this program's choice: the source leaves this range open".to_owned(),
+            _ => "table 2.1, for bucket wheels alone".to_owned(),
+        },
+        ..Row::new("recommended", "speeds recommended", "", [Figure::Count(speeds)])
+    }));
+    rows
+}
+
+fn facts(name: &'static str, title: &'static str, rows: Vec<Row>) -> Section {
+    Section { name, title, columns: &[], rows, note: "" }
+}
+
+impl AsReport for MachineSpeeds {
+    fn report(&self) -> Report {
+        let speeds = &self.speeds;
+        let count = u32::try_from(speeds.speeds).unwrap_or(u32::MAX);
+        let rows = vec![
+            Row::new("speeds", "speeds wanted", "λ", [Figure::Count(count)]),
+            Row::new("first_step", "fastest over the next", "q", [Figure::Multiple(speeds.first_step)]),
+            Row::new(
+                "geometric_step",
+                "step of a geometric series",
+                "",
+                [Figure::Multiple(speeds.geometric_step)],
+            ),
+        ];
+        let records = Records {
+            name: "series",
+            columns: vec![
+                Column::number("direct", "direct drive"),
+                Column::words("regime", "regime"),
+                Column::words("ratios", "ratios"),
+                Column::words("printed", "as printed").for_people(),
+                Column::words("printed_number", "number"),
+                Column::words("printed_ratios", "ratios as printed"),
+                Column::words("printed_serves", "serves"),
+            ],
+            rows: self.series.iter().map(series).collect(),
+            views: vec![View {
+                note: "Ratios: the fastest speed first. Direct drive: its place among them. The source calls the \
+                       combined regime undesirable. Its series are for speeds in geometric progression; where one \
+                       does not give these speeds, the last column shows it."
+                    .to_owned(),
+                ..View::new("Ratios", &["direct", "regime", "ratios", "printed"])
+            }],
+            is_answer: false,
+        };
+        report(vec![
+            Part::Facts(facts("speeds", "Speeds", rows)),
+            Part::Facts(facts("range", "Range", range_rows("fastest over slowest", &self.range))),
+            Part::Records(records),
+        ])
+    }
+}
+
+fn series(series: &Series) -> Vec<Figure> {
+    let regime = match series.regime {
+        Regime::Reduction => Figure::answer("reduction", "reduction"),
+        Regime::Overdrive => Figure::answer("overdrive", "overdrive"),
+        Regime::Combined => Figure::answer("combined", "combined"),
+    };
+    let printed = match &series.printed {
+        None => text(""),
+        Some(printed) if printed.serves => Figure::answer("the same", "the same"),
+        Some(printed) => Figure::Numbers(printed.ratios.clone()),
+    };
+    let numbered = series.printed.as_ref();
+    vec![
+        Figure::Count(u32::try_from(series.direct).unwrap_or(u32::MAX)),
+        regime,
+        Figure::Numbers(series.ratios.clone()),
+        printed,
+        numbered.map_or(Figure::None, |printed| text(printed.number)),
+        numbered.map_or(Figure::None, |printed| Figure::Numbers(printed.ratios.clone())),
+        numbered.map_or(Figure::None, |printed| Figure::YesNo(printed.serves)),
+    ]
+}
+
+impl AsReport for ChainCutter {
+    fn report(&self) -> Report {
+        cutter("Chain cutter, v = 1.07·l·v_n/h", &self.cutting, &self.rocks, self.range.as_ref())
+    }
+}
+
+impl AsReport for Drum {
+    fn report(&self) -> Report {
+        cutter("Drum, v = 5.24·D·v_n/(h·m)", &self.cutting, &self.rocks, self.range.as_ref())
+    }
+}
+
+fn cutter(title: &'static str, cutting: &Cutting, rocks: &[Rock], range: Option<&SpeedRange>) -> Report {
+    let rows = vec![
+        Row::new("speed", "cutting speed", "v", [quantity(cutting.speed_m_s, Dimension::Speed)]),
+        Row {
+            remark: format!("{} m/min", trimmed(60.0 * cutting.feed_m_s, 5)),
+            ..Row::new("feed", "feed", "v_n", [quantity(cutting.feed_m_s, Dimension::Speed)])
+        },
+    ];
+    let mut parts = vec![Part::Facts(facts("cutting", title, rows))];
+    if !rocks.is_empty() {
+        parts.push(Part::Records(in_rocks(rocks)));
+    }
+    parts.extend(
+        range.map(|range| Part::Facts(facts("range", "Range", range_rows("fastest over slowest", range)))),
+    );
+    report(parts)
+}
+
+fn in_rocks(rocks: &[Rock]) -> Records {
+    let headed = |name, dimension: Dimension, what: &str| Column {
+        heading: format!("{what}, {}", dimension.usual_unit().symbol),
+        ..Column::quantity(name, dimension)
+    };
+    let row = |rock: &Rock| {
+        vec![
+            Figure::Column { si: rock.force_n, dimension: Dimension::Force },
+            Figure::Column { si: rock.speed_m_s, dimension: Dimension::Speed },
+            Figure::Column { si: rock.feed_m_s, dimension: Dimension::Speed },
+        ]
+    };
+    Records {
+        name: "rocks",
+        columns: vec![
+            headed("force", Dimension::Force, "force"),
+            headed("speed", Dimension::Speed, "speed"),
+            headed("feed", Dimension::Speed, "feed"),
+        ],
+        rows: rocks.iter().map(row).collect(),
+        views: vec![View::new(
+            "In this rock and in others, at the same power and chip",
+            &["force", "speed", "feed"],
+        )],
+        is_answer: false,
+    }
+}
+
+impl AsReport for Rotor {
+    fn report(&self) -> Report {
+        let row = |name, label, symbol, speed_rad_s: f64| Row {
+            remark: format!("{} rad/s", trimmed(speed_rad_s, 5)),
+            ..Row::new(name, label, symbol, [quantity(speed_rad_s, Dimension::AngularSpeed)])
+        };
+        let rows = vec![
+            row("optimal", "one bucket per chip", "ω_po", self.wheel.optimal_rad_s),
+            row("greatest", "greatest", "ω_max", self.wheel.greatest_rad_s),
+            row("least", "least", "ω_min", self.wheel.least_rad_s),
+        ];
+        let mut parts = vec![Part::Facts(facts("wheel", "Bucket wheel", rows))];
+        if self.discharges.iter().any(|one| one.chute_rad.is_some()) {
+            parts.push(Part::Records(discharges(self)));
+        }
+        let mut range = facts("range", "Range", range_rows("greatest over least", &self.range));
+        if self.range.range <= 1.0 {
+            range.note =
+                "No speed serves: the wheel would have to turn faster to throw than it may to empty.";
+        }
+        parts.push(Part::Facts(range));
+        report(parts)
+    }
+}
+
+fn discharges(rotor: &Rotor) -> Records {
+    let angle =
+        |rad: Option<f64>| rad.map_or(Figure::None, |si| Figure::Column { si, dimension: Dimension::Angle });
+    let rows = rotor
+        .discharges
+        .iter()
+        .map(|one| vec![angle(one.chute_rad), Figure::Multiple(one.discharge), Figure::YesNo(one.counts)]);
+    Records {
+        name: "discharges",
+        columns: vec![
+            Column::headed("chute", "chute at, deg", Dimension::Angle),
+            Column::number("discharge", "Ω"),
+            Column::words("counts", "counts"),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new("Discharge parameter: the smaller counts", &["chute", "discharge", "counts"])],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,557 @@
+//! A planetary hydromotor with non-circular wheels: geometry that closes, working data, teeth.
+
+pub(crate) mod bodies;
+pub(crate) mod centrodes;
+pub(crate) mod design;
+pub(crate) mod flanks;
+pub(crate) mod made;
+pub(crate) mod moving;
+pub(crate) mod over_angle;
+pub(crate) mod practice;
+pub(crate) mod saved;
+pub(crate) mod shape;
+pub(crate) mod teeth;
+
+pub use bodies::{Chamber, ChamberState, Push, Satellite};
+pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
+pub use design::{Chosen, Designed, Place, Question, design, of_file};
+pub(crate) use flanks::contact_stresses;
+pub use flanks::{
+    AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
+};
+pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
+pub use made::ports::{
+    ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
+};
+pub use made::{Groups, Made};
+pub(crate) use made::{Point, steel};
+pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
+pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
+pub use shape::{Arcs, CosineLaw, FamilyLimit, HarmonicRange, Interval, Rotor};
+pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
+
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::number::{maybe_si, plain, si};
+use bodies::{chambers, satellites};
+use epicyclic_hydromotor::checks::{self, ToothHeights};
+use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
+use epicyclic_hydromotor::{self as hydromotor, MotorNumbers};
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{Force, Length};
+
+/// A hydromotor. Angles are counter-clockwise from the x axis, which runs through a crest of the stator; torque and flow
+/// are theoretical, without leaks and friction.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Motor {
+    /// Lobes, teeth, module.
+    pub numbers: Numbers,
+    /// The stator's two arcs; null for a rotor by the cosine law.
+    pub arcs: Option<Arcs>,
+    /// The cosine law of the rotor; null for a stator of two arcs.
+    pub cosine_law: Option<CosineLaw>,
+    /// How near arcs come to the rotor's exact curve.
+    pub rotor: Rotor,
+    /// Displacement, torque and flow.
+    pub work: Work,
+    /// Flanks under load: where they seal, forces, stresses; null where there are no teeth.
+    pub flanks: Option<Flanks>,
+    /// Ideal ports in the cover.
+    pub ports: Ports,
+    /// Ports as made; null where none are described.
+    pub made_ports: Option<MadePorts>,
+    /// Leaks, friction, efficiencies; null where neither gaps nor friction are given.
+    pub losses: Option<Losses>,
+    /// Size of the centrodes.
+    pub size: Size,
+    /// Curvatures and distances of the centrodes against satellites and tooth heights.
+    pub checks: Vec<Check>,
+    /// Limits of the teeth; null where the form gives none on this motor.
+    pub tooth_limits: Option<Vec<ToothLimit>>,
+    /// Clearances of the teeth over a revolution, satellites amid their backlash; null where there are no teeth.
+    pub clearances: Option<Vec<Clearance>>,
+    /// Angle of the rotor from where one of its crests faces one of the stator's.
+    pub angle_rad: f64,
+    /// The chambers at that angle.
+    pub chambers: Vec<Chamber>,
+    /// The satellites at that angle.
+    pub satellites: Vec<Satellite>,
+    /// What exceeds an allowed pressure or stress first; what fails, what there is not, what is unusual.
+    pub warnings: Vec<Warning>,
+}
+
+/// Lobes, teeth, module.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Numbers {
+    /// Lobes of the stator, `N`.
+    pub stator_lobes: u32,
+    /// Lobes of the rotor, `n`.
+    pub rotor_lobes: u32,
+    /// The most that the stator may have more than the rotor.
+    pub most_lobe_difference: u32,
+    /// Their ratio, `N/n`.
+    pub lobe_ratio: f64,
+    /// Teeth of the stator, `Z₃`.
+    pub stator_teeth: u32,
+    /// Teeth of the rotor, `Z₁`.
+    pub rotor_teeth: u32,
+    /// Teeth of a satellite, `Z_s`.
+    pub satellite_teeth: u32,
+    /// What the teeth of a satellite lie below, `(Z₃ − Z₁)/2`.
+    pub satellite_teeth_below: f64,
+    /// Teeth of a lobe of either wheel.
+    pub teeth_per_lobe: u32,
+    /// Satellites, and chambers, `N + n`.
+    pub satellites: u32,
+    /// Greatest common divisor of `N` and `n`.
+    pub common_divisor: u32,
+    /// Whether the bearings of the wheels are unloaded: that divisor is above 1.
+    pub bearing_reactions_vanish: bool,
+    /// Pulses of flow and torque in a revolution of the rotor.
+    pub pulses_per_revolution: u32,
+    /// Module `m`.
+    pub module_m: f64,
+    /// Pitch radius of a satellite, `r = m·Z_s/2`.
+    pub satellite_radius_m: f64,
+}
+
+/// Displacement, torque and flow, without losses; the least and the greatest with satellites that seal at the pitch points.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Work {
+    /// Least area of a chamber.
+    pub least_chamber_m2: f64,
+    /// Greatest area of a chamber.
+    pub greatest_chamber_m2: f64,
+    /// Displacement a revolution over the width.
+    pub displacement_per_width_m2: f64,
+    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, satellites sealing at the pitch points; that at the flanks is `flanks.ripple`.
+    pub ripple: f64,
+    /// Width of the wheels; null, as all that depends on it, where none is given.
+    pub width_m: Option<f64>,
+    /// Displacement a revolution.
+    pub displacement_m3: Option<f64>,
+    /// Pressure drop, high less low.
+    pub pressure_pa: Option<f64>,
+    /// Mean torque.
+    pub torque_n_m: Option<f64>,
+    /// Least torque.
+    pub least_torque_n_m: Option<f64>,
+    /// Greatest torque.
+    pub greatest_torque_n_m: Option<f64>,
+    /// The greatest force on a satellite, `Δp·b·2r`.
+    pub greatest_satellite_force_n: Option<f64>,
+    /// Speed of the rotor.
+    pub speed_rad_s: Option<f64>,
+    /// Mean flow.
+    pub flow_m3_s: Option<f64>,
+    /// Least flow.
+    pub least_flow_m3_s: Option<f64>,
+    /// Greatest flow.
+    pub greatest_flow_m3_s: Option<f64>,
+    /// Power.
+    pub power_w: Option<f64>,
+}
+
+/// Ideal ports in the cover: each opens and closes as a satellite passes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Ports {
+    /// Ports of each pressure.
+    pub ports_of_each: u32,
+    /// Radius of their centres.
+    pub centre_radius_m: Option<f64>,
+    /// The first at high pressure, from a crest of the stator.
+    pub high_angle_rad: Option<f64>,
+    /// The first at low pressure, from a crest of the stator.
+    pub low_angle_rad: Option<f64>,
+    /// Diameter of the greatest round hole that a satellite covers; null where it covers none.
+    pub greatest_diameter_m: Option<f64>,
+    /// Rotation of the rotor for which a port is covered.
+    pub covered_rad: f64,
+    /// Rotation of the rotor for which it is open.
+    pub open_rad: f64,
+}
+
+/// Size of the centrodes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Size {
+    /// Greatest diameter of the stator's centrode.
+    pub stator_outer_m: f64,
+    /// Its least diameter.
+    pub stator_inner_m: f64,
+    /// Greatest diameter of the rotor's centrode.
+    pub rotor_outer_m: f64,
+    /// Its least diameter.
+    pub rotor_inner_m: f64,
+    /// Least distance of the centres of neighbouring satellites.
+    pub least_neighbour_distance_m: f64,
+    /// Displacement over the volume of the cylinder about the stator's centrode.
+    pub displacement_by_volume: f64,
+}
+
+/// A check of the centrodes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Check {
+    /// What is checked.
+    pub check: Subject,
+    /// Its value.
+    pub value_m: f64,
+    /// What it must exceed.
+    pub limit_m: f64,
+    /// Whether it does.
+    pub verdict: Verdict,
+}
+
+/// What is checked of the centrodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Subject {
+    /// The stator's least curvature radius where it bulges inward.
+    StatorBulge,
+    /// The stator's least curvature radius where it bends round the axis.
+    StatorHollow,
+    /// The rotor's least curvature radius where it bends round the axis.
+    RotorBulge,
+    /// The rotor's least curvature radius where it is hollow.
+    RotorHollow,
+    /// The rotor's least radius.
+    RotorLeastRadius,
+    /// The least distance of neighbouring satellites' centres.
+    Neighbours,
+}
+
+impl Subject {
+    /// As a record says it.
+    #[must_use]
+    pub const fn of(subject: checks::Subject) -> Self {
+        match subject {
+            checks::Subject::StatorBulge => Self::StatorBulge,
+            checks::Subject::StatorHollow => Self::StatorHollow,
+            checks::Subject::RotorBulge => Self::RotorBulge,
+            checks::Subject::RotorHollow => Self::RotorHollow,
+            checks::Subject::RotorLeastRadius => Self::RotorLeastRadius,
+            checks::Subject::Neighbours => Self::Neighbours,
+        }
+    }
+
+    /// In words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::StatorBulge => "stator, radius of inward bulges",
+            Self::StatorHollow => "stator, radius of hollows",
+            Self::RotorBulge => "rotor, radius of bulges",
+            Self::RotorHollow => "rotor, radius of hollows",
+            Self::RotorLeastRadius => "rotor, least distance from the axis",
+            Self::Neighbours => "satellites' centres, distance",
+        }
+    }
+
+    const fn warning(self) -> &'static str {
+        match self {
+            Self::StatorBulge => "stator-bulge",
+            Self::StatorHollow => "stator-hollow",
+            Self::RotorBulge => "rotor-bulge",
+            Self::RotorHollow => "rotor-hollow",
+            Self::RotorLeastRadius => "rotor-least-radius",
+            Self::Neighbours => "neighbours",
+        }
+    }
+}
+
+/// How a value stands to its bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It keeps it.
+    Holds,
+    /// It keeps it, and less than a tenth of the bound is left.
+    Near,
+    /// It does not.
+    Fails,
+}
+
+impl Verdict {
+    fn of(holds: bool, margin: Length, bound: Length) -> Self {
+        if !holds {
+            Self::Fails
+        } else if margin < 0.1 * bound.abs() {
+            Self::Near
+        } else {
+            Self::Holds
+        }
+    }
+}
+
+impl Answer for Motor {
+    const NAME: &'static str = "motor";
+}
+
+/// Everything about a motor.
+///
+/// # Errors
+/// [`Error::Motor`] for a width, pressure, speed or angle that cannot be.
+pub fn answer(designed: &Designed) -> Result<Motor, Error> {
+    let motor = &designed.motor;
+    let mut warnings = vec![];
+    let checks = checks(designed, &mut warnings)?;
+    let (tooth_limits, clearances) = match &designed.profile {
+        Ok(profile) => {
+            let limits = teeth::limits(profile, &mut warnings);
+            (Some(limits), Some(teeth::clearances(profile, &mut warnings)?))
+        }
+        Err(error) => {
+            let message = format!("no teeth of this form on this motor: {error}");
+            warnings.push(Warning { name: "no-teeth", message });
+            (None, None)
+        }
+    };
+    let arcs = match &designed.family {
+        Some(family) => {
+            motor.arcs().map(|arcs| Arcs::of(motor, arcs, family, designed.chosen)).transpose()?
+        }
+        None => None,
+    };
+    let flanks = match designed.profile.as_ref().map(|profile| Flanks::of(designed, profile)) {
+        Ok(Ok(flanks)) => Some(flanks),
+        Ok(Err(Error::Motor(why @ hydromotor::Error::CannotHold { .. }))) => {
+            warnings.push(Warning { name: "cannot-hold", message: why.to_string() });
+            None
+        }
+        Ok(Err(why)) => return Err(why),
+        Err(_) => None,
+    };
+    let made = &designed.made;
+    warnings.extend(made.port_warnings());
+    if made.ports.is_none()
+        && let Err(why) = PortPlate::of_ideal_holes(motor, IDEAL_PART).and_then(|plate| plate.timing())
+    {
+        let message = format!("no ideal ports: {why}");
+        warnings.push(Warning { name: "no-ideal-ports", message });
+    }
+    let work = Work::of(designed)?;
+    let mut beyond = practice::of_pressure(work.pressure_pa, flanks.as_ref());
+    beyond.append(&mut warnings);
+    let mut warnings = beyond;
+    let ripple = flanks.as_ref().map_or(work.ripple, |flanks| flanks.ripple);
+    warnings.extend(practice::of_work(work.pressure_pa, ripple, made));
+    Ok(Motor {
+        numbers: Numbers::of(motor.numbers(), motor.module()),
+        arcs,
+        cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
+        rotor: Rotor::of(motor),
+        work,
+        flanks,
+        ports: Ports::of(motor),
+        made_ports: made.port_figures.clone(),
+        losses: made.losses.clone(),
+        size: Size::of(motor),
+        checks,
+        tooth_limits,
+        clearances,
+        angle_rad: si(designed.angle),
+        chambers: chambers(designed)?,
+        satellites: satellites(designed)?,
+        warnings,
+    })
+}
+
+impl Numbers {
+    /// Those of a motor of these numbers.
+    #[must_use]
+    pub fn of(numbers: MotorNumbers, module: Length) -> Self {
+        Self {
+            stator_lobes: numbers.stator_lobes(),
+            rotor_lobes: numbers.rotor_lobes(),
+            most_lobe_difference: hydromotor::numbers::MOST_LOBE_DIFFERENCE,
+            lobe_ratio: numbers.lobe_ratio(),
+            stator_teeth: numbers.stator_teeth(),
+            rotor_teeth: numbers.rotor_teeth(),
+            satellite_teeth: numbers.satellite_teeth(),
+            satellite_teeth_below: f64::from(numbers.stator_teeth() - numbers.rotor_teeth()) / 2.0,
+            teeth_per_lobe: numbers.teeth_per_lobe(),
+            satellites: numbers.satellites(),
+            common_divisor: numbers.common_divisor(),
+            bearing_reactions_vanish: numbers.bearing_reactions_vanish(),
+            pulses_per_revolution: numbers.pulses_per_revolution(),
+            module_m: si(module),
+            satellite_radius_m: si(0.5 * f64::from(numbers.satellite_teeth()) * module),
+        }
+    }
+}
+
+impl Work {
+    fn of(designed: &Designed) -> Result<Self, Error> {
+        let Designed { motor, width, .. } = designed;
+        let ripple = motor.ripple();
+        let [least, greatest] = motor.chamber_extremes();
+        let [low, high] = [ripple.least, ripple.greatest].map(|flow| (flow / ripple.mean).si());
+        let pressure = width.and(designed.pressure);
+        let speed = width.and(designed.speed);
+        let torque = match (width, pressure) {
+            (Some(width), Some(pressure)) => Some(motor.theoretical_torque(*width, pressure)?),
+            _ => None,
+        };
+        let force = match (width, pressure) {
+            (Some(width), Some(pressure)) => {
+                let force: Force = pressure * (*width * (2.0 * motor.satellite_radius()));
+                Some(force)
+            }
+            _ => None,
+        };
+        let flow = match (width, speed) {
+            (Some(width), Some(speed)) => Some(motor.mean_flow(*width, speed)?),
+            _ => None,
+        };
+        let power = match (width, pressure, speed) {
+            (Some(width), Some(pressure), Some(speed)) => {
+                Some(motor.theoretical_power(*width, pressure, speed)?)
+            }
+            _ => None,
+        };
+        Ok(Self {
+            least_chamber_m2: si(least),
+            greatest_chamber_m2: si(greatest),
+            displacement_per_width_m2: si(motor.displacement_per_width()),
+            ripple: plain(ripple.delta),
+            width_m: maybe_si(*width),
+            displacement_m3: maybe_si(width.map(|width| motor.displacement(width)).transpose()?),
+            pressure_pa: maybe_si(pressure),
+            torque_n_m: maybe_si(torque),
+            least_torque_n_m: maybe_si(torque.map(|torque| torque * low)),
+            greatest_torque_n_m: maybe_si(torque.map(|torque| torque * high)),
+            greatest_satellite_force_n: maybe_si(force),
+            speed_rad_s: maybe_si(speed),
+            flow_m3_s: maybe_si(flow),
+            least_flow_m3_s: maybe_si(flow.map(|flow| flow * low)),
+            greatest_flow_m3_s: maybe_si(flow.map(|flow| flow * high)),
+            power_w: maybe_si(power),
+        })
+    }
+}
+
+impl Ports {
+    fn of(motor: &hydromotor::Motor) -> Self {
+        let ports = motor.ports();
+        let high = ports.high.first();
+        let hole = high.map(|port| port.greatest_diameter).filter(|hole| *hole > Length::default());
+        Self {
+            ports_of_each: motor.numbers().stator_lobes(),
+            centre_radius_m: high.map(|port| si(port.centre_radius)),
+            high_angle_rad: high.map(|port| si(port.angle)),
+            low_angle_rad: ports.low.first().map(|port| si(port.angle)),
+            greatest_diameter_m: maybe_si(hole),
+            covered_rad: si(ports.covered),
+            open_rad: si(ports.open),
+        }
+    }
+}
+
+impl Size {
+    fn of(motor: &hydromotor::Motor) -> Self {
+        let envelope = motor.envelope();
+        let (distance, _) = motor.least_neighbour_distance();
+        Self {
+            stator_outer_m: si(envelope.stator_outer),
+            stator_inner_m: si(envelope.stator_inner),
+            rotor_outer_m: si(envelope.rotor_outer),
+            rotor_inner_m: si(envelope.rotor_inner),
+            least_neighbour_distance_m: si(distance),
+            displacement_by_volume: plain(envelope.displacement_by_volume),
+        }
+    }
+}
+
+fn checks(designed: &Designed, warnings: &mut Vec<Warning>) -> Result<Vec<Check>, Error> {
+    // The satellites' teeth stand out by h_a + x; the wheels' roots lie h_a + c + x beyond their centrodes.
+    let addendum = designed.form.addendum + designed.form.shift;
+    let heights = ToothHeights { addendum, dedendum: addendum + designed.form.clearance };
+    let mut found = vec![];
+    for check in designed.motor.checks(heights)? {
+        let subject = Subject::of(check.subject);
+        if !check.holds() {
+            let [value, limit] = [check.value, check.limit].map(|length| format::quantity(length, 4));
+            let message = format!("{}: {value}, and it must exceed {limit}", subject.words());
+            warnings.push(Warning { name: subject.warning(), message });
+        }
+        found.push(Check {
+            check: subject,
+            value_m: si(check.value),
+            limit_m: si(check.limit),
+            verdict: Verdict::of(check.holds(), check.value - check.limit, check.limit),
+        });
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::to_json;
+    use epicyclic_hydromotor::MotorNumbers;
+    use epicyclic_hydromotor::profile::ToothForm;
+    use uom::si::f64::{Angle, AngularVelocity, Pressure};
+    use uom::si::length::millimeter;
+    use uom::si::pressure::megapascal;
+
+    fn question() -> Question {
+        let mm = Length::new::<millimeter>;
+        Question {
+            numbers: MotorNumbers::new(5, 3, 55, 10).unwrap(),
+            module: mm(2.0),
+            place: Place::TroughDistance(mm(80.0)),
+            form: ToothForm::default(),
+            width: Some(mm(50.0)),
+            pressure: Some(Pressure::new::<megapascal>(20.0)),
+            speed: None,
+            angle: Angle::default(),
+            made: Groups::default(),
+        }
+    }
+
+    #[test]
+    fn torque_is_displacement_times_pressure_over_a_turn() {
+        let motor = answer(&design(&question()).unwrap()).unwrap();
+        let work = &motor.work;
+        let torque = work.displacement_m3.unwrap() * 20e6 / std::f64::consts::TAU;
+        assert!((work.torque_n_m.unwrap() / torque - 1.0).abs() < 1e-12);
+        assert_eq!((work.flow_m3_s, work.power_w), (None, None));
+        // A satellite of r = 10 mm between the pressures: 20 MPa · 50 mm · 20 mm.
+        assert!((work.greatest_satellite_force_n.unwrap() - 20_000.0).abs() < 1e-6);
+        assert_eq!((motor.numbers.rotor_teeth, motor.chambers.len(), motor.satellites.len()), (33, 8, 8));
+        assert!(!to_json(&motor).unwrap().contains("-0.0,"), "zero has no sign");
+    }
+
+    #[test]
+    fn what_a_motor_cannot_be_given_is_told_apart() {
+        let with = |change: fn(&mut Question)| {
+            let mut question = question();
+            change(&mut question);
+            design(&question).unwrap_err()
+        };
+        assert!(matches!(with(|q| q.pressure = Some(Pressure::default())), Error::PressureDrop));
+        assert!(matches!(with(|q| q.speed = Some(AngularVelocity::default())), Error::RotorSpeed));
+        assert!(matches!(with(|q| q.place = Place::Part(2.0)), Error::Motor(_)));
+        let motor = design(&question()).unwrap().motor;
+        assert!(matches!(centrodes(&motor, 0), Err(Error::CentrodePoints { points: 0, .. })));
+        assert_eq!(centrodes(&motor, 2).unwrap().points.len(), 2 * 2 * (5 + 3));
+    }
+
+    #[test]
+    fn the_mean_of_the_flow_over_a_lobe_is_that_of_the_ripple() {
+        let over_angle = over_angle(&design(&question()).unwrap()).unwrap();
+        let flow = &over_angle.flow_per_width_m2[1..];
+        let mean = flow.iter().sum::<f64>() / flow.len() as f64;
+        assert!((mean / over_angle.mean_flow_per_width_m2 - 1.0).abs() < 1e-4, "{mean}");
+        assert_eq!(over_angle.chamber_areas_m2.len(), 8);
+        assert!(over_angle.chamber_areas_m2.iter().all(|areas| areas.len() == over_angle.angles_rad.len()));
+    }
+}

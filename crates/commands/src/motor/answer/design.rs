@@ -1,0 +1,196 @@
+//! Which motor is meant.
+
+use super::made::{Groups, Made, Point};
+use crate::error::Error;
+use crate::shared::fault::Fault as _;
+use epicyclic_formats::{Document, Path, motor as file};
+use epicyclic_hydromotor::arcs::StatorArcs;
+use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
+
+/// A motor and what is wanted of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Lobes and teeth.
+    pub numbers: MotorNumbers,
+    /// Module.
+    pub module: Length,
+    /// Which motor of these numbers.
+    pub place: Place,
+    /// Form of the teeth.
+    pub form: ToothForm,
+    /// Width of the wheels.
+    pub width: Option<Length>,
+    /// Pressure drop, high less low.
+    pub pressure: Option<Pressure>,
+    /// Speed of the rotor.
+    pub speed: Option<AngularVelocity>,
+    /// Angle of the rotor from where one of its crests faces one of the stator's.
+    pub angle: Angle,
+    /// Material, oil, gaps, friction, ports.
+    pub made: Groups,
+}
+
+/// Which motor of its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Of two arcs, in the middle of the family.
+    Middle,
+    /// By the distance `l` of the centres of the stator's arcs at the troughs.
+    TroughDistance(Length),
+    /// By the distance `a` of the centres of its arcs at the crests.
+    CrestDistance(Length),
+    /// By the part of the family, from 0 to 1.
+    Part(f64),
+    /// A rotor by the cosine law: one motor, no family.
+    CosineLaw,
+    /// A rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
+    SecondHarmonic(f64),
+}
+
+/// How a motor was chosen from its family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Chosen {
+    /// By the distance of an arc's centre, or by a part of the family.
+    Given,
+    /// The middle of the family, as nothing was said.
+    Middle,
+}
+
+/// A motor, found, with what is wanted of it.
+#[derive(Debug, Clone)]
+pub struct Designed {
+    /// The motor.
+    pub motor: Motor,
+    /// The family that it is of; a rotor by the cosine law has none.
+    pub family: Option<Family>,
+    /// How it was chosen from it.
+    pub chosen: Chosen,
+    /// Form of the teeth.
+    pub form: ToothForm,
+    /// The teeth, or why there are none.
+    pub profile: Result<Profile, MotorError>,
+    /// Width of the wheels.
+    pub width: Option<Length>,
+    /// Pressure drop, high less low.
+    pub pressure: Option<Pressure>,
+    /// Speed of the rotor.
+    pub speed: Option<AngularVelocity>,
+    /// Angle of the rotor.
+    pub angle: Angle,
+    /// What a maker adds, and what follows from it.
+    pub made: Made,
+}
+
+/// The motor that a question means.
+///
+/// # Errors
+/// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, a form that no teeth have;
+/// [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
+pub fn design(question: &Question) -> Result<Designed, Error> {
+    let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
+    let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
+        (_, Some((family, arcs))) => {
+            (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
+        }
+        (Place::SecondHarmonic(second), None) => (Motor::of_second_harmonic(numbers, module, second)?, None),
+        (_, None) => (Motor::of_cosine_law(numbers, module)?, None),
+    };
+    let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
+    check(pressure, speed)?;
+    let profile = profile(&motor, form)?;
+    let made = Made::of(&motor, made, Point { form, width, pressure, speed })?;
+    Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
+}
+
+/// The family of motors with these numbers, and the arcs at a place of it; none for a rotor by the cosine
+/// law.
+pub(crate) fn closed_arcs(
+    numbers: MotorNumbers,
+    module: Length,
+    place: Place,
+) -> Result<Option<(Family, StatorArcs)>, MotorError> {
+    if matches!(place, Place::CosineLaw | Place::SecondHarmonic(_)) {
+        return Ok(None);
+    }
+    let family = Family::new(numbers, module)?;
+    let arcs = match place {
+        Place::TroughDistance(l) => family.at(l),
+        Place::CrestDistance(a) => family.at_crest_distance(a),
+        Place::Part(part) => family.at_part(part),
+        Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
+    }?;
+    Ok(Some((family, arcs)))
+}
+
+fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(), Error> {
+    if pressure.is_some_and(|pressure| pressure.value <= 0.0) {
+        return Err(Error::PressureDrop);
+    }
+    if speed.is_some_and(|speed| speed.value <= 0.0) {
+        return Err(Error::RotorSpeed);
+    }
+    Ok(())
+}
+
+/// The teeth, or why this motor has none; a number that no teeth have is a fault whatever the motor.
+pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, MotorError>, MotorError> {
+    match Profile::new(motor, form) {
+        Err(
+            error @ (MotorError::OutOfRange { .. }
+            | MotorError::NotFinite { .. }
+            | MotorError::NotPositive { .. }),
+        ) => Err(error),
+        made => Ok(made),
+    }
+}
+
+/// The title and the motor of a file.
+///
+/// # Errors
+/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refusal is about.
+pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error> {
+    let (file, motor, family) = file::read(document)?;
+    let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));
+    check(pressure, speed).map_err(|error| {
+        let key = if matches!(error, Error::PressureDrop) { "pressure" } else { "speed" };
+        placed(document, &Path::root().key(key), error)
+    })?;
+    let form = file.teeth.clone().unwrap_or_default().form();
+    let profile =
+        profile(&motor, form).map_err(|error| placed(document, &file::place(&error), error.into()))?;
+    let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
+    let width = file.width.map(|width| width.0);
+    let point = Point { form, width, pressure, speed };
+    let made = Made::of(&motor, &file.made(), point).map_err(|why| {
+        let path = match &why {
+            Error::Motor(error) => file::place(error),
+            Error::MotorKey { key, .. } => key.split('.').fold(Path::root(), Path::key),
+            _ => Path::root(),
+        };
+        placed(document, &path, why)
+    })?;
+    let designed = Designed {
+        made,
+        motor,
+        family,
+        chosen,
+        form,
+        profile,
+        width,
+        pressure,
+        speed,
+        angle: file.angle.map_or_else(Angle::default, |angle| angle.0),
+    };
+    Ok((file.title, designed))
+}
+
+fn placed(document: &Document, path: &Path, why: Error) -> Error {
+    let at = document.error(path, why.problem());
+    Error::Placed { at: Box::new(at), why: Box::new(why) }
+}

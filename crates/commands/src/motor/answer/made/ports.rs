@@ -1,0 +1,311 @@
+//! Ports as made: when they open and close, what closed chambers do to the pressure, what the openings throttle.
+
+use super::{Inputs, Point};
+use crate::answer::Warning;
+use crate::error::Error;
+use crate::shared::number::{maybe_si, si};
+use epicyclic_hydromotor::ports::throttling::Through;
+use epicyclic_hydromotor::ports::timing::{self, Stretch, Timing};
+use epicyclic_hydromotor::ports::trapped::Trapped;
+use epicyclic_hydromotor::ports::{PortPlate, PortShape};
+use epicyclic_hydromotor::quantity::PortSide;
+use epicyclic_units::Physical as _;
+use epicyclic_units::format;
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{Angle, Pressure};
+
+/// Ports as made; phases are those of a chamber, 0 where it is greatest.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MadePorts {
+    /// The port at high pressure of the first crest.
+    pub high: Port,
+    /// The port at low pressure.
+    pub low: Port,
+    /// Least distance of a high-pressure from a low-pressure port.
+    pub land_m: f64,
+    /// Rotation of the rotor in which a chamber comes to the same state again.
+    pub cycle_rad: f64,
+    /// To what a chamber is open, in the order of its phase.
+    pub states: Vec<PortState>,
+    /// Each stretch in which it is closed.
+    pub closed: Vec<ClosedStretch>,
+    /// The chamber at its least and at its greatest.
+    pub extremes: [ChamberExtreme; 2],
+    /// Oil that the chambers take a revolution to come to the high pressure; null without bulk modulus, width and pressure.
+    pub charge_m3: Option<f64>,
+    /// The same over the displacement.
+    pub charge_share: Option<f64>,
+    /// Throttling by the ports at high and at low pressure; empty without discharge coefficient, density, width and speed.
+    pub throttling: Vec<Throttling>,
+}
+
+/// A port: a hole or a kidney.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Port {
+    /// Polar angle of its middle from the crest.
+    pub angle_rad: f64,
+    /// Diameter of a hole.
+    pub diameter_m: Option<f64>,
+    /// Distance of its centre from the axis.
+    pub pitch_radius_m: Option<f64>,
+    /// Inner radius of a kidney.
+    pub inner_radius_m: Option<f64>,
+    /// Its outer radius.
+    pub outer_radius_m: Option<f64>,
+    /// Angle from end to end of it.
+    pub span_rad: Option<f64>,
+    /// Radius of its corners.
+    pub corner_radius_m: Option<f64>,
+    /// Its area.
+    pub area_m2: f64,
+    /// The widest opening of a chamber to it and its neighbours of the same pressure.
+    pub widest_opening_m2: f64,
+}
+
+/// A stretch of a chamber's cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct PortState {
+    /// To what the chamber is open.
+    pub open_to: OpenTo,
+    /// Phase at which it begins.
+    pub from_rad: f64,
+    /// Phase at which it ends.
+    pub to_rad: f64,
+}
+
+/// To what a chamber is open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OpenTo {
+    /// The high pressure.
+    High,
+    /// The low pressure.
+    Low,
+    /// Both: a short circuit.
+    Both,
+    /// Neither.
+    Neither,
+}
+
+/// A stretch in which a chamber is closed.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ClosedStretch {
+    /// Phase at which it begins.
+    pub from_rad: f64,
+    /// Phase at which it ends.
+    pub to_rad: f64,
+    /// The extreme of the chamber within it.
+    pub extreme: Option<Extreme>,
+    /// Closed angle before the extreme.
+    pub before_rad: f64,
+    /// Closed angle after it.
+    pub after_rad: f64,
+    /// The greatest change of the pressure since it closed, below 0 where it falls; null without a bulk modulus.
+    pub change_pa: Option<f64>,
+}
+
+/// An extreme of a chamber.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Extreme {
+    /// The greatest area.
+    Greatest,
+    /// The least.
+    Least,
+}
+
+/// A chamber at an extreme.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ChamberExtreme {
+    /// Its area.
+    pub area_m2: f64,
+    /// Second derivative of its area by the rotor's angle.
+    pub bend_m2: f64,
+    /// Closed angle before the extreme in which it comes to the high pressure on its own; null without bulk modulus and pressure.
+    pub precompression_rad: Option<f64>,
+}
+
+/// What the ports of a pressure take of the flow's power.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Throttling {
+    /// Of high or of low pressure.
+    pub ports: OpenTo,
+    /// The smallest sum of the openings.
+    pub smallest_opening_m2: f64,
+    /// Pressure drop there.
+    pub drop_pa: f64,
+    /// The greatest over a revolution.
+    pub greatest_drop_pa: f64,
+    /// Mean power.
+    pub power_w: f64,
+}
+
+impl MadePorts {
+    pub(crate) fn of(
+        plate: &PortPlate,
+        timing: &Timing,
+        inputs: &Inputs,
+        point: Point,
+    ) -> Result<Self, Error> {
+        let motor = plate.motor();
+        let trapped = inputs.bulk_modulus.map(|modulus| plate.trapped(timing, modulus, inputs.dead_area));
+        let trapped = trapped.transpose()?;
+        let extremes = motor.extremes_of_chambers();
+        let compression = inputs.bulk_modulus.zip(point.pressure);
+        let extreme = |one: &epicyclic_hydromotor::ports::trapped::Extreme| {
+            let angle =
+                compression.map(|(modulus, drop)| one.precompression_angle(drop, modulus, inputs.dead_area));
+            Ok::<_, Error>(ChamberExtreme {
+                area_m2: si(one.area),
+                bend_m2: si(one.bend),
+                precompression_rad: maybe_si(angle.transpose()?),
+            })
+        };
+        let charge = match (compression, point.width) {
+            (Some((modulus, drop)), Some(width)) => {
+                let charge = motor.dead_volume_charge(width, drop, modulus, inputs.dead_area)?;
+                Some((si(charge), si(charge) / si(motor.displacement(width)?)))
+            }
+            _ => None,
+        };
+        let throttling = match (inputs.discharge, inputs.density, point.width, point.speed) {
+            (Some(discharge), Some(density), Some(width), Some(speed)) => {
+                let through = Through { width, speed, density, discharge };
+                let of = |side, ports| Throttling::of(plate, side, ports, through);
+                vec![of(PortSide::High, OpenTo::High)?, of(PortSide::Low, OpenTo::Low)?]
+            }
+            _ => vec![],
+        };
+        let of_side = |side: PortSide, place: usize| {
+            Port::of(plate.shape(side), si(plate.port_area(side)), si(timing.widest[place].area))
+        };
+        Ok(Self {
+            high: of_side(PortSide::High, 0),
+            low: of_side(PortSide::Low, 1),
+            land_m: si(plate.land()),
+            cycle_rad: si(timing.cycle),
+            states: states(timing),
+            closed: closed(timing, trapped.as_deref()),
+            extremes: [extreme(&extremes[0])?, extreme(&extremes[1])?],
+            charge_m3: charge.map(|(volume, _)| volume),
+            charge_share: charge.map(|(_, share)| share),
+            throttling,
+        })
+    }
+
+    /// What a maker has to mend.
+    /// The greatest change of the pressure in a closed chamber.
+    pub(in crate::motor::answer) fn greatest_change(&self) -> Option<f64> {
+        self.closed.iter().filter_map(|one| one.change_pa.map(f64::abs)).reduce(f64::max)
+    }
+
+    pub(in crate::motor::answer) fn warnings(&self, most_trapped: Option<Pressure>) -> Vec<Warning> {
+        let degrees = |rad: f64| format::quantity(Angle::from_si(rad), 4);
+        let short = self.states.iter().filter(|state| state.open_to == OpenTo::Both);
+        let mut all: Vec<Warning> = short
+            .map(|state| Warning {
+                name: "short-circuit",
+                message: format!(
+                    "a chamber is open to both pressures while its phase goes from {} to {}, 0 where it is greatest: make the ports smaller, or move them away from each other",
+                    degrees(state.from_rad),
+                    degrees(state.to_rad)
+                ),
+            })
+            .collect();
+        let Some(most) = most_trapped.map(si) else { return all };
+        for one in self.closed.iter().filter(|one| one.change_pa.is_some_and(|change| change.abs() > most)) {
+            let change = one.change_pa.unwrap_or_default();
+            all.push(Warning {
+                name: "trapped-pressure",
+                message: format!(
+                    "a chamber closed from {} to {} changes its pressure by {}, and {} is allowed: open the ports earlier there, or give it more dead volume",
+                    degrees(one.from_rad),
+                    degrees(one.to_rad),
+                    format::quantity(Pressure::from_si(change), 4),
+                    format::quantity(Pressure::from_si(most), 4)
+                ),
+            });
+        }
+        all
+    }
+}
+
+impl Port {
+    fn of(shape: PortShape, area_m2: f64, widest_opening_m2: f64) -> Self {
+        let none = Self {
+            angle_rad: 0.0,
+            diameter_m: None,
+            pitch_radius_m: None,
+            inner_radius_m: None,
+            outer_radius_m: None,
+            span_rad: None,
+            corner_radius_m: None,
+            area_m2,
+            widest_opening_m2,
+        };
+        match shape {
+            PortShape::Hole { diameter, pitch_radius, angle } => Self {
+                angle_rad: si(angle),
+                diameter_m: Some(si(diameter)),
+                pitch_radius_m: Some(si(pitch_radius)),
+                ..none
+            },
+            PortShape::Kidney { inner_radius, outer_radius, angle, span, corner } => Self {
+                angle_rad: si(angle),
+                inner_radius_m: Some(si(inner_radius)),
+                outer_radius_m: Some(si(outer_radius)),
+                span_rad: Some(si(span)),
+                corner_radius_m: Some(si(corner)),
+                ..none
+            },
+        }
+    }
+}
+
+impl Throttling {
+    fn of(plate: &PortPlate, side: PortSide, ports: OpenTo, through: Through) -> Result<Self, Error> {
+        let found = plate.throttling(side, through)?;
+        Ok(Self {
+            ports,
+            smallest_opening_m2: si(found.smallest_opening),
+            drop_pa: si(found.drop),
+            greatest_drop_pa: si(found.greatest_drop),
+            power_w: si(found.power),
+        })
+    }
+}
+
+/// Every stretch in order.
+fn states(timing: &Timing) -> Vec<PortState> {
+    let state = |open_to| {
+        move |stretch: &Stretch| PortState { open_to, from_rad: si(stretch.from), to_rad: si(stretch.to) }
+    };
+    let mut all: Vec<PortState> = timing.high.iter().map(state(OpenTo::High)).collect();
+    all.extend(timing.low.iter().map(state(OpenTo::Low)));
+    all.extend(timing.short_circuits.iter().map(state(OpenTo::Both)));
+    all.extend(timing.closed.iter().map(|one| state(OpenTo::Neither)(&one.stretch)));
+    all.sort_by(|one, other| one.from_rad.total_cmp(&other.from_rad));
+    all
+}
+
+fn closed(timing: &Timing, trapped: Option<&[Trapped]>) -> Vec<ClosedStretch> {
+    let record = |(place, one): (usize, &timing::Closed)| ClosedStretch {
+        from_rad: si(one.stretch.from),
+        to_rad: si(one.stretch.to),
+        extreme: one.extreme.map(|extreme| match extreme {
+            timing::AtExtreme::Greatest => Extreme::Greatest,
+            timing::AtExtreme::Least => Extreme::Least,
+        }),
+        before_rad: si(one.before),
+        after_rad: si(one.after),
+        change_pa: maybe_si(trapped.and_then(|all| all.get(place)).map(|one| one.change)),
+    };
+    timing.closed.iter().enumerate().map(record).collect()
+}

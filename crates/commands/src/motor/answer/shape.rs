@@ -1,0 +1,184 @@
+//! The shape of a motor: the stator's arcs and their family, or the law of the rotor.
+
+use super::Chosen;
+use crate::error::Error;
+use crate::shared::number::{maybe_si, plain, power_of_ten_above, si};
+use crate::tolerance::CLOSED;
+use epicyclic_hydromotor as hydromotor;
+use epicyclic_hydromotor::arcs::StatorArcs;
+use epicyclic_hydromotor::closure::{self, Family};
+use epicyclic_hydromotor::second_harmonic::{self, HarmonicLaw};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A stator of two arcs, and the family of motors that it is of.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Arcs {
+    /// How the motor was chosen from its family.
+    pub chosen: Chosen,
+    /// Distance of the centre of arc 1, at the troughs, from the axis.
+    pub l_m: f64,
+    /// Distance of the centre of arc 2, at the crests, from the axis.
+    pub a_m: f64,
+    /// Radius of arc 1.
+    pub r1_m: f64,
+    /// Radius of arc 2.
+    pub r2_m: f64,
+    /// Angle of arc 1 at its centre.
+    pub gamma_rad: f64,
+    /// Angle of arc 2 at its centre.
+    pub beta_rad: f64,
+    /// Distances `l` for which a motor of these numbers closes: nearly always one interval, of few lobes two.
+    pub family: Vec<Interval>,
+    /// What quadrature of the rolling leaves open in a half-lobe, rounded up to a power of ten.
+    pub closes_by_quadrature_within_rad: f64,
+    /// What an error of 0.01 modules in `a` opens in a half-lobe.
+    pub opened_by_a_hundredth_module_rad: f64,
+}
+
+/// An interval of a family.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Interval {
+    /// Its least `l`.
+    pub from_m: f64,
+    /// What ends it there.
+    pub from_limit: FamilyLimit,
+    /// Its greatest `l`; null where rounding leaves none at a cusp.
+    pub to_m: Option<f64>,
+    /// What ends it there.
+    pub to_limit: FamilyLimit,
+}
+
+/// What ends an interval of a family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FamilyLimit {
+    /// The arcs at the troughs vanish.
+    NoTroughArc,
+    /// The rotor gets cusps.
+    RotorCusp,
+    /// The stator's flanks become radial.
+    RadialFlank,
+    /// The arcs at the troughs reach 100 times the stator's nominal radius, the most that a machine has.
+    GreatestRadius,
+}
+
+/// A rotor by the cosine law.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct CosineLaw {
+    /// Mean radius of the rotor, `c`.
+    pub mean_radius_m: f64,
+    /// Relative amplitude, `ε`.
+    pub amplitude: f64,
+    /// Relative amplitude of the second harmonic, `ε₂`; 0 without one.
+    pub second_amplitude: f64,
+    /// The relative amplitude at which the stator gets cusps; null with a second harmonic.
+    pub cusp_amplitude: Option<f64>,
+    /// The values of `ε₂` with which motors of these numbers close without cusps; null where there are none.
+    pub second_harmonics: Option<HarmonicRange>,
+}
+
+/// Values of `ε₂`, both ends excluded.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct HarmonicRange {
+    /// Above this.
+    pub from: f64,
+    /// Below this.
+    pub to: f64,
+}
+
+impl CosineLaw {
+    pub(crate) fn of(motor: &hydromotor::Motor, law: &HarmonicLaw) -> Self {
+        let range = second_harmonic::range(motor.numbers()).ok();
+        Self {
+            mean_radius_m: si(law.mean_radius),
+            amplitude: plain(law.amplitude),
+            second_amplitude: plain(law.second_amplitude),
+            cusp_amplitude: motor.cosine_law().map(|law| plain(law.cusp_amplitude)),
+            second_harmonics: range.map(|range| HarmonicRange {
+                from: range.lower.second_amplitude,
+                to: range.upper.second_amplitude,
+            }),
+        }
+    }
+}
+
+/// How near arcs come to the rotor's exact curve.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Rotor {
+    /// By how much the best pair of tangent arcs misses it.
+    pub best_arcs_deviation_m: f64,
+    /// By how much the circles that the source gives miss it; null where it gives none.
+    pub published_circles_deviation_m: Option<f64>,
+    /// The angle at which these circles meet.
+    pub published_circles_kink_rad: Option<f64>,
+}
+
+impl Arcs {
+    pub(crate) fn of(
+        motor: &hydromotor::Motor,
+        arcs: &StatorArcs,
+        family: &Family,
+        chosen: Chosen,
+    ) -> Result<Self, Error> {
+        let closed = closure::closure(motor.numbers(), arcs)?;
+        let within = power_of_ten_above(closed.residual_by_quadrature_rad.abs(), CLOSED);
+        Ok(Self {
+            chosen,
+            l_m: si(arcs.trough_distance()),
+            a_m: si(arcs.crest_distance()),
+            r1_m: si(arcs.trough_radius()),
+            r2_m: si(arcs.crest_radius()),
+            gamma_rad: si(arcs.trough_angle()),
+            beta_rad: si(arcs.crest_angle()),
+            family: Interval::all(family),
+            closes_by_quadrature_within_rad: within,
+            // What a hundredth of a module in a, at the same l, opens.
+            opened_by_a_hundredth_module_rad: plain(0.01 * closed.by_crest_distance),
+        })
+    }
+}
+
+impl Interval {
+    /// Those of a family.
+    pub(crate) fn all(family: &Family) -> Vec<Self> {
+        family.intervals().iter().filter_map(Self::of).collect()
+    }
+
+    fn of(interval: &closure::Interval) -> Option<Self> {
+        let at = |end: &closure::End| end.arcs().map(StatorArcs::trough_distance);
+        Some(Self {
+            from_m: si(at(&interval.lower)?),
+            from_limit: FamilyLimit::of(interval.lower.limit),
+            to_m: maybe_si(at(&interval.upper)),
+            to_limit: FamilyLimit::of(interval.upper.limit),
+        })
+    }
+}
+
+impl FamilyLimit {
+    const fn of(limit: closure::Limit) -> Self {
+        match limit {
+            closure::Limit::NoTroughArc => Self::NoTroughArc,
+            closure::Limit::RotorCusp => Self::RotorCusp,
+            closure::Limit::RadialFlank => Self::RadialFlank,
+            closure::Limit::GreatestRadius => Self::GreatestRadius,
+        }
+    }
+}
+
+impl Rotor {
+    pub(crate) fn of(motor: &hydromotor::Motor) -> Self {
+        let circles = motor.published_circles();
+        Self {
+            best_arcs_deviation_m: si(motor.two_arc_fit().deviation),
+            published_circles_deviation_m: circles.as_ref().map(|circles| si(circles.deviation)),
+            published_circles_kink_rad: circles.as_ref().map(|circles| si(circles.kink)),
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! `motor forms`: motors with the tooth form free.
+
+pub mod answer;
+pub mod request;
+pub mod table;

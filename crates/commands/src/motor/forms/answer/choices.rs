@@ -1,0 +1,190 @@
+//! What a search with free tooth forms chooses from and judges by, with the names that options and records have of it.
+
+use crate::shared::named::named;
+use crate::shared::number::{maybe_si, si};
+use epicyclic_hydromotor::profile;
+use epicyclic_hydromotor::search::forms::{self, FamilyKind, FlankFigures, FormDesign};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What designs are good for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Objective {
+    /// The most displacement over volume.
+    Volume,
+    /// The least ripple, satellites sealing at the pitch points.
+    Ripple,
+    /// The greatest least curvature radius over the module.
+    Radius,
+    /// The greatest contact ratio.
+    ContactRatio,
+    /// The least ripple, satellites sealing at the flanks.
+    FlankRipple,
+    /// The greatest least torque over the mean, satellites sealing at the flanks.
+    LeastTorque,
+    /// The least contact stress of Hertz.
+    ContactStress,
+    /// The least bending stress at the roots.
+    RootStress,
+    /// The greatest pressure drop that the material allows.
+    AllowedPressure,
+}
+
+/// A family of motors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Family {
+    /// A stator of two arcs.
+    Arcs,
+    /// A rotor by the cosine law.
+    Cosine,
+    /// A rotor with a second harmonic.
+    SecondHarmonic,
+}
+
+/// What lies in the middle of the stator's crests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Crest {
+    /// The middle of a space.
+    Space,
+    /// The middle of a tooth.
+    Tooth,
+}
+
+named! {
+    Objective {
+        Volume "volume"
+        Ripple "ripple"
+        Radius "radius"
+        ContactRatio "contact-ratio"
+        FlankRipple "flank-ripple"
+        LeastTorque "least-torque"
+        ContactStress "contact-stress"
+        RootStress "root-stress"
+        AllowedPressure "allowed-pressure"
+    }
+    Family {
+        Arcs "arcs"
+        Cosine "cosine"
+        SecondHarmonic "second-harmonic"
+    }
+    Crest {
+        Space "space"
+        Tooth "tooth"
+    }
+}
+
+impl Objective {
+    pub(crate) const fn of(objective: forms::Objective) -> Self {
+        match objective {
+            forms::Objective::DisplacementByVolume => Self::Volume,
+            forms::Objective::Ripple => Self::Ripple,
+            forms::Objective::LeastRadius => Self::Radius,
+            forms::Objective::ContactRatio => Self::ContactRatio,
+            forms::Objective::FlankRipple => Self::FlankRipple,
+            forms::Objective::LeastTorque => Self::LeastTorque,
+            forms::Objective::ContactStress => Self::ContactStress,
+            forms::Objective::RootStress => Self::RootStress,
+            forms::Objective::AllowedPressure => Self::AllowedPressure,
+        }
+    }
+
+    /// As a search takes it.
+    #[must_use]
+    pub const fn of_search(self) -> forms::Objective {
+        match self {
+            Self::Volume => forms::Objective::DisplacementByVolume,
+            Self::Ripple => forms::Objective::Ripple,
+            Self::Radius => forms::Objective::LeastRadius,
+            Self::ContactRatio => forms::Objective::ContactRatio,
+            Self::FlankRipple => forms::Objective::FlankRipple,
+            Self::LeastTorque => forms::Objective::LeastTorque,
+            Self::ContactStress => forms::Objective::ContactStress,
+            Self::RootStress => forms::Objective::RootStress,
+            Self::AllowedPressure => forms::Objective::AllowedPressure,
+        }
+    }
+
+    /// Its figure of a design, the less the better; what a design lacks comes last.
+    pub(crate) fn cost(self, design: &FormDesign) -> f64 {
+        let of = |figure: &dyn Fn(&FlankFigures) -> Option<f64>| {
+            design.flanks.as_ref().and_then(figure).unwrap_or(f64::INFINITY)
+        };
+        match self {
+            Self::Volume => -design.displacement_by_volume,
+            Self::Ripple => design.ripple,
+            Self::Radius => -design.least_radius,
+            Self::ContactRatio => -design.contact_ratio,
+            Self::FlankRipple => of(&|flanks| Some(flanks.ripple)),
+            Self::LeastTorque => of(&|flanks| Some(-flanks.least_over_mean)),
+            Self::ContactStress => of(&|flanks| maybe_si(flanks.contact_stress)),
+            Self::RootStress => of(&|flanks| maybe_si(flanks.root_stress)),
+            Self::AllowedPressure => of(&|flanks| Some(-si(flanks.allowed.pressure))),
+        }
+    }
+}
+
+impl Family {
+    pub(crate) const fn of(family: FamilyKind) -> Self {
+        match family {
+            FamilyKind::TwoArcs => Self::Arcs,
+            FamilyKind::CosineLaw => Self::Cosine,
+            FamilyKind::SecondHarmonic => Self::SecondHarmonic,
+        }
+    }
+
+    /// As a search takes it.
+    #[must_use]
+    pub const fn of_search(self) -> FamilyKind {
+        match self {
+            Self::Arcs => FamilyKind::TwoArcs,
+            Self::Cosine => FamilyKind::CosineLaw,
+            Self::SecondHarmonic => FamilyKind::SecondHarmonic,
+        }
+    }
+}
+
+impl Crest {
+    pub(crate) const fn of(crest: profile::Crest) -> Self {
+        match crest {
+            profile::Crest::Space => Self::Space,
+            profile::Crest::Tooth => Self::Tooth,
+        }
+    }
+
+    /// As a search takes it.
+    #[must_use]
+    pub const fn of_search(self) -> profile::Crest {
+        match self {
+            Self::Space => profile::Crest::Space,
+            Self::Tooth => profile::Crest::Tooth,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shared::named::Named as _;
+
+    #[test]
+    fn every_choice_is_read_from_its_name_and_goes_to_the_search_and_back() {
+        for &objective in Objective::ALL {
+            assert_eq!(objective.to_string().parse(), Ok(objective));
+            assert_eq!(Objective::of(objective.of_search()), objective);
+        }
+        for &family in Family::ALL {
+            assert_eq!(family.to_string().parse(), Ok(family));
+            assert_eq!(Family::of(family.of_search()), family);
+        }
+        for &crest in Crest::ALL {
+            assert_eq!(crest.to_string().parse(), Ok(crest));
+            assert_eq!(Crest::of(crest.of_search()), crest);
+        }
+        assert_eq!((Objective::ALL.len(), Family::ALL.len()), (forms::Objective::ALL.len(), 3));
+        let refused = "arc".parse::<Family>().unwrap_err();
+        assert_eq!(refused, "\"arc\" is none of arcs, cosine, second-harmonic");
+    }
+}

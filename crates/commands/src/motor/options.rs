@@ -1,0 +1,238 @@
+//! The options that describe a motor, its teeth, its drawings and curves.
+
+pub(crate) mod design;
+pub(crate) mod files;
+pub(crate) mod made;
+pub(crate) mod steps;
+
+use crate::failure::Failure;
+use crate::motor::forms::answer::Crest;
+use crate::output::OutputArgs;
+use crate::shared::page_options::PageArgs;
+use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_units::{Number, Quantity};
+use std::path::PathBuf;
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
+
+/// What describes a motor where no file does.
+const OF_A_MOTOR: [&str; 12] =
+    ["stator", "rotor", "z3", "z1", "zs", "module", "place", "width", "pressure", "speed", "Teeth", "Made"];
+
+/// A motor and what is wanted of it.
+#[derive(Debug, clap::Args)]
+#[command(group = clap::ArgGroup::new("place").multiple(true))]
+pub(crate) struct Design {
+    /// File of a motor in YAML, in place of the options that describe one; - for standard input.
+    #[arg(value_name = "FILE", conflicts_with_all = OF_A_MOTOR)]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Lobes of the stator, N.
+    #[arg(long, value_name = "N", required_unless_present = "file")]
+    pub(crate) stator: Option<u32>,
+
+    /// Lobes of the rotor, n: 1 to 3 fewer.
+    #[arg(long, value_name = "N", required_unless_present = "file")]
+    pub(crate) rotor: Option<u32>,
+
+    /// Teeth of the stator, Z₃: a whole number for each lobe.
+    #[arg(long, value_name = "TEETH", required_unless_present = "file")]
+    pub(crate) z3: Option<u32>,
+
+    /// Teeth of the rotor, Z₁; they follow from the others and are checked where given.
+    #[arg(long, value_name = "TEETH")]
+    pub(crate) z1: Option<u32>,
+
+    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with
+    /// a motor.
+    #[arg(long, value_name = "TEETH")]
+    pub(crate) zs: Option<u32>,
+
+    /// Module of the teeth.
+    #[arg(long, required_unless_present = "file", allow_hyphen_values = true)]
+    pub(crate) module: Option<Quantity<Length>>,
+
+    /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of the family.
+    #[arg(long, group = "place", allow_hyphen_values = true)]
+    pub(crate) l: Option<Quantity<Length>>,
+
+    /// Instead of --l the distance a of the centres of the arcs at the crests. Together with --l:
+    /// --construction of arcs that need not close.
+    #[arg(long, group = "place", allow_hyphen_values = true)]
+    pub(crate) a: Option<Quantity<Length>>,
+
+    /// Instead of --l the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l.
+    #[arg(long, value_name = "NUMBER", group = "place", conflicts_with_all = ["l", "a"], allow_negative_numbers = true)]
+    pub(crate) part: Option<Number>,
+
+    /// A rotor by the cosine law, and the stator conjugate to it: one motor, no family.
+    #[arg(long, group = "place", conflicts_with_all = ["l", "a", "part"])]
+    pub(crate) cosine: bool,
+
+    /// Relative amplitude ε₂ of a second harmonic of the cosine law.
+    #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
+    pub(crate) second_harmonic: Option<Number>,
+
+    /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing,
+    /// and formulas (2)-(8). Drawings show it.
+    #[arg(long)]
+    pub(crate) construction: bool,
+
+    /// Width of the wheels, for displacement, torque and forces.
+    #[arg(long, allow_hyphen_values = true)]
+    pub(crate) width: Option<Quantity<Length>>,
+
+    /// Pressure drop, high less low, for torque and forces.
+    #[arg(long, requires = "width", allow_hyphen_values = true)]
+    pub(crate) pressure: Option<Quantity<Pressure>>,
+
+    /// Speed of the rotor, for flow and power.
+    #[arg(long, requires = "width", allow_hyphen_values = true)]
+    pub(crate) speed: Option<Quantity<AngularVelocity>>,
+
+    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and drawings. Default: that of the file, else 0 deg.
+    #[arg(long, allow_hyphen_values = true)]
+    pub(crate) angle: Option<Quantity<Angle>>,
+
+    #[command(flatten)]
+    pub(crate) teeth: Teeth,
+
+    #[command(flatten)]
+    pub(crate) made: made::Made,
+
+    #[command(flatten)]
+    pub(crate) files: Files,
+
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+
+    #[command(flatten)]
+    pub(crate) page: PageArgs,
+}
+
+/// Form of the teeth; lengths in modules.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Teeth, lengths in modules")]
+pub(crate) struct Teeth {
+    /// Pressure angle of the satellites.
+    #[arg(long, default_value = "25 deg", allow_hyphen_values = true)]
+    pub(crate) pressure_angle: Quantity<Angle>,
+
+    /// Addendum h_a*.
+    #[arg(long, value_name = "NUMBER", default_value = "0.85", allow_negative_numbers = true)]
+    pub(crate) addendum: Number,
+
+    /// Clearance c* of tips over roots.
+    #[arg(long, value_name = "NUMBER", default_value = "0.25", allow_negative_numbers = true)]
+    pub(crate) clearance: Number,
+
+    /// Profile shift x of the satellites; the wheels have −x.
+    #[arg(long, value_name = "NUMBER", default_value = "0.2", allow_negative_numbers = true)]
+    pub(crate) shift: Number,
+
+    /// Backlash j* along the pitch curves.
+    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
+    pub(crate) backlash: Number,
+
+    /// Radius ρ* of the rounded tips of the cutters.
+    #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_negative_numbers = true)]
+    pub(crate) fillet: Number,
+
+    /// What lies in the middle of the stator's crests: space, tooth.
+    #[arg(long, value_name = "CREST", default_value = "space")]
+    pub(crate) crest: Crest,
+}
+
+/// Drawings and curves.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Drawings and curves, each file written whole or not at all")]
+pub(crate) struct Files {
+    /// What is drawn into --svg, --dxf, or an --output that ends in .svg, .dxf, .pdf or .png. Default: the whole motor.
+    #[arg(long, value_enum)]
+    pub(crate) view: Option<View>,
+
+    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300.
+    #[arg(long, value_name = "NUMBER", requires = "output")]
+    pub(crate) dpi: Option<Number>,
+
+    /// File for the drawing as an SVG image, one unit a millimetre.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+
+    /// File for the drawing as DXF in millimetres, for CAD.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) dxf: Option<PathBuf>,
+
+    /// File for points of the centrodes with direction and curvature, in millimetres and degrees.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+
+    /// Points of each half-lobe in that file.
+    #[arg(long, value_name = "NUMBER", requires = "csv", default_value_t = 100)]
+    pub(crate) points: u32,
+}
+
+/// What is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum View {
+    /// Stator, rotor, satellites, and how the arcs are constructed.
+    Centrodes,
+    /// Half a lobe of stator and rotor with the construction of the arcs, (1)-(8).
+    Construction,
+    /// Every tooth in mesh.
+    Teeth,
+    /// The motor in its housing with its ports.
+    Motor,
+    /// The chambers coloured by pressure.
+    Chambers,
+    /// Dimensions and a table of wheel data, for a drawing office.
+    Dimensions,
+    /// Forces on the satellites and on the rotor's bearing, with --width and --pressure.
+    Forces,
+    /// The ports as made, with --ports.
+    Ports,
+    /// Pressure in a chamber over its cycle, with --ports and the bulk modulus of --oil.
+    Pressure,
+    /// Contact stress of a satellite over its cycle, with --pressure.
+    Stress,
+    /// Total efficiency over speed and pressure, with --gaps, --oil and --friction.
+    Efficiency,
+}
+
+impl Design {
+    /// Options of a closed motor that say nothing of its arcs or teeth, and whether each is given.
+    pub(crate) fn beyond_the_arcs(&self) -> Vec<(&'static str, bool)> {
+        let own = [
+            ("--width", self.width.is_some()),
+            ("--angle", self.angle.is_some()),
+            ("--csv", self.files.csv.is_some()),
+        ];
+        own.into_iter().chain(self.made.given()).collect()
+    }
+}
+
+impl Teeth {
+    /// Its options, and whether each differs from its default.
+    pub(crate) fn given(&self) -> [(&'static str, bool); 7] {
+        let (given, usual) = (design::form(self), ToothForm::default());
+        [
+            ("--pressure-angle", given.pressure_angle != usual.pressure_angle),
+            ("--addendum", given.addendum != usual.addendum),
+            ("--clearance", given.clearance != usual.clearance),
+            ("--shift", given.shift != usual.shift),
+            ("--backlash", given.backlash != usual.backlash),
+            ("--fillet", given.fillet != usual.fillet),
+            ("--crest", given.crest != usual.crest),
+        ]
+    }
+}
+
+/// Refuses the first option that is given in vain.
+pub(crate) fn refuse_given(
+    options: impl IntoIterator<Item = (&'static str, bool)>,
+    message: &str,
+) -> Result<(), Failure> {
+    match options.into_iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => Err(Failure::Option { option, message: message.to_owned() }),
+        None => Ok(()),
+    }
+}

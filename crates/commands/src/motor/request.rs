@@ -1,0 +1,123 @@
+//! The command `motor`: a planetary hydromotor from its numbers to its drawings, and two searches for one.
+
+use crate::desk::Call;
+
+use crate::failure::Failure;
+use crate::input;
+use crate::motor::answer::Designed;
+use crate::motor::construction::request as construction;
+use crate::motor::forms::request as forms;
+use crate::motor::satellites::request as satellites;
+use crate::motor::search::request as search;
+use crate::report::answer as report;
+use crate::shared::page_options::{self as imprint};
+use epicyclic_formats::Path;
+
+use crate::motor::options::{Design, design, files};
+/// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
+///
+/// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them
+/// that roll on both. Without --zs the satellites that the other numbers admit are listed. The numbers leave
+/// one distance free: --l, --a or --part choose it. With both --l and --a the rotor need not close; the
+/// answer is then the construction of the arcs. Torque and flow are theoretical; --oil, --gaps and
+/// --friction add losses, --ports the ports as they are made. Module: 0.001 to 1000 mm; width: 0.001 to 10
+/// 000 mm; l: at most 100 times the stator's nominal radius m·Z₃/2. A rotor that reaches into the stator is
+/// refused.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+#[command(override_usage = "\
+epicyclic motor [OPTIONS] <FILE>
+       epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
+           --module <MODULE> [--zs <TEETH>]
+       epicyclic motor search [OPTIONS]
+       epicyclic motor forms [OPTIONS]")]
+#[command(after_help = "\
+Example:
+  printf 'stator: 5\\nrotor: 3\\nz3: 55\\nzs: 10\\n' > motor.yaml
+  printf 'module: 2 mm\\n' >> motor.yaml
+  epicyclic motor motor.yaml --view teeth --svg teeth.svg
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --l '80 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm'
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --module '2 mm'
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --l '80 mm' --a '31 mm' -o construction.svg
+  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
+      --angle '30 deg' --view chambers --svg chambers.svg
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --view dimensions -o dimensions.pdf
+  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
+      --width '50 mm' --pressure '20 MPa' --speed '100 rpm' \\
+      --oil 'viscosity: 46 mm²/s, density: 870 kg/m³, bulk_modulus: 1.4 GPa' \\
+      --gaps 'satellites: 10 µm' --friction 0.05..0.1 --ports 'part: 0.9'
+  epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
+      --stator 5..6 --z3 ..66
+  epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --module '2 mm' \\
+      --stator 6 --z3 66 --zs 10 --addendum 0.75..0.85/3")]
+pub struct Args {
+    #[command(subcommand)]
+    command: Option<Command>,
+
+    #[command(flatten)]
+    design: Design,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Search(Box<search::Args>),
+    Forms(Box<forms::Args>),
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    match &args.command {
+        Some(Command::Search(args)) => return search::run(call, args),
+        Some(Command::Forms(args)) => return forms::run(call, args),
+        None => {}
+    }
+    let Design { files, page: options, output, .. } = &args.design;
+    options.only_of_a_page(output.is_page())?;
+    let wanted = files::wanted(files, output);
+    wanted.check(files)?;
+    let Some(file) = &args.design.file else {
+        if args.design.zs.is_none() {
+            return satellites::run(call, &args.design);
+        }
+        if construction::is_asked(&args.design) {
+            return construction::run(call, &args.design, &wanted, None);
+        }
+        let designed = design::read(&args.design)?;
+        return deliver(call, &args.design, &wanted, None, &designed, &design::refuse);
+    };
+    let document = input::document(call, file)?;
+    let in_file = |failure: Failure| failure.in_file(&document, &Path::root());
+    let (title, mut designed) =
+        crate::motor::answer::of_file(&document).map_err(|error| in_file(error.into()))?;
+    if construction::is_asked(&args.design) {
+        return construction::run(call, &args.design, &wanted, Some(&designed)).map_err(in_file);
+    }
+    if let Some(angle) = &args.design.angle {
+        designed.angle = angle.0;
+    }
+    let refuse = |error| design::refuse_of_file(error, args.design.angle.is_some());
+    deliver(call, &args.design, &wanted, title, &designed, &refuse).map_err(in_file)
+}
+
+fn deliver(
+    call: &Call<'_>,
+    Design { files, page: options, output, .. }: &Design,
+    wanted: &files::Wanted,
+    title: Option<String>,
+    designed: &Designed,
+    refuse: &dyn Fn(crate::error::Error) -> Failure,
+) -> Result<(), Failure> {
+    let (files, output) = (files::content(files, wanted, designed, refuse)?, output.but_for_drawings());
+    if output.is_page() {
+        let report = report::motor::answer(title, designed).map_err(refuse)?;
+        let sheet = crate::motor::page::sheet(&report, designed, imprint::command(call));
+        return output.deliver_page(call, files, &report.motor, sheet, &options.imprint());
+    }
+    let answer = crate::motor::answer::answer(designed).map_err(refuse)?;
+    output.deliver_with(call, files, &answer)
+}

@@ -1,0 +1,147 @@
+//! The satellites that a hydromotor's stator and rotor admit, as tables.
+
+use crate::motor::satellites::answer::{MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout};
+use crate::table::figure::Figure;
+use crate::table::quantities::{column, words};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
+use epicyclic_units::Dimension::{Area, Length};
+
+impl AsReport for MotorSatellites {
+    fn report(&self) -> Report {
+        let title = format!(
+            "Satellites of a hydromotor {}×{}: {}/{} teeth of stator, rotor, module {}",
+            self.stator_lobes,
+            self.rotor_lobes,
+            self.stator_teeth,
+            self.rotor_teeth,
+            words(Length, self.module_m, 6)
+        );
+        let numbers = vec![
+            Row::new("satellites", "satellites, and chambers", "N + n", [Figure::Count(self.satellites)]),
+            Row::new("rotor_teeth", "teeth of the rotor", "Z₁", [Figure::Count(self.rotor_teeth)]),
+            Row::new(
+                "satellite_teeth_below",
+                "teeth of a satellite, below",
+                "(Z₃ − Z₁)/2",
+                [Figure::Number(self.satellite_teeth_below)],
+            ),
+        ];
+        let mut parts = vec![Part::Facts(Section {
+            name: "numbers",
+            title: "Numbers and their conditions",
+            columns: &[],
+            rows: numbers,
+            note: "",
+        })];
+        if !self.motors.is_empty() {
+            parts.push(Part::Records(motors(self)));
+        }
+        if !self.without.is_empty() {
+            parts.push(Part::Records(without(&self.without)));
+        }
+        if let Some(teeth) = self.next_satellite_teeth {
+            parts.push(Part::Text(Text {
+                heading: Some("Next".to_owned()),
+                paragraphs: vec![format!(
+                    "Give the teeth of a satellite: --zs {teeth} has the greatest displacement of the motors whose teeth keep \
+                     their limits. Other motors of a family: --l, --a, --part."
+                )],
+                ..Text::default()
+            }));
+        }
+        Report { title: Some(headline(title, &self.warnings)), parts, warnings: warned(&self.warnings) }
+    }
+}
+
+/// Outcome for the teeth, in few words.
+fn teeth(motor: &SatelliteMotor) -> String {
+    match motor.broken_limits.as_deref() {
+        None => "none of this form".to_owned(),
+        Some([]) => "keep their limits".to_owned(),
+        Some([first, more @ ..]) => {
+            let more = if more.is_empty() { String::new() } else { format!(", {} more", more.len()) };
+            format!("{}: {}{more}", first.wheel.words(), first.limit.name().replace('-', " "))
+        }
+    }
+}
+
+fn motors(answer: &MotorSatellites) -> Records {
+    let of_family = |motor: &SatelliteMotor| {
+        let ends = motor.family.first().zip(motor.family.last());
+        ends.map_or([None, None], |(first, last)| [Some(first.from_m), last.to_m])
+    };
+    let rows = answer.motors.iter().map(|motor| {
+        let [from, to] = of_family(motor);
+        vec![
+            Figure::Count(motor.satellite_teeth),
+            column(Length, from),
+            column(Length, to),
+            column(Length, Some(motor.l_m)),
+            column(Length, Some(motor.a_m)),
+            column(Area, Some(motor.least_chamber_m2)),
+            column(Area, Some(motor.displacement_per_width_m2)),
+            Figure::Share(motor.ripple),
+            Figure::Text(teeth(motor)),
+        ]
+    });
+    let columns = [
+        "satellite_teeth",
+        "from",
+        "to",
+        "l",
+        "a",
+        "least_chamber",
+        "displacement_per_width",
+        "ripple",
+        "teeth",
+    ];
+    Records {
+        name: "motors",
+        columns: vec![
+            Column::number("satellite_teeth", "Z_s"),
+            Column::headed("from", "l from", Length),
+            Column::headed("to", "to, mm", Length),
+            Column::headed("l", "l, mm", Length),
+            Column::headed("a", "a, mm", Length),
+            Column::headed("least_chamber", "A_min, mm²", Area),
+            Column::headed("displacement_per_width", "q/b, mm²", Area),
+            Column::number("ripple", "δ"),
+            Column::words("teeth", "teeth"),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
+                   displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break."
+                .to_owned(),
+            ..View::new("Motors, each in the middle of its family", &columns)
+        }],
+        is_answer: false,
+    }
+}
+
+fn without(without: &[SatellitesWithout]) -> Records {
+    let reason = |reason: NoMotor| {
+        let name = match reason {
+            NoMotor::CrestRadius => "crest_radius",
+            NoMotor::RotorCusp => "rotor_cusp",
+            NoMotor::RadialFlank => "radial_flank",
+            NoMotor::RotorInStator => "rotor_in_stator",
+            NoMotor::NoChamber => "no_chamber",
+        };
+        Figure::answer(name, reason.words())
+    };
+    let rows =
+        without.iter().map(|one| vec![Figure::Count(one.from), Figure::Count(one.to), reason(one.reason)]);
+    Records {
+        name: "without",
+        columns: vec![
+            Column::number("from", "Z_s from"),
+            Column::number("to", "to"),
+            Column::words("reason", "reason"),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new("Satellites without such a motor", &["from", "to", "reason"])],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,87 @@
+//! What the designs of a search are held against each other by, and ordered by.
+
+use crate::shared::named::named;
+use epicyclic_hydromotor::search::{self, Design};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What designs are good for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Objective {
+    /// The most displacement over volume.
+    Volume,
+    /// The least ripple, satellites sealing at the pitch points.
+    Ripple,
+    /// The greatest least curvature radius over the module.
+    Radius,
+    /// The least ripple, satellites sealing at the flanks.
+    FlankRipple,
+    /// The greatest least torque over the mean, satellites sealing at the flanks.
+    LeastTorque,
+}
+
+named! {
+    Objective {
+        Volume "volume"
+        Ripple "ripple"
+        Radius "radius"
+        FlankRipple "flank-ripple"
+        LeastTorque "least-torque"
+    }
+}
+
+impl Objective {
+    pub(crate) const fn of(objective: search::Objective) -> Self {
+        match objective {
+            search::Objective::DisplacementByVolume => Self::Volume,
+            search::Objective::Ripple => Self::Ripple,
+            search::Objective::LeastRadius => Self::Radius,
+            search::Objective::FlankRipple => Self::FlankRipple,
+            search::Objective::LeastTorque => Self::LeastTorque,
+        }
+    }
+
+    /// As a search takes it.
+    #[must_use]
+    pub const fn of_search(self) -> search::Objective {
+        match self {
+            Self::Volume => search::Objective::DisplacementByVolume,
+            Self::Ripple => search::Objective::Ripple,
+            Self::Radius => search::Objective::LeastRadius,
+            Self::FlankRipple => search::Objective::FlankRipple,
+            Self::LeastTorque => search::Objective::LeastTorque,
+        }
+    }
+
+    /// Its figure of a design, the less the better; what a design lacks comes last.
+    pub(crate) fn cost(self, design: &Design) -> f64 {
+        match self {
+            Self::Volume => -design.displacement_by_volume,
+            Self::Ripple => design.ripple,
+            Self::Radius => -design.least_radius,
+            Self::FlankRipple => design.at_flanks.map_or(f64::INFINITY, |at| at.ripple),
+            Self::LeastTorque => design.at_flanks.map_or(f64::INFINITY, |at| -at.least_over_mean),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shared::named::Named as _;
+
+    #[test]
+    fn every_objective_is_read_from_its_name_and_goes_to_the_search_and_back() {
+        for &objective in Objective::ALL {
+            assert_eq!(objective.to_string().parse(), Ok(objective));
+            assert_eq!(Objective::of(objective.of_search()), objective);
+        }
+        assert_eq!(Objective::ALL.len(), search::Objective::ALL.len());
+        let refused = "contact-ratio".parse::<Objective>().unwrap_err();
+        assert_eq!(
+            refused,
+            "\"contact-ratio\" is none of volume, ripple, radius, flank-ripple, least-torque"
+        );
+    }
+}

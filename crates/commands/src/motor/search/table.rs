@@ -1,0 +1,267 @@
+//! The designs of a search for hydromotors, as tables.
+
+use crate::motor::answer::Subject;
+use crate::motor::designs::table::{
+    Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
+};
+use crate::motor::search::answer::{Design, MotorSearch, SpacingError, TeethLimits};
+use crate::motor::table::subject;
+use crate::table::figure::{Figure, count as many};
+use crate::table::quantities::{column, words};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
+use epicyclic_units::Dimension::{Length, Pressure, Volume};
+
+/// The objectives, of which the error is stated.
+const OBJECTIVES: &[(&str, &str)] = &[
+    ("displacement_by_volume", "q/V"),
+    ("ripple", "δ, pitch"),
+    ("least_radius", "radius"),
+    ("flank_ripple", "δ, flanks"),
+    ("least_torque", "least"),
+];
+
+impl AsReport for MotorSearch {
+    fn report(&self) -> Report {
+        let wanted = words(Volume, self.displacement_m3, 5);
+        let designs = if self.found == 1 { "design" } else { "designs" };
+        Report {
+            title: Some(headline(
+                format!("Hydromotors of {wanted} a revolution: {} non-dominated {designs}", self.found),
+                &self.warnings,
+            )),
+            parts: vec![
+                Part::Records(records(self)),
+                Part::Facts(Section {
+                    name: "funnel",
+                    title: "Motors tried, and why the others were refused: the first reason counts",
+                    columns: &[],
+                    rows: funnel(self),
+                    note: "",
+                }),
+                Part::Facts(Section {
+                    name: "between_places",
+                    title: "Between the places tried a motor may be better than a listed one, by estimate",
+                    columns: OBJECTIVES,
+                    rows: vec![
+                        spacing("spacing_error", "at most, in every objective", &self.spacing_error),
+                        spacing("refinement_gain", "refinement found better by", &self.refinement_gain),
+                    ],
+                    note: "",
+                }),
+            ],
+            warnings: warned(&self.warnings),
+        }
+    }
+}
+
+/// How many were found, how many shown.
+#[must_use]
+pub fn count(search: &MotorSearch) -> String {
+    found_and_shown(search.found, search.designs.len())
+}
+
+fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row {
+    let values = [
+        error.displacement_by_volume,
+        error.ripple,
+        error.least_radius,
+        error.flank_ripple,
+        error.least_torque,
+    ];
+    Row::new(name, label, "", values.map(share))
+}
+
+fn records(search: &MotorSearch) -> Records {
+    let judged = if search.made {
+        "On each the teeth of the form keep their limits, and ideal ports can be made."
+    } else {
+        "Teeth: whether the form keeps its limits (hold, fail) or gives no teeth (none); teeth and ports were not judged."
+    };
+    let has_contact = search.made && search.designs.iter().any(|design| design.contact_stress_pa.is_some());
+    let contact = if has_contact {
+        " σ_H: greatest contact stress of steel teeth where one pair of flanks carries alone."
+    } else {
+        ""
+    };
+    let (hidden, of_set) = (hidden(search.hidden), of_set(search.first_of_each_set));
+    let mut shape_columns = vec![
+        "design",
+        "lobes",
+        "teeth",
+        "displacement_by_volume",
+        "ripple",
+        "flank_ripple",
+        "least_radius_in_modules",
+        "nearest",
+    ];
+    shape_columns.extend((!search.made).then_some("teeth_limits"));
+    shape_columns.extend(has_contact.then_some("contact_stress"));
+    let shapes = View {
+        note: format!(
+            "q/V: displacement over the cylinder about the stator's centrode. δ: ripple of flow and torque, satellites \
+             sealing at the pitch points, and at the flanks. ϱ: least curvature radius of both centrodes. {judged}{contact}{hidden}"
+        ),
+        ..View::new("Designs", &shape_columns)
+    };
+    let none = if search.designs.iter().any(|design| design.at_flanks.is_none()) {
+        " Without teeth there is nothing at the flanks (-)."
+    } else {
+        ""
+    };
+    let flanks = View {
+        note: format!(
+            "Ripple δ of flow and torque, and their least over the mean, with satellites that seal at the pitch points, and with \
+             satellites that seal at the flanks of the form.{none}{of_set}"
+        ),
+        ..View::new(
+            "Satellites sealing at the pitch points, and at the flanks",
+            &[
+                "design",
+                "ripple",
+                "least_over_mean",
+                "flank_ripple",
+                "flank_least_over_mean",
+                "designs_of_the_set",
+            ],
+        )
+    };
+    let sizes = size_columns(
+        &["design", "module", "width", "outer_diameter", "l", "a"],
+        search.designs.first().map(duty).as_ref(),
+        search.designs.iter().any(|design| design.modules_m.len() > 1),
+    );
+    let sizes = View {
+        note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's \
+               centrode; teeth and housing come on top. Torque and power without losses, satellites sealing at the pitch points."
+            .to_owned(),
+        ..View::new("Sizes", &sizes)
+    };
+    let mut columns = number_columns();
+    columns.extend([
+        Column::number("l_over_module", "l/m"),
+        Column::number("displacement_by_volume", "q/V"),
+        Column::number("ripple", "δ, pitch"),
+        Column::number("least_over_mean", "least, pitch"),
+        Column::number("flank_ripple", "δ, flanks"),
+        Column::number("flank_least_over_mean", "least, flanks"),
+        Column::words("without_flanks", ""),
+        Column::number("least_radius_in_modules", "ϱ/m"),
+        Column::words("teeth_limits", "teeth"),
+        Column::headed("contact_stress", "σ_H, MPa", Pressure),
+        Column::words("nearest_check", "nearest limit"),
+        Column::words("nearest", "nearest limit").for_people(),
+        Column::number("nearest_margin", "spare"),
+        Column::number("designs_of_the_set", "of set"),
+        Column::number("spacing_error_displacement_by_volume", ""),
+        Column::number("spacing_error_ripple", ""),
+        Column::number("spacing_error_least_radius", ""),
+        Column::number("spacing_error_flank_ripple", ""),
+        Column::number("spacing_error_least_torque", ""),
+        Column::headed("module", "m, mm", Length),
+        Column::headed("width", "b, mm", Length),
+        Column::headed("outer_diameter", "Ø, mm", Length),
+        Column::headed("l", "l, mm", Length),
+        Column::headed("a", "a, mm", Length),
+        Column::headed("r1", "R₁, mm", Length),
+        Column::headed("r2", "R₂, mm", Length),
+    ]);
+    columns.extend(duty_columns());
+    Records {
+        name: "designs",
+        columns,
+        rows: search.designs.iter().map(row).collect(),
+        views: vec![shapes, flanks, sizes],
+        is_answer: true,
+    }
+}
+
+fn duty(design: &Design) -> Duty<'_> {
+    let size = &design.size;
+    Duty {
+        displacement_m3: size.displacement_m3,
+        torque_n_m: size.torque_n_m,
+        least_torque_n_m: size.least_torque_n_m,
+        flow_m3_s: size.flow_m3_s,
+        power_w: size.power_w,
+        modules_m: &design.modules_m,
+    }
+}
+
+fn row(design: &Design) -> Vec<Figure> {
+    let size = &design.size;
+    let mut row = numbers(
+        design.design,
+        [design.stator_lobes, design.rotor_lobes],
+        [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
+    );
+    row.extend([
+        Figure::Multiple(design.l_over_module),
+        Figure::Multiple(design.displacement_by_volume),
+        Figure::Share(design.ripple),
+        Figure::Share(design.least_over_mean),
+        share(design.at_flanks.as_ref().map(|at| at.ripple)),
+        share(design.at_flanks.as_ref().map(|at| at.least_over_mean)),
+        design.without_flanks.as_ref().map_or(Figure::None, |why| Figure::Text(why.clone())),
+        Figure::Multiple(design.least_radius_in_modules),
+        match design.teeth_limits {
+            TeethLimits::Hold => Figure::answer("hold", "hold"),
+            TeethLimits::Fail => Figure::answer("fail", "fail"),
+            TeethLimits::None => Figure::answer("none", "none"),
+        },
+        column(Pressure, design.contact_stress_pa),
+        Figure::Text(subject(design.nearest_check).to_owned()),
+        Figure::Text(short(design.nearest_check).to_owned()),
+        Figure::Share(design.nearest_margin),
+        many(design.designs_of_the_set),
+        share(design.spacing_error.displacement_by_volume),
+        share(design.spacing_error.ripple),
+        share(design.spacing_error.least_radius),
+        share(design.spacing_error.flank_ripple),
+        share(design.spacing_error.least_torque),
+        column(Length, Some(size.module_m)),
+        column(Length, Some(size.width_m)),
+        column(Length, Some(size.outer_diameter_m)),
+        column(Length, Some(size.l_m)),
+        column(Length, Some(size.a_m)),
+        column(Length, Some(size.r1_m)),
+        column(Length, Some(size.r2_m)),
+    ]);
+    row.extend(duty(design).figures());
+    row
+}
+
+fn share(value: Option<f64>) -> Figure {
+    value.map_or(Figure::None, Figure::Share)
+}
+
+const fn short(check: Subject) -> &'static str {
+    match check {
+        Subject::StatorBulge => "stator bulge",
+        Subject::StatorHollow => "stator hollow",
+        Subject::RotorBulge => "rotor bulge",
+        Subject::RotorHollow => "rotor hollow",
+        Subject::RotorLeastRadius => "rotor body",
+        Subject::Neighbours => "neighbours",
+    }
+}
+
+fn funnel(search: &MotorSearch) -> Vec<Row> {
+    let funnel = &search.funnel;
+    let row = |name, label, value| Row::new(name, label, "", [many(value)]);
+    let mut rows = vec![
+        row("sets", "sets of lobes and teeth", funnel.sets),
+        row("outside_limits", "… outside limits of the rotor", funnel.outside_limits),
+        row("without_family", "… with which no motor closes", funnel.without_family),
+        row("places", "motors at even places", funnel.places),
+        row("refined", "motors added by refinement", funnel.refined),
+    ];
+    for refused in funnel.refused.iter().filter(|refused| refused.motors > 0) {
+        let (name, label) = (refused.reason.name(), refused.reason.words());
+        rows.push(Row { remark: "refused".to_owned(), ..row(name, label, refused.motors) });
+    }
+    rows.push(row("accepted", "motors that pass", funnel.accepted));
+    rows.push(row("front", "… that no other surpasses", funnel.front));
+    rows.push(row("apart", "designs, alike ones once", funnel.apart));
+    rows
+}

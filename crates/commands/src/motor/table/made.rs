@@ -1,0 +1,442 @@
+//! Flanks under load, ports as made, leaks and friction of a motor as tables.
+
+use super::{count, maybe, one};
+use crate::motor::answer::{
+    AllowedPressure, Efficiency, Extreme, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port,
+    Push,
+};
+use crate::table::figure::Figure;
+use crate::table::quantities::{column, remarked};
+use crate::table::report::{Column, Part, Records, Row, Section, Text, View};
+use epicyclic_units::Dimension::{
+    Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
+};
+
+fn facts(name: &'static str, title: &'static str, rows: Vec<Row>, note: &'static str) -> Part {
+    Part::Facts(Section { name, title, columns: &[], rows, note })
+}
+
+fn push(push: Push) -> Figure {
+    match push {
+        Push::Crest => Figure::answer("crest", "crest"),
+        Push::Trough => Figure::answer("trough", "trough"),
+    }
+}
+
+/// The ripple with satellites that seal where flanks touch.
+pub(crate) fn flank_ripple(flanks: &Flanks) -> Row {
+    Row::new("flank_ripple", "ripple at the flanks", "δ′", [Figure::Share(flanks.ripple)])
+}
+
+/// Sealing and forces, then stresses.
+pub(crate) fn flanks(flanks: &Flanks) -> Vec<Part> {
+    let mut rows = vec![
+        count("loaded_satellites", "satellites that part the pressures", "2n", flanks.loaded_satellites),
+        flank_ripple(flanks),
+        Row::new(
+            "least_over_mean",
+            "least over mean torque there",
+            "",
+            [Figure::Multiple(flanks.least_over_mean)],
+        ),
+        one("least_at", "least with the rotor at", "", Angle, flanks.least_at_rad),
+    ];
+    rows.extend(maybe("flank_least_torque", "least torque there", "", Torque, flanks.least_torque_n_m));
+    if let Some(forces) = &flanks.forces {
+        let force = |name, label, symbol, at: ForceAt| one(name, label, symbol, Force, at.force_n);
+        rows.push(force("force_by_crest", "greatest on a flank, by a crest", "N", forces.by_crest));
+        rows.push(force("force_by_trough", "greatest on a flank, by a trough", "N", forces.by_trough));
+        rows.push(force("stator_bound", "bound on the stator's flanks", "N₃", forces.stator_bound));
+        rows.push(force("rotor_bound", "bound on the rotor's flanks", "N₁", forces.rotor_bound));
+        let back = |name, label, at: Option<ForceAt>| at.map(|at| force(name, label, "", at));
+        rows.extend(back("stator_back_bound", "bound on its back flanks, stator", forces.stator_back_bound));
+        rows.extend(back("rotor_back_bound", "bound on its back flanks, rotor", forces.rotor_back_bound));
+        rows.push(force("bearing_load", "greatest load of the rotor's bearing", "", forces.bearing_load));
+    }
+    rows.push(one(
+        "effective_modulus",
+        "effective modulus of the teeth",
+        "E*",
+        Pressure,
+        flanks.effective_modulus_pa,
+    ));
+    let note = "Chambers are sealed where flanks touch, not at the pitch points. Bounds: the contacts where they are, one pair a mesh, rigid teeth; the back flank of a wheel holds the satellite.";
+    let mut parts = vec![facts("flanks", "Flanks under load", rows, note)];
+    if !flanks.contact.is_empty() {
+        parts.push(Part::Records(contact(flanks)));
+    }
+    if !flanks.roots.is_empty() {
+        parts.push(Part::Records(roots(flanks)));
+    }
+    if let Some(allowed) = &flanks.allowed {
+        parts.push(facts("allowed_pressure", "Pressure that the shape allows", allowed_rows(allowed), ""));
+    }
+    parts
+}
+
+fn contact(flanks: &Flanks) -> Records {
+    let row = |one: &crate::motor::answer::ContactStresses| {
+        vec![
+            Figure::answer(one.wheel.words(), one.wheel.words()),
+            push(one.by),
+            column(Pressure, Some(one.at_pitch_point_pa)),
+            column(Pressure, one.alone_pa),
+            column(Length, one.alone_offset_m),
+            column(Pressure, one.on_path_pa),
+            column(Length, one.on_path_offset_m),
+        ]
+    };
+    Records {
+        name: "contact_stresses",
+        columns: vec![
+            Column::words("wheel", "flanks of"),
+            Column::words("by", "by a"),
+            Column::headed("at_pitch_point", "pitch point", Pressure),
+            Column::headed("alone", "one pair", Pressure),
+            Column::headed("alone_offset", "at e, mm", Length),
+            Column::headed("on_path", "anywhere", Pressure),
+            Column::headed("on_path_offset", "at e, mm", Length),
+        ],
+        rows: flanks.contact.iter().map(row).collect(),
+        views: vec![View {
+            note: "Greatest over the revolution. One pair: where no other pair of flanks shares the load; anywhere: all load on one pair, a bound. e: from the pitch point towards the \
+                   satellite's base circle. Reported, not certified."
+                .to_owned(),
+            ..View::new(
+                "Contact stress of Hertz, MPa",
+                &["wheel", "by", "at_pitch_point", "alone", "alone_offset", "on_path", "on_path_offset"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn roots(flanks: &Flanks) -> Records {
+    let row = |one: &crate::motor::answer::RootStresses| {
+        vec![
+            Figure::answer(one.wheel.words(), one.wheel.words()),
+            column(Pressure, one.alone_pa),
+            column(Pressure, one.on_path_pa),
+            column(Length, one.thickness_m),
+        ]
+    };
+    Records {
+        name: "root_stresses",
+        columns: vec![
+            Column::words("wheel", "roots of"),
+            Column::headed("alone", "one pair", Pressure),
+            Column::headed("on_path", "anywhere", Pressure),
+            Column::headed("thickness", "section, mm", Length),
+        ],
+        rows: flanks.roots.iter().map(row).collect(),
+        views: vec![View {
+            note: "Nominal bending after Lewis in the worst section of the generated tooth, without the notch; for stator and rotor a comparison of shapes.".to_owned(),
+            ..View::new("Bending at the roots, MPa", &["wheel", "alone", "on_path", "thickness"])
+        }],
+        is_answer: false,
+    }
+}
+
+fn allowed_rows(allowed: &AllowedPressure) -> Vec<Row> {
+    let governing = match allowed.governing {
+        GoverningLimit::Contact => "contact governs",
+        GoverningLimit::StatorRoot => "the stator's roots govern",
+        GoverningLimit::RotorRoot => "the rotor's roots govern",
+        GoverningLimit::SatelliteRoot => "the satellites' roots govern",
+    };
+    vec![
+        remarked(one("allowed", "pressure drop allowed", "Δp", Pressure, allowed.pressure_pa), governing),
+        one("by_contact", "by contact stress, one pair", "", Pressure, allowed.by_contact_pa),
+        one("by_root", "by bending, one pair", "", Pressure, allowed.by_root_pa),
+        one("allowed_on_path", "with all load on one pair anywhere", "", Pressure, allowed.on_path_pa),
+    ]
+}
+
+fn port(name: [&'static str; 3], label: &'static str, port: &Port) -> Vec<Row> {
+    let size = port.diameter_m.zip(port.pitch_radius_m).map_or_else(
+        || {
+            let kidney = port.inner_radius_m.zip(port.outer_radius_m).zip(port.span_rad);
+            kidney.map_or_else(String::new, |((inner, outer), span)| {
+                format!(
+                    "kidney from radius {} to {}, {} long",
+                    crate::table::quantities::words(Length, inner, 4),
+                    crate::table::quantities::words(Length, outer, 4),
+                    crate::table::quantities::words(Angle, span, 4)
+                )
+            })
+        },
+        |(diameter, radius)| {
+            format!(
+                "hole of {} at radius {}",
+                crate::table::quantities::words(Length, diameter, 4),
+                crate::table::quantities::words(Length, radius, 4)
+            )
+        },
+    );
+    vec![
+        remarked(one(name[0], label, "", Angle, port.angle_rad), size),
+        one(name[1], "… area", "", Area, port.area_m2),
+        one(name[2], "… widest opening of a chamber", "", Area, port.widest_opening_m2),
+    ]
+}
+
+/// Ports, the cycle of a chamber, throttling.
+pub(crate) fn ports(ports: &MadePorts) -> Vec<Part> {
+    let mut rows = port(
+        ["made_high_angle", "made_high_area", "high_widest"],
+        "high-pressure port from the crest",
+        &ports.high,
+    );
+    rows.extend(port(
+        ["made_low_angle", "made_low_area", "low_widest"],
+        "low-pressure port from the crest",
+        &ports.low,
+    ));
+    rows.push(one("land", "land between both pressures", "", Length, ports.land_m));
+    rows.push(one("cycle", "cycle of a chamber", "", Angle, ports.cycle_rad));
+    let [least, greatest] = &ports.extremes;
+    rows.push(one("least_bend", "bend of the chamber's area, least", "A″", Area, least.bend_m2));
+    rows.push(one("greatest_bend", "bend of the chamber's area, greatest", "A″", Area, greatest.bend_m2));
+    rows.extend(maybe(
+        "precompression",
+        "closed angle that compresses to Δp",
+        "",
+        Angle,
+        least.precompression_rad,
+    ));
+    rows.extend(maybe("charge", "oil for compression a revolution", "", Volume, ports.charge_m3));
+    rows.extend(
+        ports
+            .charge_share
+            .map(|share| Row::new("charge_share", "of the displacement", "", [Figure::Share(share)])),
+    );
+    let mut parts = vec![facts("made_ports", "Ports as made", rows, ""), Part::Records(cycle(ports))];
+    if !ports.throttling.is_empty() {
+        parts.push(Part::Records(throttling(ports)));
+    }
+    parts
+}
+
+const fn open_to(open: OpenTo) -> [&'static str; 2] {
+    match open {
+        OpenTo::High => ["high", "high pressure"],
+        OpenTo::Low => ["low", "low pressure"],
+        OpenTo::Both => ["both", "BOTH: short circuit"],
+        OpenTo::Neither => ["neither", "closed"],
+    }
+}
+
+fn cycle(ports: &MadePorts) -> Records {
+    let row = |state: &crate::motor::answer::PortState| {
+        let closed = ports
+            .closed
+            .iter()
+            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
+        let [name, words] = open_to(state.open_to);
+        vec![
+            column(Angle, Some(state.from_rad)),
+            column(Angle, Some(state.to_rad)),
+            Figure::answer(name, words),
+            closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
+                Extreme::Greatest => Figure::answer("greatest", "greatest"),
+                Extreme::Least => Figure::answer("least", "least"),
+            }),
+            column(Angle, closed.map(|one| one.before_rad)),
+            column(Angle, closed.map(|one| one.after_rad)),
+            column(Pressure, closed.and_then(|one| one.change_pa)),
+        ]
+    };
+    Records {
+        name: "port_states",
+        columns: vec![
+            Column::headed("from", "from, deg", Angle),
+            Column::headed("to", "to, deg", Angle),
+            Column::words("open_to", "open to"),
+            Column::words("extreme", "about the"),
+            Column::headed("before", "before", Angle),
+            Column::headed("after", "after", Angle),
+            Column::headed("change", "changes, MPa", Pressure),
+        ],
+        rows: ports.states.iter().map(row).collect(),
+        views: vec![View {
+            note: "Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.".to_owned(),
+            ..View::new(
+                "Cycle of a chamber at its ports",
+                &["from", "to", "open_to", "extreme", "before", "after", "change"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn throttling(ports: &MadePorts) -> Records {
+    let row = |one: &crate::motor::answer::Throttling| {
+        let [name, words] = open_to(one.ports);
+        vec![
+            Figure::answer(name, words),
+            column(Area, Some(one.smallest_opening_m2)),
+            column(Pressure, Some(one.drop_pa)),
+            column(Pressure, Some(one.greatest_drop_pa)),
+            column(Power, Some(one.power_w)),
+        ]
+    };
+    Records {
+        name: "throttling",
+        columns: vec![
+            Column::words("ports", "ports of"),
+            Column::headed("smallest_opening", "least opening, mm²", Area),
+            Column::headed("drop", "drop there, MPa", Pressure),
+            Column::headed("greatest_drop", "greatest", Pressure),
+            Column::headed("power", "power, kW", Power),
+        ],
+        rows: ports.throttling.iter().map(row).collect(),
+        views: vec![View::new(
+            "Throttling by the ports",
+            &["ports", "smallest_opening", "drop", "greatest_drop", "power"],
+        )],
+        is_answer: false,
+    }
+}
+
+/// Leaks, friction, efficiencies.
+pub(crate) fn losses(losses: &Losses) -> Vec<Part> {
+    let mut rows = vec![];
+    if let Some(leakage) = &losses.leakage {
+        rows.push(one("satellite_gap", "gap at a face of a satellite", "h", Length, leakage.satellite_gap_m));
+        rows.push(one("rotor_gap", "gap at a face of the rotor", "", Length, leakage.rotor_gap_m));
+        let law = |is_turbulent| if is_turbulent { "by your turbulent law" } else { "laminar" };
+        let reynolds = |name, label, gap: &crate::motor::answer::Gap| {
+            remarked(Row::new(name, label, "Re", [Figure::Multiple(gap.reynolds)]), law(gap.is_turbulent))
+        };
+        rows.push(one(
+            "satellite_leak",
+            "leak at a loaded satellite",
+            "",
+            VolumeRate,
+            leakage.satellite.flow_m3_s,
+        ));
+        rows.push(reynolds("satellite_reynolds", "its Reynolds number", &leakage.satellite));
+        rows.push(one("rotor_leak", "leak at the rotor", "", VolumeRate, leakage.rotor.flow_m3_s));
+        rows.push(reynolds("rotor_reynolds", "its Reynolds number", &leakage.rotor));
+        rows.push(one("leakage", "all leaks of end gaps", "", VolumeRate, leakage.flow_m3_s));
+    }
+    if let Some(friction) = &losses.friction {
+        let both = |name, label, symbol, [most, least]: [f64; 2]| {
+            Row::new(name, label, symbol, [Figure::List { si: vec![most, least], dimension: Torque }])
+        };
+        rows.push(Row::new(
+            "friction_coefficients",
+            "friction of the flanks, greatest and least",
+            "μ_f",
+            [Figure::Numbers(friction.coefficients.to_vec())],
+        ));
+        rows.push(both("friction_torque", "torque that it takes", "", friction.torque_n_m));
+        rows.push(Row::new(
+            "friction_share",
+            "of the mean torque, at most",
+            "",
+            [Figure::Share(friction.share[0])],
+        ));
+        rows.extend(
+            friction
+                .starting_torque_n_m
+                .map(|torques| both("starting_torque", "least torque at the start", "", torques)),
+        );
+        rows.extend(maybe(
+            "frictionless_start",
+            "the same without friction",
+            "",
+            Torque,
+            friction.starting_torque_without_n_m,
+        ));
+        rows.extend(maybe("worst_at", "with the rotor at", "", Angle, friction.worst_at_rad));
+    }
+    let mut parts = vec![facts(
+        "losses",
+        "Leaks and friction",
+        rows,
+        "Models from the gaps, oil and friction given; nothing of it is measured. Of two values the first is with the greatest friction.",
+    )];
+    match (&losses.at_point, &losses.map) {
+        (Some(point), Some(map)) => {
+            parts.push(facts("efficiency", "Efficiency", efficiency(point), ""));
+            parts.push(Part::Records(map_records(map)));
+        }
+        _ => parts.push(Part::Text(Text {
+            heading: Some("Efficiency".to_owned()),
+            paragraphs: vec![format!("Not told: it needs {}, too.", losses.missing.join(", "))],
+            ..Text::default()
+        })),
+    }
+    parts
+}
+
+fn efficiency(point: &Efficiency) -> Vec<Row> {
+    let share = |name, label, symbol, value| Row::new(name, label, symbol, [Figure::Multiple(value)]);
+    let shares = |name, label, symbol, values: [f64; 2]| {
+        Row::new(name, label, symbol, [Figure::Numbers(values.to_vec())])
+    };
+    let torque = |name, label, values: [f64; 2]| {
+        Row::new(name, label, "", [Figure::List { si: values.to_vec(), dimension: Torque }])
+    };
+    vec![
+        one("inlet_flow", "flow into the motor", "", VolumeRate, point.inlet_flow_m3_s),
+        one("charge_flow", "of it to compress the oil", "", VolumeRate, point.charge_m3_s),
+        torque("shaft_torque", "mean torque of the shaft", point.torque_n_m),
+        torque("flank_friction", "friction of the flanks", point.flank_friction_n_m),
+        one("gap_drag", "drag of the gaps", "", Torque, point.gap_drag_n_m),
+        one("port_power", "power that the ports take", "", Power, point.throttling_w),
+        share("volumetric", "volumetric efficiency", "η_v", point.volumetric),
+        shares("mechanical", "mechanical efficiency", "η_m", point.mechanical),
+        shares("total", "total efficiency", "η", point.total),
+    ]
+}
+
+/// A line for each point of the map.
+fn map_records(map: &crate::motor::answer::EfficiencyMap) -> Records {
+    let rows = map.pressures_pa.iter().enumerate().flat_map(|(row, pressure)| {
+        map.speeds_rad_s.iter().enumerate().map(move |(place, speed)| {
+            let at = |of: &[Vec<f64>]| {
+                let value = of.get(row).and_then(|values| values.get(place));
+                value.map_or(Figure::None, |value| Figure::Multiple(*value))
+            };
+            vec![
+                column(Pressure, Some(*pressure)),
+                column(AngularSpeed, Some(*speed)),
+                at(&map.volumetric),
+                at(&map.mechanical),
+                at(&map.total),
+                at(&map.total_with_least_friction),
+            ]
+        })
+    });
+    Records {
+        name: "efficiency_map",
+        columns: vec![
+            Column::headed("pressure", "Δp, MPa", Pressure),
+            Column::headed("speed", "n, rpm", AngularSpeed),
+            Column::number("volumetric", "η_v"),
+            Column::number("mechanical", "η_m"),
+            Column::number("total", "η"),
+            Column::number("total_with_least_friction", "η, least μ_f"),
+        ],
+        rows: rows.collect(),
+        views: vec![],
+        is_answer: false,
+    }
+}
+
+/// What is left out, by what was given.
+pub(crate) fn neglected(has_ports: bool, losses: Option<&Losses>) -> String {
+    let mut all = vec![];
+    if losses.is_none() {
+        all.push("Leaks and friction, and what they cost of flow, torque and power (--gaps, --oil and --friction tell them)");
+    } else {
+        all.push("Leaks at the flanks, friction of bearings and seals, churning, a viscosity that changes");
+    }
+    if !has_ports {
+        all.push("the real ports, which open by and by (--ports), and the compression of the fluid");
+    }
+    all.push("inertia; sharing of load between teeth, notches, fatigue; the strength of housing and shaft");
+    format!("{}.", all.join("; "))
+}

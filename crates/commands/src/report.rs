@@ -1,0 +1,6 @@
+//! `report`: a page about a file.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod side_by_side;

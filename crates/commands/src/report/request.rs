@@ -1,0 +1,207 @@
+//! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
+
+use crate::analyze::request::{Choice, Load, subject};
+use crate::answer::to_json;
+use crate::desk::Call;
+use crate::draw::request::to_scale;
+use crate::failure::{Failure, NOTHING_TO_SHOW};
+use crate::output::Target;
+use crate::page::Sheet;
+use crate::report::answer::drive::DriveReport;
+use crate::report::answer::{About, Report, gearbox, motor};
+use crate::shared::named_gearbox::Read;
+use crate::shared::page_options::PageArgs;
+use crate::simulate::request as simulate;
+use crate::vibrate::request::Exciting;
+use epicyclic_formats::document::Segment;
+use epicyclic_formats::{Document, FileKind, Path, Problem};
+use epicyclic_units::visible;
+
+/// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks, sources, the input.
+///
+/// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in its keys: power and
+/// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor; scenario a gearbox
+/// in motion.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
+  printf 'gear_set: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
+  epicyclic report drive.yaml -o drive.html")]
+pub struct Args {
+    #[command(flatten)]
+    choice: Choice,
+
+    #[command(flatten)]
+    load: Load,
+
+    /// How the page is written.
+    #[arg(long, value_enum, default_value_t = Format::Html)]
+    format: Format,
+
+    /// Schemes with gears at the heights of their pitch radii, as `draw --to-scale` draws them.
+    #[arg(long)]
+    to_scale: bool,
+
+    #[command(flatten)]
+    exciting: Exciting,
+
+    #[command(flatten)]
+    target: Target,
+
+    #[command(flatten)]
+    page: PageArgs,
+}
+
+/// How a page is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// HTML to be read in a browser and printed.
+    Html,
+    /// JSON in SI units: the answers that the page is made from, without its pictures.
+    Json,
+}
+
+impl Args {
+    fn is_page(&self) -> bool {
+        self.format == Format::Html
+    }
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.is_page())?;
+    args.target.is_for_a_page(args.is_page())?;
+    if args.to_scale && !args.is_page() {
+        let message = "it is for the pictures of a page; JSON has none".to_owned();
+        return Err(Failure::Option { option: "--to-scale", message });
+    }
+    let Read { document, bytes, .. } = args.choice.document(call, false)?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    let for_gearboxes = |what: &str| match args
+        .choice
+        .given()
+        .or(args.load.given())
+        .or(args.to_scale.then_some("--to-scale"))
+        .or(args.exciting.given())
+    {
+        Some(option) => {
+            Err(Failure::Option { option, message: format!("it is for gearboxes; this is a {what}") })
+        }
+        None => Ok(()),
+    };
+    let text = match document.kind() {
+        Some(FileKind::Scenario) => {
+            for_gearboxes("scenario")?;
+            of_scenario(call, args, document, text)?
+        }
+        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(call, args, &document, text)?,
+        Some(FileKind::Drive) => {
+            for_gearboxes("drive")?;
+            of_drive(call, args, &document, text)?
+        }
+        Some(FileKind::Motor) => {
+            for_gearboxes("motor")?;
+            of_motor(call, args, &document, text)
+                .map_err(|failure| failure.in_file(&document, &Path::root()))?
+        }
+        None => {
+            let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
+                           which has stator and rotor, and no scenario, which has scenario";
+            let problem = Problem::refused("no-known-file", message);
+            return Err(document.error(&Path::root(), problem).into());
+        }
+    };
+    args.target.write(call, text.as_bytes())
+}
+
+fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+    let subject = subject(&args.choice, document)?;
+    let wanted = args.exciting.wanted()?;
+    let (report, mut shown) = gearbox::answer(&subject, args.load.input(), &wanted, &|| call.goes_on())
+        .map_err(Exciting::refuse)?;
+    if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
+        let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
+        return Err(Failure::Option { option, message });
+    }
+    let sheet = match args.format {
+        Format::Json => None,
+        Format::Html => {
+            let own = own_lines(document, &subject.base, &file);
+            let scale = match &shown.layout {
+                Some(layout) if args.to_scale => {
+                    let (layout, scale) = to_scale(shown.gearbox, layout, &subject.planet_bearings)?;
+                    shown.layout = Some(Box::new(layout));
+                    Some(scale)
+                }
+                None if args.to_scale => {
+                    let message = "this gearbox has no scheme without crossing lines".to_owned();
+                    return Err(
+                        Failure::Option { option: "--to-scale", message }.in_file(document, &subject.base)
+                    );
+                }
+                _ => None,
+            };
+            Some(crate::report::page::sheet(&report, &shown, scale.as_ref(), own))
+        }
+    };
+    let report = Report { file, about: About::Gearbox(Box::new(report)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &subject.base))
+}
+
+/// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand in lines of their own.
+fn own_lines(document: &Document, base: &Path, file: &str) -> String {
+    let Some(Segment::Index(place)) = base.segments().last() else { return file.to_owned() };
+    let line = |place: usize| {
+        let item = Path::root().key("transmissions").index(place);
+        document.value_at(&item).map(|_| document.position(&item).line)
+    };
+    let (Some(first), next) = (line(*place), line(place + 1)) else { return file.to_owned() };
+    let starts_alone = place.checked_sub(1).and_then(line).is_none_or(|before| before < first);
+    if !starts_alone || next.is_some_and(|next| next <= first) {
+        return file.to_owned();
+    }
+    let count = next.map_or(usize::MAX, |next| next - first);
+    file.lines().skip(first.saturating_sub(1)).take(count).flat_map(|line| [line, "\n"]).collect()
+}
+
+fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
+    let read = simulate::Read::beside(call, document, args.choice.file())?;
+    let goes_on = |_| call.goes_on().is_continue();
+    let simulation =
+        crate::simulate::answer::answer_watched(&read.document, &read.file, &read.beside, goes_on)?;
+    if call.goes_on().is_break() {
+        return Err(Failure::Interrupted(NOTHING_TO_SHOW.to_owned()));
+    }
+    let sheet = args.is_page().then(|| crate::simulate::page::sheet(&simulation, file.clone()));
+    let report = Report { file, about: About::Scenario(Box::new(simulation)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(&read.document, &Path::root()))
+}
+
+fn of_drive(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+    let report = DriveReport::of(crate::drive::answer::of_file(document)?);
+    let sheet = args.is_page().then(|| crate::drive::page::sheet(&report, file.clone()));
+    let report = Report { file, about: About::Drive(Box::new(report)) };
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &Path::root()))
+}
+
+fn of_motor(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+    let (title, designed) = crate::motor::answer::of_file(document)?;
+    let report = motor::answer(title, &designed)?;
+    let sheet = args.is_page().then(|| crate::motor::page::sheet(&report, &designed, file.clone()));
+    written(call, args, sheet, &Report { file, about: About::Motor(Box::new(report)) })
+}
+
+/// The page of a sheet, whose record is handed over; without a sheet the record.
+fn written(
+    call: &Call<'_>,
+    args: &Args,
+    sheet: Option<Result<Sheet, crate::table::text::Error>>,
+    report: &Report,
+) -> Result<String, Failure> {
+    let Some(sheet) = sheet else { return Ok(to_json(report)?) };
+    // What HTML does not allow in a name, or turns its reading around, is written out.
+    let page = visible::lines(&sheet?.html(&args.page.imprint())?).into_owned();
+    call.record(report)?;
+    Ok(page)
+}

@@ -1,0 +1,5 @@
+//! `schemes`: the catalogue of two and three speeds.
+
+pub mod answer;
+pub mod request;
+pub mod table;

@@ -1,0 +1,246 @@
+//! The catalogue of schemes, as tables.
+
+use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, Schemes};
+use crate::shared::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
+use crate::table::figure::{Figure, multiple, text};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use epicyclic_units::format::trimmed;
+
+fn span(k: KRange) -> String {
+    format!("k from {} to {}", trimmed(k.least, 5), trimmed(k.greatest, 5))
+}
+
+/// The links of sun, ring and carrier of a set that may be missing.
+fn links(set: Option<&SetLinks>) -> Vec<Figure> {
+    match set {
+        Some(set) => set.links().iter().map(|link| text(link.name())).collect(),
+        None => vec![Figure::None; 3],
+    }
+}
+
+fn in_a_row(set: Option<&SetLinks>) -> Figure {
+    match set {
+        None => Figure::None,
+        Some(set) => text(set.links().map(crate::shared::catalogue::Link::name).join(" ")),
+    }
+}
+
+impl AsReport for Schemes {
+    fn report(&self) -> Report {
+        let note = "a sun, b ring, H carrier: the shafts D and B, or T1 and T2, which are braked in gears 1 and 2. i: ratio \
+                    of gear 1 of I, II, III, of gear 2 of the others, whose gear 1 is that of I, II or III. Gear 3 is \
+                    direct drive.";
+        let rows = self.schemes.iter().map(|scheme| {
+            let (first, second) = (scheme.sets.first(), scheme.sets.get(1));
+            let mut row = vec![text(scheme.scheme), in_a_row(first), in_a_row(second)];
+            row.extend(links(first));
+            row.extend(links(second));
+            row.extend([
+                text(&scheme.ratio_formula),
+                text(&scheme.efficiency_formula),
+                Figure::Multiple(scheme.least_ratio),
+                Figure::Multiple(scheme.greatest_ratio),
+            ]);
+            row
+        });
+        let records = Records {
+            name: "schemes",
+            columns: vec![
+                Column::words("scheme", "scheme"),
+                Column::words("set_1", "a₁ b₁ H₁").for_people(),
+                Column::words("set_2", "a₂ b₂ H₂").for_people(),
+                Column::words("sun_1", "a₁"),
+                Column::words("ring_1", "b₁"),
+                Column::words("carrier_1", "H₁"),
+                Column::words("sun_2", "a₂"),
+                Column::words("ring_2", "b₂"),
+                Column::words("carrier_2", "H₂"),
+                Column::words("ratio_formula", "i"),
+                Column::words("efficiency_formula", "η"),
+                Column::number("least_ratio", "from"),
+                Column::number("greatest_ratio", "to"),
+            ],
+            rows: rows.collect(),
+            views: vec![
+                View {
+                    note: note.to_owned(),
+                    ..View::new(
+                        "Links and ratios",
+                        &["scheme", "set_1", "set_2", "ratio_formula", "least_ratio", "greatest_ratio"],
+                    )
+                },
+                View::new("Efficiency of the same gear", &["scheme", "efficiency_formula"]),
+            ],
+            is_answer: true,
+        };
+        let title = format!("Schemes; {}", span(self.k));
+        Report { title: Some(title), parts: vec![Part::Records(records)], warnings: None }
+    }
+}
+
+impl AsReport for Scheme {
+    fn report(&self) -> Report {
+        let mut parts =
+            vec![Part::Facts(structure(&self.sets, self.connection)), Part::Records(formulas(self))];
+        let mut warnings = None;
+        if let Some(numbers) = &self.parameters {
+            parts.push(Part::Facts(parameters(numbers)));
+            parts.push(Part::Records(gears(&self.gears)));
+            parts.push(Part::Records(speeds(&self.sets, &self.gears)));
+            warnings = warned(&self.warnings);
+        }
+        Report { title: Some(format!("Scheme {}", self.scheme)), parts, warnings }
+    }
+}
+
+fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
+    let links = |set: &SetLinks| {
+        let members = set.links().into_iter().zip(["a", "b", "H"]);
+        text(members.map(|(link, member)| format!("{member}={link}")).collect::<Vec<_>>().join(" "))
+    };
+    let labels = [("set_1", "set 1: sun a, ring b, carrier H"), ("set_2", "set 2")];
+    let mut rows: Vec<Row> = labels
+        .into_iter()
+        .zip(sets)
+        .map(|((name, label), set)| Row::new(name, label, "", [links(set)]))
+        .collect();
+    rows.extend(connection.map(|connection| {
+        let words = format!("set 2 connects T1 to {} by i_{}", connection.shaft, connection.motion);
+        Row::new("connection", "in gear 2", "", [text(words)])
+    }));
+    Section { name: "structure", title: "Structure", columns: &[], rows, note: "" }
+}
+
+fn formulas(scheme: &Scheme) -> Records {
+    let rows = scheme.formulas.iter().map(|gear| {
+        vec![
+            text(gear.gear.name()),
+            text(gear.braked.map_or("-", |link| link.name())),
+            text(&gear.ratio_formula),
+            text(&gear.efficiency_formula),
+            Figure::Multiple(gear.least_ratio),
+            Figure::Multiple(gear.greatest_ratio),
+        ]
+    });
+    Records {
+        name: "formulas",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("braked", "braked"),
+            Column::words("ratio_formula", "i"),
+            Column::words("efficiency_formula", "η"),
+            Column::number("least_ratio", "from"),
+            Column::number("greatest_ratio", "to"),
+        ],
+        rows: rows.collect(),
+        views: vec![
+            View::new(
+                format!("Ratios, for {}", span(scheme.k)),
+                &["gear", "braked", "ratio_formula", "least_ratio", "greatest_ratio"],
+            ),
+            View::new("Efficiencies", &["gear", "efficiency_formula"]),
+        ],
+        is_answer: false,
+    }
+}
+
+fn parameters(of: &Parameters) -> Section {
+    let mut rows = vec![Row::new("k1", "ring-to-sun ratio of set 1", "k₁", [Figure::Multiple(of.k1)])];
+    rows.extend(of.k2.map(|k2| Row::new("k2", "of set 2", "k₂", [Figure::Multiple(k2)])));
+    rows.push(Row::new(
+        "set_efficiency",
+        "efficiency of a set, carrier fixed",
+        "η₀",
+        [Figure::Multiple(of.set_efficiency)],
+    ));
+    Section { name: "parameters", title: "Parameters", columns: &[], rows, note: "" }
+}
+
+fn gears(gears: &[Gear]) -> Records {
+    let row = |gear: &Gear| {
+        vec![
+            text(gear.gear.name()),
+            multiple(gear.ratio),
+            multiple(gear.efficiency),
+            multiple(gear.back_driving_efficiency),
+            multiple(gear.output_torque_of_input),
+            text(gear.engaged.name()),
+            multiple(gear.engaged_torque_of_input),
+            multiple(gear.circulating_of_input),
+        ]
+    };
+    Records {
+        name: "gears",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("ratio", "i"),
+            Column::number("efficiency", "η"),
+            Column::number("back_driving_efficiency", "η back"),
+            Column::number("output_torque_of_input", "T_B"),
+            Column::words("engaged", "engaged"),
+            Column::number("engaged_torque_of_input", "its T"),
+            Column::number("circulating_of_input", "circulating"),
+        ],
+        rows: gears.iter().map(row).collect(),
+        views: vec![View {
+            note: "Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
+                   brakes on T1, T2; L: direct-drive clutch between D and B."
+                .to_owned(),
+            ..View::new(
+                "Gears",
+                &[
+                    "gear",
+                    "ratio",
+                    "efficiency",
+                    "back_driving_efficiency",
+                    "output_torque_of_input",
+                    "engaged",
+                    "engaged_torque_of_input",
+                    "circulating_of_input",
+                ],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+/// What a line of the table of speeds says: its name, the member's link, and the speed.
+pub(crate) type SpeedLine = (String, Option<&'static str>, fn(&SetSpeeds) -> Option<f64>);
+
+/// The lines of the table of speeds of a set, as the source's tables 3.1 and 3.2 have them.
+pub(crate) fn speed_lines(set: usize, links: &SetLinks) -> [SpeedLine; 5] {
+    let link = |place: usize| Some(links.links()[place].name());
+    [
+        (format!("a{set}"), link(0), |speeds| speeds.sun_of_input),
+        (format!("b{set}"), link(1), |speeds| speeds.ring_of_input),
+        (format!("H{set}"), link(2), |speeds| speeds.carrier_of_input),
+        (format!("g{set}"), None, |speeds| speeds.planet_of_input),
+        (format!("g{set} on H{set}"), None, |speeds| speeds.relative_planet_of_input),
+    ]
+}
+
+fn speeds(sets: &[SetLinks], gears: &[Gear]) -> Records {
+    let mut rows = vec![];
+    for (place, links) in sets.iter().enumerate() {
+        for (name, link, of) in speed_lines(place + 1, links) {
+            let speed = |gear: &Gear| multiple(gear.sets.get(place).and_then(of));
+            let cells = [text(name), text(link.unwrap_or_default())];
+            rows.push(cells.into_iter().chain(gears.iter().map(speed)).collect());
+        }
+    }
+    let mut columns = vec![Column::words("member", "member"), Column::words("link", "link")];
+    columns.extend(gears.iter().map(|gear| match gear.gear {
+        GearName::First => Column::number("gear_1", "gear 1"),
+        GearName::Second => Column::number("gear_2", "gear 2"),
+        GearName::Direct => Column::number("direct", "direct"),
+    }));
+    let shown: Vec<&'static str> = columns.iter().map(|column| column.name).collect();
+    Records {
+        name: "speeds",
+        columns,
+        rows,
+        views: vec![View::new("Speeds over the input's; g planet, on H relative to its carrier", &shown)],
+        is_answer: false,
+    }
+}

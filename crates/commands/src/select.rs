@@ -1,0 +1,6 @@
+//! `select`: the gearbox for given speeds.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod table;

@@ -1,0 +1,86 @@
+//! A design as a gearbox, to be written as a file that `analyze`, `draw` and `report` read.
+
+use crate::error::Error;
+use crate::shared::number::short;
+use crate::shared::saved::names;
+use crate::teeth::answer::shifted::SetShifts;
+use epicyclic_formats::gearbox::{NotWritable, WrittenSize, written_with_sizes};
+use epicyclic_gears::synthesis::ToothNumbers;
+use epicyclic_selection::{Candidate, Requirements};
+use epicyclic_train::set::{Gearing, SetSpec};
+use epicyclic_train::{GearSpec, Gearbox};
+
+/// A design as a gearbox.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Saved {
+    /// The scheme by the source's name, or the structure.
+    pub scheme: String,
+    /// The gearbox with its brakes K1 and K2, the direct-drive clutch that was chosen, and its gears: forward gears `1`, `2`, … and
+    /// reverse `R`, the slowest first.
+    pub gearbox: Gearbox,
+    /// Module and face width of each set at the load factor; empty where they are not known.
+    pub sizes: Vec<WrittenSize>,
+}
+
+impl Saved {
+    /// A candidate; of one with teeth the tooth numbers of each set, with its profile shifts if it has any.
+    pub(super) fn of(
+        candidate: &Candidate,
+        requirements: &Requirements,
+        teeth: &[(ToothNumbers, Option<SetShifts>)],
+        sizes: Vec<WrittenSize>,
+    ) -> Result<Self, Error> {
+        let scheme = candidate
+            .mechanism
+            .scheme()
+            .map_or_else(|| candidate.mechanism.to_string(), |scheme| scheme.name().to_owned());
+        let mut of_sets = teeth.iter();
+        let gearbox = candidate.gearbox(requirements)?;
+        // Ratios in the order of the gears: braked, then direct.
+        let ratios: Vec<f64> = candidate.gears.iter().map(|gear| gear.ratio).chain([1.0]).collect();
+        let names = names(&ratios);
+        let mut falling: Vec<usize> = (0..ratios.len()).collect();
+        // Forward gears, the slowest first, then reverse gears in the same way.
+        falling.sort_by(|one, other| {
+            let of = |gear: &usize| (ratios[*gear] < 0.0, -ratios[*gear].abs());
+            let ((one, slow), (other, slower)) = (of(one), of(other));
+            one.cmp(&other).then(slow.total_cmp(&slower))
+        });
+        let engaged = |gear: usize| {
+            let of = gearbox.gears()[gear].engaged().iter();
+            of.map(|&place| gearbox.shift_elements()[place].id().to_owned()).collect()
+        };
+        let mut gears = falling.iter().map(|&gear| (names[gear].clone(), engaged(gear)));
+        let gearbox = gearbox
+            .to_builder()
+            .map_gears(|gear| match gears.next() {
+                None => gear,
+                Some((name, engaged)) => GearSpec { name, engaged, ..gear },
+            })
+            .map_sets(|set| match of_sets.next() {
+                None => match set.gearing {
+                    Gearing::BasicRatio(k) => SetSpec { gearing: Gearing::BasicRatio(short(k)), ..set },
+                    Gearing::Teeth(..) => set,
+                },
+                Some((of, shifts)) => {
+                    let set = SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
+                        .planet_teeth(of.planet, None)
+                        .planet_count(of.planets);
+                    match shifts {
+                        None => set,
+                        Some(shifts) => shifts.put_into(set),
+                    }
+                }
+            })
+            .build()?;
+        Ok(Self { scheme, gearbox, sizes })
+    }
+
+    /// The file of the gearbox, below these lines of comment.
+    ///
+    /// # Errors
+    /// None are known: every set of a design has a short form.
+    pub fn file(&self, comment: &[String]) -> Result<String, NotWritable> {
+        written_with_sizes(&self.gearbox, &self.sizes, comment)
+    }
+}

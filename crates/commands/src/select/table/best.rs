@@ -1,0 +1,268 @@
+//! A candidate in full: its speeds, its options for the direct-drive clutch, its engagement table, its duty.
+
+use super::{joined, name, words};
+use crate::schemes::table::speed_lines;
+use crate::select::answer::candidate::{BrakedGear, Candidate, GearOperation};
+use crate::shared::catalogue::ShiftElement;
+use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::column;
+use crate::table::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_units::Dimension;
+
+/// The parts that show a candidate in full.
+pub(super) fn parts(one: &Candidate) -> Vec<Part> {
+    let source = one.source.as_ref().and_then(|source| words::in_source(one, source));
+    let mut parts: Vec<Part> = source.into_iter().map(|words| Part::Text(Text::paragraph(words))).collect();
+    parts.extend([speeds(one), direct_drive_clutches(one), engagement_table(one)].map(Part::Records));
+    if !one.operation.is_empty() {
+        parts.push(Part::Records(of_gears(one)));
+    }
+    if one.operation.iter().any(|gear| !gear.sets.is_empty()) {
+        parts.push(Part::Records(of_members(one)));
+    }
+    parts
+}
+
+/// A candidate in one table: gears with their shift elements, ratios, efficiencies, and what the output does.
+pub(crate) fn in_short(one: &Candidate) -> Report {
+    let rows = one.engagement_table.iter().map(|line| {
+        let braked = one.gears.iter().find(|gear| gear.gear == line.gear);
+        let at = one.operation.iter().find(|gear| gear.gear == line.gear);
+        vec![
+            text(line.gear.name()),
+            text(line.engaged.name()),
+            Figure::Multiple(line.ratio),
+            multiple(braked.map_or(Some(1.0), |gear| gear.efficiency)),
+            column(Dimension::AngularSpeed, at.and_then(|gear| gear.output_speed_rad_s)),
+            column(Dimension::Torque, at.and_then(|gear| gear.output_torque_n_m)),
+        ]
+    });
+    let shown = ["gear", "engaged", "ratio", "efficiency", "output_speed", "output_torque"];
+    let has_torque = one.operation.iter().any(|gear| gear.output_torque_n_m.is_some());
+    let shown = &shown[..4 + usize::from(!one.operation.is_empty()) + usize::from(has_torque)];
+    let ks = one.sets.iter().enumerate();
+    let ks: Vec<String> = ks.map(|(place, set)| format!("k{} = {:.4}", place + 1, set.k)).collect();
+    let note = format!("{}. rpm, N·m: of the output.", ks.join(", "));
+    let note = if one.operation.is_empty() { format!("{}.", ks.join(", ")) } else { note };
+    let records = Records {
+        name: "gears",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("engaged", "engaged"),
+            Column::number("ratio", "i"),
+            Column::number("efficiency", "η"),
+            Column::quantity("output_speed", Dimension::AngularSpeed),
+            Column::quantity("output_torque", Dimension::Torque),
+        ],
+        rows: rows.collect(),
+        views: vec![View { note, ..View::new(heading("gears", one), shown) }],
+        is_answer: false,
+    };
+    Report { parts: vec![Part::Records(records)], ..Report::default() }
+}
+
+fn heading(what: &str, one: &Candidate) -> String {
+    format!("{}: {what}", name(one))
+}
+
+fn has_two_gears(one: &Candidate) -> bool {
+    one.gears.len() > 1
+}
+
+/// Those columns that there are: of a single set none of gear 2.
+fn those(one: &Candidate, all: &[&'static str], of_gear_2: &str) -> Vec<&'static str> {
+    all.iter().copied().filter(|name| has_two_gears(one) || *name != of_gear_2).collect()
+}
+
+fn speeds(one: &Candidate) -> Records {
+    let mut rows = vec![];
+    for (place, set) in one.sets.iter().enumerate() {
+        for (name, link, of) in speed_lines(place + 1, &set.links) {
+            let speed = |gear: Option<&BrakedGear>| multiple(gear.and_then(|gear| of(gear.sets.get(place)?)));
+            let link = text(link.unwrap_or_default());
+            rows.push(vec![text(name), link, speed(one.gears.first()), speed(one.gears.get(1))]);
+        }
+    }
+    Records {
+        name: "speeds",
+        columns: vec![
+            Column::words("member", "member"),
+            Column::words("link", "link"),
+            Column::number("gear_1", "gear 1"),
+            Column::number("gear_2", "gear 2"),
+        ],
+        rows,
+        views: vec![View::new(
+            heading("speeds over the input's; g planet, on H relative to its carrier", one),
+            &those(one, &["member", "link", "gear_1", "gear_2"], "gear_2"),
+        )],
+        is_answer: false,
+    }
+}
+
+fn direct_drive_clutches(one: &Candidate) -> Records {
+    let rows = one.direct_drive_clutches.iter().map(|clutch| {
+        vec![
+            text(joined(clutch)),
+            Figure::Multiple(clutch.torque_of_input),
+            multiple(clutch.slips_of_input.first().copied()),
+            multiple(clutch.slips_of_input.get(1).copied()),
+            Figure::YesNo(clutch.drawable),
+            Figure::YesNo(clutch.chosen),
+        ]
+    });
+    Records {
+        name: "direct_drive_clutches",
+        columns: vec![
+            Column::words("joins", "joins"),
+            Column::number("torque", "T"),
+            Column::number("slip_1", "slip in 1"),
+            Column::number("slip_2", "slip in 2"),
+            Column::words("drawable", "drawable"),
+            Column::words("chosen", "chosen"),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new(
+            heading("options for the direct-drive clutch", one),
+            &those(one, &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"], "slip_2"),
+        )],
+        is_answer: false,
+    }
+}
+
+fn engagement_table(one: &Candidate) -> Records {
+    let rows = one.engagement_table.iter().map(|line| {
+        let at = |element| Figure::Mark(line.engaged == element);
+        vec![
+            text(line.gear.name()),
+            Figure::Multiple(line.ratio),
+            at(ShiftElement::K1),
+            at(ShiftElement::K2),
+            at(ShiftElement::L),
+            text(if line.reverses { "backward" } else { "forward" }),
+        ]
+    });
+    Records {
+        name: "engagement_table",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("ratio", "i"),
+            Column::words("k1", "K1"),
+            Column::words("k2", "K2"),
+            Column::words("direct_drive_clutch", "direct-drive clutch"),
+            Column::words("output", "output"),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new(
+            heading("engagement table, the slowest output first", one),
+            &those(one, &["gear", "ratio", "k1", "k2", "direct_drive_clutch", "output"], "k2"),
+        )],
+        is_answer: false,
+    }
+}
+
+fn figure(si: Option<f64>, dimension: Dimension) -> Figure {
+    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
+}
+
+fn of_gears(one: &Candidate) -> Records {
+    let turns = one.operation.iter().any(|gear| gear.output_speed_rad_s.is_some());
+    let is_loaded = one.operation.iter().any(|gear| gear.input_torque_n_m.is_some());
+    let row = |gear: &GearOperation| {
+        let torque = |n_m| figure(n_m, Dimension::Torque);
+        let power = |w| figure(w, Dimension::Power);
+        vec![
+            text(gear.gear.name()),
+            figure(gear.output_speed_rad_s, Dimension::AngularSpeed),
+            torque(gear.input_torque_n_m),
+            torque(gear.output_torque_n_m),
+            torque(gear.k1_torque_n_m),
+            torque(gear.k2_torque_n_m),
+            torque(gear.direct_drive_clutch_torque_n_m),
+            power(gear.entering_w),
+            power(gear.leaving_w),
+            power(gear.loss_w),
+            power(gear.circulating_w),
+        ]
+    };
+    let mut views = vec![];
+    if turns {
+        let mut shown = vec!["gear", "output_speed"];
+        if is_loaded {
+            shown.extend(["entering", "leaving", "loss", "circulating"]);
+        }
+        let title = if is_loaded { "output, rpm, and powers with losses, kW" } else { "output, rpm" };
+        views.push(View::new(heading(title, one), &shown));
+    }
+    if is_loaded {
+        let shown = those(
+            one,
+            &[
+                "gear",
+                "input_torque",
+                "output_torque",
+                "k1_torque",
+                "k2_torque",
+                "direct_drive_clutch_torque",
+            ],
+            "k2_torque",
+        );
+        views.push(View {
+            note: "With losses. On the gearbox at input and output; of each brake and of the direct-drive clutch on its \
+                   first link."
+                .to_owned(),
+            ..View::new(heading("torques of shafts, brakes and direct-drive clutch, N·m", one), &shown)
+        });
+    }
+    Records {
+        name: "operation",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::headed("output_speed", "output", Dimension::AngularSpeed),
+            Column::headed("input_torque", "input", Dimension::Torque),
+            Column::headed("output_torque", "output", Dimension::Torque),
+            Column::headed("k1_torque", "K1", Dimension::Torque),
+            Column::headed("k2_torque", "K2", Dimension::Torque),
+            Column::headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque),
+            Column::headed("entering", "enters", Dimension::Power),
+            Column::headed("leaving", "leaves", Dimension::Power),
+            Column::headed("loss", "lost", Dimension::Power),
+            Column::headed("circulating", "circulates", Dimension::Power),
+        ],
+        rows: one.operation.iter().map(row).collect(),
+        views,
+        is_answer: false,
+    }
+}
+
+fn of_members(one: &Candidate) -> Records {
+    let mut rows = vec![];
+    for gear in &one.operation {
+        for (set, torques) in (1..).zip(&gear.sets) {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            rows.push(vec![
+                text(gear.gear.name()),
+                Figure::Count(set),
+                torque(torques.sun_torque_n_m),
+                torque(torques.ring_torque_n_m),
+                torque(torques.carrier_torque_n_m),
+            ]);
+        }
+    }
+    Records {
+        name: "member_torques",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::headed("sun_torque", "sun", Dimension::Torque),
+            Column::headed("ring_torque", "ring", Dimension::Torque),
+            Column::headed("carrier_torque", "carrier", Dimension::Torque),
+        ],
+        rows,
+        views: vec![View::new(
+            heading("torques on the members of the sets, N·m", one),
+            &["gear", "set", "sun_torque", "ring_torque", "carrier_torque"],
+        )],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,21 @@
+//! What several commands share.
+
+pub mod catalogue;
+pub mod drawability;
+pub mod fault;
+pub mod gearbox;
+pub mod lists;
+pub mod named;
+pub mod named_gearbox;
+pub mod number;
+pub mod options;
+pub mod page_options;
+pub mod profile_shift;
+pub mod ratios;
+pub mod records;
+pub mod saved;
+pub mod tool;
+pub mod tooth_checks;
+pub mod toothed;
+pub mod transmissions;
+pub mod units;

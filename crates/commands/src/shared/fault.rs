@@ -1,0 +1,53 @@
+//! Refusals with names, for their places in files.
+
+use epicyclic_formats::Problem;
+use std::fmt::Display;
+
+/// A refusal with a name that does not change with its message.
+pub(crate) trait Fault: Display {
+    /// Its name: `not-positive`.
+    fn name(&self) -> &'static str;
+
+    /// The problem of a file that it is.
+    fn problem(&self) -> Problem {
+        Problem::refused(self.name(), self.to_string())
+    }
+}
+
+macro_rules! faults {
+    ($($error:ty),*) => { $(
+        impl Fault for $error {
+            fn name(&self) -> &'static str {
+                <$error>::name(self)
+            }
+        }
+    )* };
+}
+
+faults!(
+    crate::error::Error,
+    epicyclic_dynamics::Error,
+    epicyclic_formats::gearbox::DescriptionError,
+    epicyclic_gears::Error,
+    epicyclic_hydromotor::Error,
+    epicyclic_motion::Error,
+    epicyclic_strength::Error,
+    epicyclic_train::Error,
+    epicyclic_vibration::Error
+);
+
+/// A name and a message, of a refusal that is no error of a calculation.
+#[derive(Debug, Clone)]
+pub(crate) struct Named<M>(pub(crate) &'static str, pub(crate) M);
+
+impl<M: Display> Display for Named<M> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.1.fmt(f)
+    }
+}
+
+impl<M: Display> Fault for Named<M> {
+    fn name(&self) -> &'static str {
+        self.0
+    }
+}

@@ -1,0 +1,309 @@
+//! The gearbox of a file, in whichever of the two formats it is written.
+
+use crate::error::Error;
+use epicyclic_formats::gearbox::gear_place;
+use epicyclic_formats::gearbox::{
+    DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
+};
+use epicyclic_formats::{Document, FileKind, Path, Problem};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_train::drag::Drag;
+use epicyclic_train::planet_bearings::PlanetBearing;
+use epicyclic_train::planet_set::Description;
+use epicyclic_train::set::MeshLoss;
+use epicyclic_train::tooth_checks::SetChecks;
+use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_units::Quantity;
+use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Which gearbox of a file is meant, and what is assumed of it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Choice {
+    /// One transmission of a list: its name, or a part that no other name has.
+    pub transmission: Option<String>,
+    /// Efficiency with the carrier fixed of each set for which the file states no losses. Of a compound set each mesh
+    /// takes its square root.
+    pub efficiency: Option<MeshEfficiency>,
+}
+
+/// What a file holds.
+#[derive(Debug)]
+pub enum Content<'d> {
+    /// The gearbox meant.
+    One(Box<Subject<'d>>),
+    /// Transmissions of which none was chosen.
+    Several(Vec<Transmission>),
+}
+
+/// A gearbox, and what a file says of it.
+#[derive(Debug)]
+pub struct Subject<'d> {
+    /// The gearbox.
+    pub gearbox: Gearbox,
+    /// Where its data stand in print.
+    pub source: Option<String>,
+    /// What is published of its gears.
+    pub published: Vec<PublishedGear>,
+    /// The planet bearings of the sets that have any.
+    pub planet_bearings: Vec<PlanetBearing>,
+    /// The basic rack that its teeth are checked by.
+    pub rack: BasicRack,
+    /// The file.
+    pub document: &'d Document,
+    /// The gearbox's place in it.
+    pub base: Path,
+    /// Drag torques that the file states.
+    pub drags: Vec<Drag>,
+    inputs: Vec<(String, GearInputs)>,
+    /// Modules that the file states of the meshes of each set, m.
+    modules: Vec<Vec<Option<f64>>>,
+}
+
+/// Speeds and torques of several links, as a file states them of a gear.
+#[derive(Debug, Clone)]
+pub struct GearInputs {
+    /// Speeds by link.
+    pub speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    /// Torques by link.
+    pub torques: BTreeMap<String, Quantity<Torque>>,
+}
+
+impl Subject<'_> {
+    /// Refuses a set that there is not.
+    ///
+    /// # Errors
+    /// [`Error::NoSet`].
+    pub(crate) fn check_set(&self, name: Option<&str>) -> Result<(), Error> {
+        let ids = || self.gearbox.sets().iter().map(PlanetSet::id);
+        match name.filter(|name| ids().all(|id| id != *name)) {
+            Some(name) => {
+                Err(Error::NoSet { name: name.to_owned(), sets: ids().map(str::to_owned).collect() })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The checks of the teeth of all sets.
+    #[must_use]
+    pub fn tooth_checks(&self) -> SetChecks {
+        let place = |set: &PlanetSet| self.gearbox.sets().iter().position(|other| other.id() == set.id());
+        let modules = |set: &PlanetSet| place(set).and_then(|place| self.modules.get(place)).cloned();
+        self.gearbox.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
+    }
+
+    /// What is published of a gear.
+    #[must_use]
+    pub fn published(&self, gear: &str) -> Option<&PublishedGear> {
+        self.published.iter().find(|published| published.name == gear)
+    }
+
+    /// What the file states of several links in a gear.
+    #[must_use]
+    pub fn inputs(&self, gear: &str) -> Option<&GearInputs> {
+        self.inputs.iter().find(|(name, _)| name == gear).map(|(_, inputs)| inputs)
+    }
+
+    /// Whether the file states speeds of several links in this gear.
+    #[must_use]
+    pub fn has_inputs(&self, gear: &str) -> bool {
+        self.inputs(gear).is_some_and(|inputs| !inputs.speeds.is_empty())
+    }
+
+    /// Whether any set loses power.
+    #[must_use]
+    pub fn has_losses(&self) -> bool {
+        self.gearbox.sets().iter().any(PlanetSet::has_losses)
+    }
+}
+
+/// The gearbox of a file, of which one must be meant.
+///
+/// # Errors
+/// Those of [`read`], and [`Error::SeveralTransmissions`] where none is named.
+pub fn one<'d>(document: &'d Document, choice: &Choice) -> Result<Subject<'d>, Error> {
+    match read(document, choice)? {
+        Content::One(subject) => Ok(*subject),
+        Content::Several(transmissions) => Err(Error::SeveralTransmissions { names: names(&transmissions) }),
+    }
+}
+
+/// The gearbox of a file for a command that reads one, of what a list of transmissions states nothing of.
+///
+/// # Errors
+/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+pub(crate) fn alone<'d>(document: &'d Document, command: &str, lacks: &str) -> Result<Subject<'d>, Error> {
+    if document.value().get("transmissions").is_some() {
+        let message = format!("{command} reads one gearbox; a list of transmissions states {lacks}");
+        let place = Path::root().key("transmissions");
+        return Err(document.error(&place, Problem::refused("several-transmissions", message)).into());
+    }
+    one(document, &Choice::default())
+}
+
+/// The gearbox of a file, or the transmissions that there are to choose from.
+///
+/// # Errors
+/// - [`Error::Document`] for a description that is no gearbox, with its place in the file.
+/// - [`Error::OneGearbox`], [`Error::NoTransmission`], [`Error::AmbiguousTransmission`] for the name of a
+///   transmission.
+pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, Error> {
+    let has = |key: &str| document.value().get(key).is_some();
+    if has("transmissions") {
+        let transmissions = document.read::<TransmissionsFile>()?.transmissions;
+        return match chosen(choice, document, &transmissions)? {
+            Some(index) => {
+                transmission(document, &transmissions[index], index, choice.efficiency).map(Content::One)
+            }
+            None => Ok(Content::Several(transmissions)),
+        };
+    }
+    document.must_be(FileKind::Gearbox)?;
+    if !has("gearbox") && document.value().is_mapping() {
+        let message = "this is no gearbox: one has the key gearbox, a list of published ones transmissions";
+        let problem = Problem::refused("no-gearbox", message);
+        return Err(document.error(&Path::root(), problem).into());
+    }
+    if choice.transmission.is_some() {
+        return Err(Error::OneGearbox);
+    }
+    if has("shared_ring_meshes") {
+        let message = "sets that share planets are one: describe them as an entry of compound_sets";
+        let place = Path::root().key("shared_ring_meshes");
+        return Err(document.error(&place, Problem::refused("renamed-key", message)).into());
+    }
+    gearbox(document, Path::root(), choice.efficiency).map(Content::One)
+}
+
+/// A gearbox that stands within a file.
+pub(crate) fn gearbox(
+    document: &Document,
+    base: Path,
+    efficiency: Option<MeshEfficiency>,
+) -> Result<Box<Subject<'_>>, Error> {
+    let file: GearboxFile = document.read_at(&base)?;
+    let at = |error: DescriptionError| located(document, &base, &error);
+    let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
+    let rack = file.rack().map_err(|error| at(DescriptionError::Rack(error)))?;
+    let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
+    let drags = file.drags(&gearbox).map_err(at)?;
+    let (source, published) = (None, vec![]);
+    let of_gear = |gear: &GearEntry| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
+    let modules = gearbox.sets().iter().map(|set| file.stated_modules(set)).collect();
+    Ok(Box::new(Subject {
+        gearbox,
+        source,
+        published,
+        planet_bearings,
+        rack,
+        document,
+        base,
+        drags,
+        inputs,
+        modules,
+    }))
+}
+
+fn transmission<'d>(
+    document: &'d Document,
+    transmission: &Transmission,
+    index: usize,
+    efficiency: Option<MeshEfficiency>,
+) -> Result<Box<Subject<'d>>, Error> {
+    let base = Path::root().key("transmissions").index(index);
+    let at = |error: DescriptionError| located(document, &base, &error);
+    let gearbox = with_losses(transmission.gearbox().map_err(at)?, efficiency)?;
+    let (source, published) = (transmission.source.clone(), transmission.gears.clone());
+    let planet_bearings = transmission.planet_bearings(&gearbox).map_err(at)?;
+    let of_gear = |gear: &PublishedGear| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
+    let (rack, drags, modules) = (BasicRack::default(), vec![], vec![]);
+    Ok(Box::new(Subject {
+        gearbox,
+        source,
+        published,
+        planet_bearings,
+        rack,
+        document,
+        base,
+        drags,
+        inputs,
+        modules,
+    }))
+}
+
+/// Refuses torques of a gear without speeds: nothing would take them.
+fn with_speeds(
+    inputs: Vec<(String, GearInputs)>,
+    document: &Document,
+    base: &Path,
+) -> Result<Vec<(String, GearInputs)>, Error> {
+    let lacks = |(_, inputs): &&(String, GearInputs)| inputs.speeds.is_empty() && !inputs.torques.is_empty();
+    let Some((gear, GearInputs { torques, .. })) = inputs.iter().find(lacks) else { return Ok(inputs) };
+    let link = torques.keys().next().map_or("", String::as_str);
+    let message = format!(
+        "gear `{gear}`: torques stand beside speeds of the gear; write also speeds: {{ {link}: 100 rpm }}, 0 rpm at rest"
+    );
+    let place = gear_place(document, base, gear, "torques");
+    Err(document.error(&place, Problem::refused("torques-without-speeds", message)).into())
+}
+
+fn names<'t>(transmissions: impl IntoIterator<Item = &'t Transmission>) -> Vec<String> {
+    transmissions.into_iter().map(|transmission| transmission.name.clone()).collect()
+}
+
+/// The place of the transmission meant; `None` where there are several and none is named.
+fn chosen(
+    choice: &Choice,
+    document: &Document,
+    transmissions: &[Transmission],
+) -> Result<Option<usize>, Error> {
+    let Some(name) = &choice.transmission else {
+        return match transmissions {
+            [] => {
+                let problem = Problem::refused("no-transmission", "there is no transmission here");
+                Err(document.error(&Path::root().key("transmissions"), problem).into())
+            }
+            [_] => Ok(Some(0)),
+            _ => Ok(None),
+        };
+    };
+    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == *name) {
+        return Ok(Some(exact));
+    }
+    let part = name.to_lowercase();
+    let has_part = |transmission: &Transmission| transmission.name.to_lowercase().contains(&part);
+    let like: Vec<usize> =
+        (0..transmissions.len()).filter(|&place| has_part(&transmissions[place])).collect();
+    match like[..] {
+        [only] => Ok(Some(only)),
+        [] => Err(Error::NoTransmission { name: name.clone(), names: names(transmissions) }),
+        _ => {
+            let names = names(like.iter().map(|&place| &transmissions[place]));
+            Err(Error::AmbiguousTransmission { name: name.clone(), names })
+        }
+    }
+}
+
+/// The same gearbox with this efficiency of each set for which none is stated.
+fn with_losses(gearbox: Gearbox, efficiency: Option<MeshEfficiency>) -> Result<Gearbox, Error> {
+    let Some(eta) = efficiency else { return Ok(gearbox) };
+    // A set with a sun and a ring has two meshes.
+    let each = MeshEfficiency::new(eta.get().sqrt()).unwrap_or(eta);
+    let lossless: Vec<String> =
+        gearbox.sets().iter().filter(|set| !set.has_losses()).map(|set| set.id().to_owned()).collect();
+    let change = |description: Description| match description {
+        description if !lossless.iter().any(|id| id == description.id()) => description,
+        Description::Short(spec) => spec.with_loss(MeshLoss::Set(eta)).into(),
+        Description::Compound(spec) => spec.with_mesh_efficiency(each).into(),
+    };
+    Ok(gearbox.to_builder().map_descriptions(change).build()?)
+}

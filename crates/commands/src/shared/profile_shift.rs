@@ -1,0 +1,88 @@
+//! The options of searches for tooth numbers with profile shift.
+
+use crate::failure::Failure;
+use crate::shared::options::of_teeth;
+use crate::teeth::answer::shifted::{ShiftAim, WantedShifts};
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_units::Number;
+use std::ops::RangeInclusive;
+
+/// Sets with profile shift.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ShiftOptions {
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9. Without it
+    /// sets have no profile shift.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
+    ring_offset: Option<RangeInclusive<i32>>,
+
+    /// With --ring-offset: what picks the shifts, of which the sums are fixed.
+    #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::Sliding)]
+    aim: Aim,
+
+    /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
+    #[arg(
+        long,
+        value_name = "MODULES",
+        requires = "ring_offset",
+        default_value = "0.2",
+        allow_negative_numbers = true
+    )]
+    tip_thickness: Number,
+}
+
+/// What picks the shifts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Aim {
+    /// Equal specific sliding at the roots of sun and planets.
+    Sliding,
+    /// Least tip alteration.
+    TipAlteration,
+}
+
+impl From<Aim> for ShiftAim {
+    fn from(aim: Aim) -> Self {
+        match aim {
+            Aim::Sliding => Self::BalancedSliding,
+            Aim::TipAlteration => Self::LeastTipAlteration,
+        }
+    }
+}
+
+impl ShiftOptions {
+    /// What is wanted; `None` of sets without profile shift.
+    pub(crate) fn wanted(&self) -> Option<WantedShifts> {
+        let offsets = self.ring_offset.clone()?;
+        Some(WantedShifts { offsets, aim: self.aim.into(), tip_thickness: self.tip_thickness.get() })
+    }
+
+    /// Refuses offsets and limits that cannot be.
+    pub(crate) fn check(&self, bounds: &Bounds) -> Result<(), Failure> {
+        let Some(wanted) = self.wanted() else { return Ok(()) };
+        wanted.within(bounds).within(bounds).check().map_err(|error| {
+            match of_teeth(&error, "--planet-count") {
+                Some(option) => Failure::Option { option, message: error.to_string() },
+                None => error.into(),
+            }
+        })
+    }
+
+    /// Refuses the options where no tooth numbers are sought.
+    pub(crate) fn only_with_teeth(&self, teeth: bool) -> Result<(), Failure> {
+        if self.ring_offset.is_some() && !teeth {
+            let message = "offsets are of tooth numbers: add --teeth".to_owned();
+            return Err(Failure::Option { option: "--ring-offset", message });
+        }
+        Ok(())
+    }
+}
+
+/// A range of offsets: `-3..3`, or one.
+pub(crate) fn offsets(text: &str) -> Result<RangeInclusive<i32>, String> {
+    let whole = |text: &str| {
+        text.trim().parse::<i32>().map_err(|_| format!("{text:?} is not a whole number; write -3..3, or 2"))
+    };
+    let ends = text.split_once("..=").or_else(|| text.split_once(".."));
+    let (from, to) = ends.unwrap_or((text, text));
+    let (from, to) = (whole(from)?, whole(to)?);
+    if from > to { Err(format!("write the smaller number first: {to}..{from}")) } else { Ok(from..=to) }
+}

@@ -1,0 +1,4 @@
+//! What teeth in mesh must keep.
+
+pub mod answer;
+pub mod table;

@@ -1,0 +1,57 @@
+//! The toothed gears of a simple set as a file has them.
+
+use crate::shared::gearbox::Subject;
+use crate::strength::answer::place::refused;
+use epicyclic_formats::Path;
+use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_gears::involute::PlanetSet;
+use epicyclic_train as train;
+use epicyclic_train::set::{SetKind, SetSpec};
+
+/// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where the file does not say enough of them.
+///
+/// # Errors
+/// [`Error::Document`](crate::error::Error::Document) at the shifts.
+pub(crate) fn gears(
+    subject: &Subject<'_>,
+    path: &Path,
+    spec: &SetSpec,
+) -> Result<Option<PlanetSet>, crate::error::Error> {
+    spec.toothed_set(&subject.rack)
+        .transpose()
+        .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error))
+}
+
+/// A simple set of a file: where it stands, its entry, its short description.
+pub(crate) type SimpleSet<'g> = (Path, &'g SetEntry, &'g SetSpec);
+
+/// The sets of a gearbox in their order, each with its entry in the file where it is simple.
+pub(crate) fn simple_sets<'g>(
+    subject: &'g Subject<'_>,
+    file: &'g GearboxFile,
+) -> impl Iterator<Item = (&'g train::PlanetSet, Option<SimpleSet<'g>>)> {
+    subject.gearbox.sets().iter().map(|set| {
+        let index = file.sets.iter().position(|entry| entry.id == set.id());
+        let spec = set.short().filter(|spec| spec.kind == SetKind::Simple);
+        let simple = index
+            .zip(spec)
+            .map(|(index, spec)| (Path::root().key("sets").index(index), &file.sets[index], spec));
+        (set, simple)
+    })
+}
+
+/// The keys that are not known.
+pub(crate) fn lacking(known: &[(&str, bool)]) -> Vec<String> {
+    known.iter().filter(|(_, is_known)| !is_known).map(|(key, _)| (*key).to_owned()).collect()
+}
+
+/// Which keys a set lacks that say its teeth.
+pub(crate) const fn missing_teeth(entry: &SetEntry) -> &'static str {
+    if entry.teeth.is_none() {
+        "teeth"
+    } else if entry.planet_teeth.is_none() {
+        "planet_teeth"
+    } else {
+        "profile_shifts"
+    }
+}

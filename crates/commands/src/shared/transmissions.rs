@@ -1,0 +1,4 @@
+//! The transmissions of a file to choose from.
+
+pub mod answer;
+pub mod table;

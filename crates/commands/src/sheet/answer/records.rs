@@ -1,0 +1,387 @@
+//! Records of data sheets: gears, meshes, sets.
+
+use crate::shared::tool::{CuttingTool, ToolKind};
+use crate::strength::answer::records::{MeshName, ToothedGear};
+use epicyclic_formats::gearbox::SetEntry;
+use epicyclic_gears::Error;
+use epicyclic_gears::involute::play::Deviation;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A lower and an upper limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Limits {
+    /// The lower.
+    pub lower: f64,
+    /// The upper.
+    pub upper: f64,
+}
+
+impl Limits {
+    pub(super) const fn of([lower, upper]: [f64; 2]) -> Self {
+        Self { lower, upper }
+    }
+}
+
+/// Allowances and deviations, in modules.
+pub(super) struct Allowed {
+    pub(super) thickness: [Deviation; 3],
+    pub(super) centre_distance: Deviation,
+}
+
+/// What the output feels of all meshes in a gear while the input is held.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AtOutput {
+    /// The gear.
+    pub gear: String,
+    /// Angle by which the output turns freely, with the least and the greatest play that the file allows; `null` where the teeth of a set with torque are not known.
+    pub backlash_rad: Option<Limits>,
+    /// Torsional stiffness of the meshes per radian; `null` where planets or face width of a set with torque are missing, and where no set has torque.
+    pub stiffness_n_m: Option<f64>,
+    /// What is missing.
+    pub missing: Vec<String>,
+}
+
+/// A set with its gears and meshes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SetSheet {
+    /// The set.
+    pub set: String,
+    /// Normal module `m_n`.
+    pub module_m: f64,
+    /// Normal pressure angle `α_n`.
+    pub pressure_angle_rad: f64,
+    /// Helix angle `β` at the reference cylinders.
+    pub helix_angle_rad: f64,
+    /// Helix angle at the base cylinders `β_b`.
+    pub base_helix_angle_rad: f64,
+    /// Transverse module `m_t`.
+    pub transverse_module_m: f64,
+    /// Transverse pressure angle `α_t`.
+    pub transverse_pressure_angle_rad: f64,
+    /// Addendum of the basic rack `h_aP*`, in modules.
+    pub addendum: f64,
+    /// Its clearance `c_P*`, in modules.
+    pub clearance: f64,
+    /// Number of planets.
+    pub planets: Option<u32>,
+    /// Face width.
+    pub face_width_m: Option<f64>,
+    /// Centre distance `a`.
+    pub centre_distance_m: f64,
+    /// Its lower and upper deviation; `null` where the file states none.
+    pub centre_distance_deviations_m: Option<Limits>,
+    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`; `null` where the file states none.
+    pub thickness_allowances_m: Option<Vec<Limits>>,
+    /// Sun, planet and ring.
+    pub gears: Vec<GearSheet>,
+    /// Sun and planet, planet and ring.
+    pub meshes: Vec<MeshSheet>,
+}
+
+/// The hand of a helix, beside that of the sun, which the file leaves open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Hand {
+    /// That of the sun.
+    OfSun,
+    /// The other one.
+    Opposite,
+}
+
+impl Hand {
+    /// Gears that mesh outside each other have opposite hands, a ring has that of its planets.
+    const fn of(gear: ToothedGear) -> Self {
+        match gear {
+            ToothedGear::Sun => Self::OfSun,
+            ToothedGear::Planet | ToothedGear::Ring => Self::Opposite,
+        }
+    }
+}
+
+/// A gear.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearSheet {
+    /// Which.
+    pub toothed_gear: ToothedGear,
+    /// Teeth `z`.
+    pub teeth: u32,
+    /// Hand of its helix; `null` of spur teeth.
+    pub hand: Option<Hand>,
+    /// Lead of its helix `p_z`; `null` of spur teeth.
+    pub lead_m: Option<f64>,
+    /// Profile shift coefficient `x`; above 0 it moves the tip circle outwards, of a ring inwards.
+    pub profile_shift: f64,
+    /// Tip alteration `k·m_n`; below 0 the teeth are shorter.
+    pub tip_alteration_m: f64,
+    /// Reference diameter `d`.
+    pub reference_diameter_m: f64,
+    /// Base diameter `d_b`.
+    pub base_diameter_m: f64,
+    /// Tip diameter `d_a`.
+    pub tip_diameter_m: f64,
+    /// Root diameter `d_f`, as its tool leaves it.
+    pub root_diameter_m: f64,
+    /// Root form diameter `d_Ff`, where the involute ends at the root, as its tool leaves it.
+    pub form_diameter_m: f64,
+    /// Normal tooth thickness at the reference circle `s_n`, without allowances.
+    pub thickness_m: f64,
+    /// The same in the transverse section, `s_t`.
+    pub transverse_thickness_m: f64,
+    /// Normal tooth thickness at the tip circle `s_an`, without allowances.
+    pub tip_thickness_m: f64,
+    /// Radius of the corners of its tool: of a rack the fillet `ρ_fP*`, of a shaper the tips `ρ_a0*`, of a form tool its fillet; in modules.
+    pub fillet: f64,
+    /// Least profile shift that a rack cuts without undercut; `null` of a ring.
+    pub least_shift: Option<f64>,
+    /// Teeth, of a ring spaces, in the span `k`.
+    pub spanned_teeth: u32,
+    /// Span `W_k`, without allowances.
+    pub span_m: f64,
+    /// The same with the allowances; `null` without.
+    pub span_limits_m: Option<Limits>,
+    /// Face width that must be exceeded for the span to be measured, `W_k·sin β_b`; `null` of spur teeth and of a ring.
+    pub span_face_width_m: Option<f64>,
+    /// Diameter of the measuring balls or pins `D_M`.
+    pub ball_diameter_m: f64,
+    /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall through the spaces.
+    pub over_balls_m: Option<f64>,
+    /// The same with the allowances; `null` without.
+    pub over_balls_limits_m: Option<Limits>,
+    /// Material; `null` where the file states none.
+    pub material: Option<String>,
+    /// What cuts it.
+    pub tool: ToolKind,
+    /// Whether the file states the tool, or it is the usual one.
+    pub tool_stated: bool,
+    /// Teeth of the shaper; `null` of other tools.
+    pub shaper_teeth: Option<u32>,
+    /// Profile shift coefficient of the shaper; `null` of other tools.
+    pub shaper_shift: Option<f64>,
+    /// Addendum `h_aP0*` of the shaper, in modules; `null` of other tools.
+    pub shaper_addendum: Option<f64>,
+}
+
+/// A gear in a mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearInMesh {
+    /// Which.
+    pub toothed_gear: ToothedGear,
+    /// Working diameter `d_w`.
+    pub working_diameter_m: f64,
+    /// Active root diameter `d_Nf`, where contact with the mate ends at the root.
+    pub active_root_diameter_m: f64,
+    /// Tip clearance `c`: from its tip to the root circle of its mate.
+    pub tip_clearance_m: f64,
+    /// Specific sliding `ζ` at the end of contact at its tip.
+    pub sliding_at_tip: f64,
+    /// The same at its root; `null` where contact begins at the base circle and it is without end.
+    pub sliding_at_root: Option<f64>,
+}
+
+/// A mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MeshSheet {
+    /// Which.
+    pub mesh: MeshName,
+    /// Working transverse pressure angle `α_wt`.
+    pub working_angle_rad: f64,
+    /// Transverse contact ratio `ε_α`.
+    pub contact_ratio: f64,
+    /// Overlap ratio `ε_β` of the face width, 0 of spur teeth; `null` where the file states no face width.
+    pub overlap_ratio: Option<f64>,
+    /// Total contact ratio `ε_γ`, their sum; `null` without.
+    pub total_contact_ratio: Option<f64>,
+    /// Circumferential backlash at the working circles `j_wt`, without allowances: what rounded shifts leave.
+    pub backlash_m: f64,
+    /// The same with the allowances; `null` without.
+    pub backlash_limits_m: Option<Limits>,
+    /// Normal backlash `j_bn` with the allowances; `null` without.
+    pub normal_backlash_limits_m: Option<Limits>,
+    /// Both gears.
+    pub gears: Vec<GearInMesh>,
+}
+
+impl SetSheet {
+    pub(super) fn of(
+        entry: &SetEntry,
+        set: &PlanetSet,
+        module_m: f64,
+        balls: [f64; 3],
+        allowed: Option<&Allowed>,
+    ) -> Result<Self, Error> {
+        let profile = set.gears()[0].profile();
+        let face_width_m = entry.face_width.map(|width| width.0.si());
+        let named = [ToothedGear::Sun, ToothedGear::Planet, ToothedGear::Ring];
+        let thickness = allowed.map(|allowed| allowed.thickness);
+        let gears = named.into_iter().enumerate().map(|(place, name)| {
+            let allowance = thickness.map(|all| all[place]);
+            GearSheet::of(name, set.gears()[place], module_m, balls[place], allowance)
+                .map(|sheet| sheet.with_entry(entry, place))
+        });
+        let meshes = [set.sun_mesh(), set.ring_mesh()].into_iter().enumerate().map(|(place, pair)| {
+            MeshSheet::of(
+                MeshName::BOTH[place],
+                pair,
+                module_m,
+                face_width_m,
+                allowed.map(|allowed| {
+                    let [one, other] = [allowed.thickness[place], allowed.thickness[place + 1]];
+                    ([one, other], allowed.centre_distance)
+                }),
+            )
+        });
+        Ok(Self {
+            set: entry.id.clone(),
+            module_m,
+            pressure_angle_rad: profile.rack.pressure_angle.si(),
+            helix_angle_rad: profile.helix_angle.si(),
+            base_helix_angle_rad: profile.base_helix_rad(),
+            transverse_module_m: module_m / libm::cos(profile.helix_angle.si()),
+            transverse_pressure_angle_rad: profile.transverse_angle_rad(),
+            addendum: profile.rack.addendum,
+            clearance: profile.rack.clearance,
+            planets: entry.planets,
+            face_width_m,
+            centre_distance_m: module_m * set.centre_distance(),
+            centre_distance_deviations_m: None,
+            thickness_allowances_m: None,
+            gears: gears.collect::<Result<_, _>>()?,
+            meshes: meshes.collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+impl GearSheet {
+    fn of(
+        toothed_gear: ToothedGear,
+        gear: &InvoluteGear,
+        module_m: f64,
+        ball_m: f64,
+        allowance: Option<Deviation>,
+    ) -> Result<Self, Error> {
+        let tool = CuttingTool::of(gear);
+        let spanned = gear.spanned_teeth();
+        let helix_angle = gear.profile().helix_angle.si();
+        let is_helical = gear.profile().is_helical();
+        let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
+        let base_helix = gear.profile().base_helix_rad();
+        let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;
+        let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
+        let both = match allowance {
+            Some(Deviation { lower, upper }) => Some([thinner(lower)?, thinner(upper)?]),
+            None => None,
+        };
+        let over = |gear: &InvoluteGear| gear.over_balls(ball_m / module_m).map(|measure| measure * module_m);
+        let over_limits = both.and_then(|[lower, upper]| Some([over(&lower)?, over(&upper)?]));
+        Ok(Self {
+            toothed_gear,
+            teeth: gear.teeth().get(),
+            hand: is_helical.then(|| Hand::of(toothed_gear)),
+            lead_m: is_helical.then_some(module_m * lead),
+            profile_shift: gear.shift(),
+            tip_alteration_m: module_m * gear.tip_alteration(),
+            reference_diameter_m: module_m * gear.reference_diameter(),
+            base_diameter_m: module_m * gear.base_diameter(),
+            tip_diameter_m: module_m * gear.tip_diameter(),
+            root_diameter_m: module_m * gear.root_diameter(),
+            form_diameter_m: module_m * gear.form_diameter(),
+            thickness_m: module_m * gear.normal_thickness(),
+            transverse_thickness_m: module_m * gear.normal_thickness() / libm::cos(helix_angle),
+            tip_thickness_m: module_m * gear.tip_thickness(),
+            fillet: tool.corner_radius_in_modules,
+            least_shift: gear.least_shift_without_undercut(),
+            spanned_teeth: spanned,
+            span_m: module_m * gear.span(spanned),
+            span_face_width_m: has_span_width.then(|| module_m * gear.span(spanned) * libm::sin(base_helix)),
+            span_limits_m: both.map(|both| sorted(both.map(|gear| module_m * gear.span(spanned)))),
+            ball_diameter_m: ball_m,
+            over_balls_m: over(gear),
+            over_balls_limits_m: over_limits.map(sorted),
+            material: None,
+            tool: tool.kind,
+            tool_stated: gear.profile().tool.is_some(),
+            shaper_teeth: tool.shaper_teeth,
+            shaper_shift: tool.shaper_shift,
+            shaper_addendum: tool.shaper_addendum_in_modules,
+        })
+    }
+
+    /// With what the file says of its material.
+    fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
+        let material = entry.strength.as_ref().map(|strength| strength.materials[place].clone());
+        Self { material, ..self }
+    }
+}
+
+/// Thinner teeth of a ring have the larger measures.
+fn sorted([one, other]: [f64; 2]) -> Limits {
+    Limits { lower: one.min(other), upper: one.max(other) }
+}
+
+impl MeshSheet {
+    fn of(
+        mesh: MeshName,
+        pair: &Pair,
+        module_m: f64,
+        face_width_m: Option<f64>,
+        allowed: Option<([Deviation; 2], Deviation)>,
+    ) -> Result<Self, Error> {
+        let plays = allowed.map(|(thickness, centre)| pair.plays(thickness, centre)).transpose()?;
+        let limits = |of: fn(&epicyclic_gears::involute::play::Play) -> f64| {
+            plays.map(|plays| sorted(plays.map(|play| module_m * of(&play))))
+        };
+        let overlap_ratio = face_width_m.map(|width| pair.overlap_ratio(width / module_m));
+        let (working, roots) = (pair.working_diameters(), pair.active_root_diameters());
+        let (clearances, sliding) = (pair.tip_clearances(), pair.specific_sliding());
+        let gears = mesh.gears().into_iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
+            toothed_gear,
+            working_diameter_m: module_m * working[place],
+            active_root_diameter_m: module_m * roots[place],
+            tip_clearance_m: module_m * clearances[place],
+            sliding_at_tip: sliding[place][0],
+            sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
+        });
+        Ok(Self {
+            mesh,
+            working_angle_rad: pair.working_angle_rad(),
+            contact_ratio: pair.transverse_contact_ratio(),
+            overlap_ratio,
+            total_contact_ratio: overlap_ratio.map(|overlap| overlap + pair.transverse_contact_ratio()),
+            backlash_m: module_m * pair.backlash(),
+            backlash_limits_m: limits(|play| play.circumferential),
+            normal_backlash_limits_m: limits(|play| play.normal),
+            gears: gears.collect(),
+        })
+    }
+}
+
+/// A set without data sheet.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeftOut {
+    /// The set.
+    pub set: String,
+    /// The keys that its entry lacks; empty of a set that is not simple.
+    pub missing: Vec<String>,
+}
+
+impl LeftOut {
+    /// Why, in words.
+    #[must_use]
+    pub fn why(&self) -> String {
+        if self.missing.is_empty() {
+            "no simple set".to_owned()
+        } else {
+            format!("{} missing", self.missing.join(", "))
+        }
+    }
+}

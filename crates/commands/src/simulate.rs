@@ -1,0 +1,6 @@
+//! `simulate`: a gearbox in motion, by a scenario.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod table;

@@ -1,0 +1,501 @@
+//! A gearbox in motion by a scenario: shifts, starts, heat of its shift elements.
+//!
+//! Speeds and torques are positive along the axis; torques act on links from outside.
+//!
+//! # Peaks
+//! Powers and torques are looked for at the start and end, right before and right after every event, and at even instants between, at least two thousand of them;
+//! what is greater only between two instants is not seen.
+//!
+//! # Temperature
+//! What takes the heat of an element is one body over the temperature of the oil, with heat capacity `C` and conductance `G`:
+//!
+//! ```text
+//! C·dθ/dt = P − G·θ       θ(t + Δt) = θ·e + (ΔQ/Δt)/G·(1 − e)     e = exp(−G·Δt/C)     G = 0: θ + ΔQ/C
+//! ```
+//!
+//! over the same instants, with the heat `ΔQ` between two of them, which is integrated with the motion. It starts at the oil's temperature.
+//!
+//! # Shifts
+//! A shift ends, *locked*, when all elements that it applies hold, and go on to hold up to the next shift or the end. Its torque phase is from when
+//! the first applied element carries to when the first released one, or a one-way clutch, lets go; its inertia phase from there to the
+//! lock. The torque of the output is what sets and shift elements exert on it:
+//!
+//! ```text
+//! T = J·ω̇ − Σ T_applied      J, T_applied of the output with what is one piece with it
+//! ```
+//!
+//! Drags of the gearbox count as applied, but for those of shift elements.
+
+mod build;
+mod drags;
+mod elements;
+mod joints;
+mod parts;
+mod place;
+mod program;
+mod samples;
+mod shifts;
+pub mod sweep;
+#[cfg(test)]
+mod tests;
+mod threads;
+
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::fault::{Fault, Named};
+use crate::shared::gearbox::{self, Choice};
+use crate::tolerance::RESIDUAL;
+pub use drags::{DragKind, DragResult, DragSamples};
+pub use elements::ElementResult;
+use epicyclic_formats::scenario::{ScenarioFile, Texts};
+use epicyclic_formats::{Document, Path};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_motion::{self as motion, Change, Contact, Run};
+use epicyclic_units::{Physical, Quantity};
+pub use joints::{ConverterResult, ConverterSamples, ShaftResult, ShaftSamples};
+use parts::Built;
+pub use parts::ElementKind;
+pub use samples::{ElementSamples, LinkSamples, Samples, TorqueSamples};
+use schemars::JsonSchema;
+use serde::Serialize;
+pub use shifts::ShiftResult;
+use std::ops::ControlFlow;
+use uom::si::f64::{Energy, Time};
+
+/// Even instants at which peaks are looked for, at least.
+const INSTANTS: f64 = 2000.0;
+/// The most samples of an answer.
+const MOST_SAMPLES: f64 = 20_000.0;
+
+/// What is read beside a scenario.
+#[derive(Debug, Default)]
+pub struct Beside {
+    /// The document of `gearbox_file`.
+    pub gearbox: Option<Document>,
+    /// CSV files by their names in the scenario.
+    pub texts: Texts,
+}
+
+/// A gearbox in motion.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Simulation {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// Its input.
+    pub input: String,
+    /// Its output.
+    pub output: String,
+    /// Gear at the start, where one is given.
+    pub gear: Option<String>,
+    /// How long it moves, from time 0; less than the scenario asks where it was ended before.
+    pub duration_s: f64,
+    /// What happens, in order.
+    pub events: Vec<EventRecord>,
+    /// The shifts.
+    pub shifts: Vec<ShiftResult>,
+    /// Shift elements and resistances.
+    pub elements: Vec<ElementResult>,
+    /// Drags that the gearbox states, in the order of its file. Those whose links are one piece are left out.
+    pub drags: Vec<DragResult>,
+    /// Elastic shafts.
+    pub shafts: Vec<ShaftResult>,
+    /// Torque converters.
+    pub converters: Vec<ConverterResult>,
+    /// Links and bodies at the end.
+    pub end: Vec<LinkAtEnd>,
+    /// Work of each torque.
+    pub works: Vec<Work>,
+    /// The balance of energies.
+    pub energies: Energies,
+    /// Speeds and torques over time.
+    pub samples: Samples,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// Something that happens.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct EventRecord {
+    /// When.
+    pub time_s: f64,
+    /// What changes, all at once.
+    pub changes: Vec<ChangeRecord>,
+    /// Speed of each link right after it, in the order of `end`.
+    pub speeds_rad_s: Vec<f64>,
+    /// Acceleration of each link right after it.
+    pub accelerations_rad_s2: Vec<f64>,
+    /// Torque of each element on its first link right after it, in the order of `elements`.
+    pub element_torques_n_m: Vec<f64>,
+    /// The same right before it.
+    pub element_torques_before_n_m: Vec<f64>,
+    /// Torque of sets and shift elements on the output right before it.
+    pub output_torque_before_n_m: f64,
+    /// The same right after it.
+    pub output_torque_n_m: f64,
+    /// Heat of each element up to it.
+    pub element_heats_j: Vec<f64>,
+}
+
+/// What changes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ChangeRecord {
+    /// Of what kind it is.
+    pub kind: ChangeKind,
+    /// Its name.
+    pub id: String,
+    /// What it did; `null` of a threshold.
+    pub from: Option<State>,
+    /// What it does; `null` of a threshold.
+    pub to: Option<State>,
+    /// Whether the speed rises through a threshold; `null` of others.
+    pub is_rising: Option<bool>,
+}
+
+/// What may change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ChangeKind {
+    /// A shift element or a resistance.
+    Element,
+    /// A set with losses rolls otherwise.
+    Set,
+    /// The ends of a shaft come into contact, or part.
+    Shaft,
+    /// Links that drag on each other begin to turn against each other, or stop.
+    Drag,
+    /// A speed is passed.
+    Threshold,
+}
+
+/// What an element or a set does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum State {
+    /// It carries nothing; a set: it turns as a block; a shaft: it is within its backlash.
+    Open,
+    /// It slips, the first link faster than the second; a one-way clutch overruns; the first gear of a set is faster than its carrier.
+    SlipsForward,
+    /// It slips, the first link slower than the second, or the first gear of a set than its carrier.
+    SlipsBackward,
+    /// It holds its links together; a set: it turns as a block.
+    Holds,
+    /// The first link of a shaft drives the second forward.
+    DrivesForward,
+    /// The first link of a shaft drives the second backward.
+    DrivesBackward,
+}
+
+impl State {
+    fn of(state: motion::State) -> Self {
+        match state {
+            motion::State::Open => Self::Open,
+            motion::State::Forward => Self::SlipsForward,
+            motion::State::Backward => Self::SlipsBackward,
+            motion::State::Stuck => Self::Holds,
+        }
+    }
+
+    fn of_shaft(contact: Contact) -> Self {
+        match contact {
+            Contact::Free => Self::Open,
+            Contact::Forward => Self::DrivesForward,
+            Contact::Backward => Self::DrivesBackward,
+        }
+    }
+}
+
+/// A link at the end.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LinkAtEnd {
+    /// Its name.
+    pub link: String,
+    /// Its speed.
+    pub speed_rad_s: f64,
+    /// Its acceleration.
+    pub acceleration_rad_s2: f64,
+}
+
+/// Work of a torque.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Work {
+    /// Name of the torque.
+    pub id: String,
+    /// The link.
+    pub link: String,
+    /// Its work; below 0 of a load.
+    pub work_j: f64,
+    /// Heat within the source beside it: of the rotor of a Kloss motor.
+    pub inner_loss_j: f64,
+}
+
+/// The balance of energies.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Energies {
+    /// Kinetic energy at the start.
+    pub kinetic_before_j: f64,
+    /// Kinetic energy at the end.
+    pub kinetic_after_j: f64,
+    /// Work of all torques.
+    pub work_j: f64,
+    /// Heat of all elements and resistances.
+    pub element_heat_j: f64,
+    /// Loss of all drags.
+    pub drag_loss_j: f64,
+    /// Loss of all meshes.
+    pub mesh_loss_j: f64,
+    /// Heat of the dampers of shafts.
+    pub damping_heat_j: f64,
+    /// Heat of the oil of converters.
+    pub converter_heat_j: f64,
+    /// Elastic energy of shafts at the start.
+    pub elastic_before_j: f64,
+    /// The same at the end.
+    pub elastic_after_j: f64,
+    /// What impacts of dog clutches took; friction elements lock without one.
+    pub impact_j: f64,
+    /// What is missing in the balance, over the largest of these energies.
+    pub residual: f64,
+}
+
+impl Answer for Simulation {
+    const NAME: &'static str = "simulate";
+}
+
+/// The motion of a scenario; `file` is what `document` says.
+///
+/// # Errors
+/// [`Error::Document`] and [`Error::Placed`] with the place of the fault; those of [`gearbox::read`] for the gearbox.
+pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Simulation, Error> {
+    answer_watched(document, file, beside, |_| true)
+}
+
+/// The same, watched: told again and again how much of its time is done, from 0 to 1, until it answers `false`. A motion that is ended so has
+/// all up to then, and a warning.
+///
+/// # Errors
+/// As [`answer`].
+pub fn answer_watched(
+    document: &Document,
+    file: &ScenarioFile,
+    beside: &Beside,
+    mut goes_on: impl FnMut(f64) -> bool,
+) -> Result<Simulation, Error> {
+    let efficiency = file.efficiency.map(|eta| MeshEfficiency::new(eta.0.si())).transpose();
+    let efficiency = efficiency.map_err(|why| refused(document, &root("efficiency"), &why))?;
+    let subject = match &beside.gearbox {
+        Some(other) => {
+            let choice = Choice { transmission: file.transmission.clone(), efficiency };
+            gearbox::one(other, &choice).map_err(|why| of_choice(document, file, why))?
+        }
+        None => *gearbox::gearbox(document, root("gearbox"), efficiency)?,
+    };
+    let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
+    let built = scenario.built()?;
+    let every = scenario.sampling()?;
+    let whole = file.duration.0.si();
+    let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
+        if goes_on(time.si() / whole) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    let run = run.map_err(|why| scenario.of_drag(&built.drags, why))?;
+    Ok(told(&scenario, &built, &run, every.kept))
+}
+
+fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
+    let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
+    let instants = elements::instants(run);
+    let shifts = shifts::results(built, run, &instants);
+    let elements = elements::results(built, run, &instants);
+    let energies = Energies::of(run);
+    let warnings = warnings(scenario, run, &shifts, &energies);
+    Simulation {
+        scenario: file.scenario.clone(),
+        gearbox: gearbox.name().to_owned(),
+        input: gearbox.link_name(gearbox.input()).to_owned(),
+        output: gearbox.link_name(gearbox.output()).to_owned(),
+        gear: file.gear.clone(),
+        duration_s: run.end().time.si(),
+        events: run.events.iter().map(|event| EventRecord::of(built, event)).collect(),
+        shifts,
+        elements,
+        drags: drags::results(&built.drags, run, &instants),
+        shafts: joints::shafts(&file.shafts, run, &instants),
+        converters: joints::converters(&file.converters, run, &instants),
+        end: at_end(run),
+        works: works(file, run),
+        energies,
+        samples: samples::of(built, run, &instants, kept),
+        warnings,
+    }
+}
+
+/// Links without the housing, which stands first.
+fn at_end(run: &Run) -> Vec<LinkAtEnd> {
+    let end = run.end();
+    let of = |(place, link): (usize, &String)| LinkAtEnd {
+        link: link.clone(),
+        speed_rad_s: end.speeds[place].si(),
+        acceleration_rad_s2: end.accelerations[place].si(),
+    };
+    run.links.iter().enumerate().skip(1).map(of).collect()
+}
+
+fn works(file: &ScenarioFile, run: &Run) -> Vec<Work> {
+    let of = |(place, id): (usize, &String)| Work {
+        id: id.clone(),
+        link: file.torques.iter().find(|one| one.id == *id).map(|one| one.link.clone()).unwrap_or_default(),
+        work_j: run.audit.work[place].si(),
+        inner_loss_j: run.audit.inner_losses[place].si(),
+    };
+    run.torques.iter().enumerate().map(of).collect()
+}
+
+impl Energies {
+    fn of(run: &Run) -> Self {
+        let sum = |all: &[Energy]| all.iter().map(|one| one.si()).sum();
+        let audit = &run.audit;
+        Self {
+            kinetic_before_j: audit.before.si(),
+            kinetic_after_j: audit.after.si(),
+            work_j: sum(&audit.work),
+            element_heat_j: sum(&audit.heat),
+            drag_loss_j: sum(&audit.drags),
+            mesh_loss_j: sum(&audit.mesh_losses),
+            damping_heat_j: sum(&audit.damping),
+            converter_heat_j: sum(&audit.converters),
+            elastic_before_j: audit.elastic_before.si(),
+            elastic_after_j: audit.elastic_after.si(),
+            impact_j: audit.impacts.si(),
+            residual: audit.residual(),
+        }
+    }
+}
+
+impl EventRecord {
+    fn of(built: &Built, event: &motion::Event) -> Self {
+        let motion::Event { before, after, .. } = event;
+        let torques = |sample: &motion::Sample| sample.elements.iter().map(|one| one.si()).collect();
+        Self {
+            time_s: after.time.si(),
+            changes: event.changes.iter().filter_map(ChangeRecord::of).collect(),
+            speeds_rad_s: after.speeds.iter().skip(1).map(|one| one.si()).collect(),
+            accelerations_rad_s2: after.accelerations.iter().skip(1).map(|one| one.si()).collect(),
+            element_torques_n_m: torques(after),
+            element_torques_before_n_m: torques(before),
+            output_torque_before_n_m: built.output.torque(before),
+            output_torque_n_m: built.output.torque(after),
+            element_heats_j: after.heats.iter().map(|one| one.si()).collect(),
+        }
+    }
+}
+
+impl ChangeRecord {
+    fn of(change: &Change) -> Option<Self> {
+        let states = |kind, name: &str, from: State, to: State| Self {
+            kind,
+            id: name.to_owned(),
+            from: Some(from),
+            to: Some(to),
+            is_rising: None,
+        };
+        Some(match change {
+            Change::Element { name, from, to } => {
+                states(ChangeKind::Element, name, State::of(*from), State::of(*to))
+            }
+            Change::Set { name, from, to } => states(ChangeKind::Set, name, State::of(*from), State::of(*to)),
+            Change::Shaft { name, from, to } => {
+                states(ChangeKind::Shaft, name, State::of_shaft(*from), State::of_shaft(*to))
+            }
+            Change::Drag { name, from, to } => {
+                states(ChangeKind::Drag, name, State::of(*from), State::of(*to))
+            }
+            Change::Threshold { name, is_rising } => Self {
+                kind: ChangeKind::Threshold,
+                id: name.clone(),
+                from: None,
+                to: None,
+                is_rising: Some(*is_rising),
+            },
+            _ => return None,
+        })
+    }
+}
+
+fn warnings(
+    scenario: &parts::Scenario<'_>,
+    run: &Run,
+    shifts: &[ShiftResult],
+    energies: &Energies,
+) -> Vec<Warning> {
+    let mut all = vec![];
+    let (end, wanted) = (run.end().time, scenario.file.duration.0);
+    if end < wanted {
+        let message =
+            format!("ended at {} of {}; what would come after is not known", Quantity(end), Quantity(wanted));
+        all.push(Warning { name: "ended-early", message });
+    }
+    for shift in shifts.iter().filter(|shift| shift.locked_s.is_none()) {
+        let message = format!(
+            "the shift from {} to {} at {} does not end: what it applies does not hold at the end, or when the next begins",
+            shift.from,
+            shift.to,
+            Quantity(Time::from_si(shift.at_s))
+        );
+        all.push(Warning { name: "not-locked", message });
+    }
+    if energies.residual.abs() > RESIDUAL {
+        let message = format!("the energies miss {:.1e} of the largest of them", energies.residual.abs());
+        all.push(Warning { name: "residual", message });
+    }
+    let samples = run.samples.iter().chain(run.events.iter().map(|event| &event.after));
+    if let Some(sample) = samples.into_iter().find(|sample| !sample.is_split_unique) {
+        let message = format!(
+            "at {} more elements hold than the motion needs: their torques are then split evenly, and rigid bodies leave it open how",
+            Quantity(sample.time)
+        );
+        all.push(Warning { name: "even-split", message });
+    }
+    if scenario.file.drags == Some(false) && !scenario.subject.drags.is_empty() {
+        let message = "the drags that the gearbox states are left out, as drags: false asks".to_owned();
+        all.push(Warning { name: "drags", message });
+    }
+    all
+}
+
+/// A refusal of the choice in a list, at its place in the scenario; the gearbox's own faults are at theirs.
+fn of_choice(document: &Document, file: &ScenarioFile, why: Error) -> Error {
+    let key = match &why {
+        Error::Document(_) | Error::Placed { .. } => return why,
+        _ if file.transmission.is_some() => "transmission",
+        _ => "gearbox_file",
+    };
+    let at = document.error(&root(key), why.problem());
+    Error::Placed { at: Box::new(at), why: Box::new(why) }
+}
+
+/// Refusals of numbers.
+const ABOVE_0: Named<&str> = Named("not-positive", "it must be above 0");
+const AT_LEAST_0: Named<&str> = Named("negative", "it must be at least 0");
+
+/// A key at the root.
+fn root(key: &str) -> Path {
+    Path::root().key(key)
+}
+
+/// What is refused at a place, with a message of its own.
+fn refused(document: &Document, path: &Path, why: &impl Fault) -> Error {
+    document.error(path, why.problem()).into()
+}
+
+/// What the motion refuses, at a place.
+fn placed(document: &Document, path: &Path, why: motion::Error) -> Error {
+    let at = document.error(path, why.problem());
+    Error::Placed { at: Box::new(at), why: Box::new(why.into()) }
+}

@@ -1,0 +1,521 @@
+//! A gearbox in motion as tables, CSV and plots.
+
+mod plots;
+mod sweep;
+
+use crate::simulate::answer::{
+    ChangeKind, ChangeRecord, ConverterResult, DragKind, DragResult, ElementKind, ElementResult, ShaftResult,
+    ShiftResult, Simulation, State,
+};
+use crate::table::figure::{Figure, text};
+use crate::table::quantities::{column, quantity};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use epicyclic_units::Dimension::{
+    self, AngularSpeed, Energy, EnergyPerArea, Power, PowerPerArea, TemperatureDifference, Time, Torque,
+};
+pub use plots::{capacities, picture, speeds, temperatures, torques};
+
+/// What a picture shows over time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlotView {
+    /// Speeds of all links.
+    Speeds,
+    /// Torques of the elements and of the output.
+    Torques,
+    /// Capacities of brakes and clutches.
+    Capacities,
+    /// Temperatures over the oil.
+    Temperatures,
+}
+
+impl AsReport for Simulation {
+    fn report(&self) -> Report {
+        let mut parts = vec![];
+        if !self.events.is_empty() {
+            parts.push(Part::Records(events(self)));
+        }
+        if !self.shifts.is_empty() {
+            parts.push(Part::Records(of_shifts(&self.shifts)));
+        }
+        if !self.elements.is_empty() {
+            parts.push(Part::Records(elements(&self.elements)));
+        }
+        if !self.drags.is_empty() {
+            parts.push(Part::Records(drags(&self.drags)));
+        }
+        if !self.shafts.is_empty() {
+            parts.push(Part::Records(shafts(&self.shafts)));
+        }
+        if !self.converters.is_empty() {
+            parts.push(Part::Records(converters(&self.converters)));
+        }
+        parts.push(Part::Records(end(self)));
+        parts.push(Part::Facts(energies(self)));
+        Report {
+            title: Some(format!("{}: {} in motion", self.scenario, self.gearbox)),
+            parts,
+            warnings: warned(&self.warnings),
+        }
+    }
+}
+
+/// What an element or a set does, in words.
+#[must_use]
+pub fn state(state: State) -> &'static str {
+    match state {
+        State::Open => "open",
+        State::SlipsForward => "slips +",
+        State::SlipsBackward => "slips −",
+        State::Holds => "holds",
+        State::DrivesForward => "drives +",
+        State::DrivesBackward => "drives −",
+    }
+}
+
+/// How a set with losses rolls, in words.
+fn rolling(state: State) -> &'static str {
+    match state {
+        State::SlipsForward => "rolls +",
+        State::SlipsBackward => "rolls −",
+        _ => "turns as a block",
+    }
+}
+
+/// What changes, in words: `clutch: open → slips +`.
+#[must_use]
+pub fn change(change: &ChangeRecord) -> String {
+    match (change.from.zip(change.to), change.is_rising) {
+        (Some((from, to)), _) if change.kind == ChangeKind::Set => {
+            format!("{}: {} → {}", change.id, rolling(from), rolling(to))
+        }
+        (Some((from, to)), _) if change.kind == ChangeKind::Shaft => {
+            let contact = |of| if of == State::Open { "free" } else { state(of) };
+            format!("{}: {} → {}", change.id, contact(from), contact(to))
+        }
+        (Some((from, to)), _) if change.kind == ChangeKind::Drag => {
+            format!("drag of {}: {} → {}", change.id, state(from), state(to))
+        }
+        (Some((from, to)), _) => format!("{}: {} → {}", change.id, state(from), state(to)),
+        (None, Some(true)) => format!("{}: passed upwards", change.id),
+        (None, _) => format!("{}: passed downwards", change.id),
+    }
+}
+
+fn kind(kind: ChangeKind) -> &'static str {
+    match kind {
+        ChangeKind::Element => "element",
+        ChangeKind::Set => "set",
+        ChangeKind::Shaft => "shaft",
+        ChangeKind::Drag => "drag",
+        ChangeKind::Threshold => "threshold",
+    }
+}
+
+fn events(simulation: &Simulation) -> Records {
+    let speed = |speeds: &[f64], link: &str| {
+        let place = simulation.end.iter().position(|one| one.link == link);
+        column(AngularSpeed, place.and_then(|place| speeds.get(place).copied()))
+    };
+    let rows = simulation.events.iter().flat_map(|event| {
+        event.changes.iter().map(move |one| {
+            vec![
+                column(Time, Some(event.time_s)),
+                text(change(one)),
+                Figure::choice(one.kind, kind(one.kind)),
+                text(&one.id),
+                one.from.map_or(Figure::None, |from| Figure::choice(from, state(from))),
+                one.to.map_or(Figure::None, |to| Figure::choice(to, state(to))),
+                one.is_rising.map_or(Figure::None, Figure::YesNo),
+                speed(&event.speeds_rad_s, &simulation.input),
+                speed(&event.speeds_rad_s, &simulation.output),
+            ]
+        })
+    });
+    Records {
+        name: "events",
+        columns: vec![
+            Column::headed("time", "t, s", Time),
+            Column::words("change", "what changes").for_people(),
+            Column::words("kind", "kind"),
+            Column::words("id", "of"),
+            Column::words("from", "from"),
+            Column::words("to", "to"),
+            Column::words("is_rising", "upwards"),
+            Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
+            Column::headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new("Events", &["time", "change", "input_speed", "output_speed"])],
+        is_answer: false,
+    }
+}
+
+fn per_cent(share: Option<f64>) -> Figure {
+    share.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
+}
+
+fn of_shifts(all: &[ShiftResult]) -> Records {
+    let row = |shift: &ShiftResult| {
+        vec![
+            text(format!("{} → {}", shift.from, shift.to)),
+            column(Time, Some(shift.at_s)),
+            column(Time, shift.shift_time_s),
+            column(Time, shift.torque_phase_s),
+            column(Time, shift.inertia_phase_s),
+            column(Torque, Some(shift.output_torque_before_n_m)),
+            column(Torque, Some(shift.output_torque_least_n_m)),
+            column(Torque, Some(shift.output_torque_greatest_n_m)),
+            per_cent(shift.torque_hole),
+            per_cent(shift.torque_surge),
+            column(Energy, Some(shift.heat_j)),
+            column(Time, shift.locked_s),
+            Figure::Texts(shift.released.clone()),
+            Figure::Texts(shift.applied.clone()),
+        ]
+    };
+    Records {
+        name: "shifts",
+        columns: vec![
+            Column::words("shift", "shift"),
+            Column::headed("at", "at, s", Time),
+            Column::headed("shift_time", "takes, s", Time),
+            Column::headed("torque_phase", "torque phase", Time),
+            Column::headed("inertia_phase", "inertia phase", Time),
+            Column::headed("output_torque_before", "T before, N·m", Torque),
+            Column::headed("output_torque_least", "least", Torque),
+            Column::headed("output_torque_greatest", "greatest", Torque),
+            Column::number("torque_hole_percent", "hole, %"),
+            Column::number("torque_surge_percent", "surge, %"),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("locked", "locked, s", Time),
+            Column::words("released", "released"),
+            Column::words("applied", "applied"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![
+            View::new(
+                "Shifts",
+                &["shift", "at", "shift_time", "torque_phase", "inertia_phase", "heat", "released", "applied"],
+            ),
+            View {
+                note: "T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.".to_owned(),
+                ..View::new(
+                    "Torque of the output while it shifts",
+                    &[
+                        "shift",
+                        "output_torque_before",
+                        "output_torque_least",
+                        "output_torque_greatest",
+                        "torque_hole_percent",
+                        "torque_surge_percent",
+                    ],
+                )
+            },
+        ],
+        is_answer: false,
+    }
+}
+
+fn kind_of(kind: ElementKind) -> &'static str {
+    match kind {
+        ElementKind::Brake => "brake",
+        ElementKind::Clutch => "clutch",
+        ElementKind::OneWayClutch => "one-way",
+        ElementKind::DogClutch => "dogs",
+        ElementKind::Resistance => "resistance",
+    }
+}
+
+fn elements(all: &[ElementResult]) -> Records {
+    let has = |of: fn(&ElementResult) -> Option<f64>| all.iter().any(|one| of(one).is_some());
+    let row = |one: &ElementResult| {
+        vec![
+            text(&one.id),
+            Figure::choice(one.kind, kind_of(one.kind)),
+            text(format!("{}–{}", one.links[0], one.links[1])),
+            Figure::choice(one.at_end, state(one.at_end)),
+            column(Time, Some(one.slip_time_s)),
+            column(Energy, Some(one.heat_j)),
+            column(Power, Some(one.peak_power_w)),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(EnergyPerArea, one.heat_per_area_j_m2),
+            column(PowerPerArea, one.peak_power_per_area_w_m2),
+            column(TemperatureDifference, one.peak_temperature_rise_k),
+            column(TemperatureDifference, one.end_temperature_rise_k),
+        ]
+    };
+    let mut views = vec![View {
+        note: "P, T: the greatest power of friction and torque. + and −: the first link is faster, slower."
+            .to_owned(),
+        ..View::new(
+            "Shift elements and resistances",
+            &["id", "kind", "at_end", "slip_time", "heat", "peak_power", "peak_torque"],
+        )
+    }];
+    if has(|one| one.heat_per_area_j_m2) || has(|one| one.peak_temperature_rise_k) {
+        views.push(View {
+            note: "K: over the temperature of the oil, greatest and at the end.".to_owned(),
+            ..View::new(
+                "Load of the friction surfaces",
+                &[
+                    "id",
+                    "heat_per_area",
+                    "peak_power_per_area",
+                    "peak_temperature_rise",
+                    "end_temperature_rise",
+                ],
+            )
+        });
+    }
+    Records {
+        name: "elements",
+        columns: vec![
+            Column::words("id", "element"),
+            Column::words("kind", "kind"),
+            Column::words("links", "between"),
+            Column::words("at_end", "at the end"),
+            Column::headed("slip_time", "slips, s", Time),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("peak_power", "P, kW", Power),
+            Column::headed("peak_torque", "T, N·m", Torque),
+            Column::headed("heat_per_area", "J/mm²", EnergyPerArea),
+            Column::headed("peak_power_per_area", "W/mm²", PowerPerArea),
+            Column::headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
+            Column::headed("end_temperature_rise", "end, K", TemperatureDifference),
+        ],
+        rows: all.iter().map(row).collect(),
+        views,
+        is_answer: false,
+    }
+}
+
+fn drags(all: &[DragResult]) -> Records {
+    let kind = |kind| match kind {
+        DragKind::Drag => "drag",
+        DragKind::OpenElement => "open",
+    };
+    let row = |one: &DragResult| {
+        vec![
+            Figure::choice(one.kind, kind(one.kind)),
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Energy, Some(one.loss_j)),
+            column(Power, Some(one.peak_power_w)),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(AngularSpeed, Some(one.end_slip_rad_s)),
+            column(Torque, Some(one.end_torque_n_m)),
+        ]
+    };
+    let columns = vec![
+        Column::words("kind", "kind"),
+        Column::words("id", "of"),
+        Column::words("links", "between"),
+        Column::headed("loss", "loss, J", Energy),
+        Column::headed("peak_power", "P, kW", Power),
+        Column::headed("peak_torque", "M, N·m", Torque),
+        Column::headed("end_slip", "n at the end", AngularSpeed),
+        Column::headed("end_torque", "M at the end", Torque),
+    ];
+    let view = View {
+        note: "open: a brake or clutch while it is open or slips. P, M: the greatest power and torque. At the end: speed of the first link relative \
+               to the second, and torque on the first."
+            .to_owned(),
+        ..View::new(
+            "Drags",
+            &["kind", "id", "links", "loss", "peak_power", "peak_torque", "end_slip", "end_torque"],
+        )
+    };
+    Records {
+        name: "drags",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
+        is_answer: false,
+    }
+}
+
+fn shafts(all: &[ShaftResult]) -> Records {
+    let row = |one: &ShaftResult| {
+        vec![
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(Dimension::Angle, Some(one.peak_twist_rad)),
+            column(Torque, Some(one.end_torque_n_m)),
+            column(Dimension::Angle, Some(one.end_twist_rad)),
+            column(Energy, Some(one.heat_j)),
+        ]
+    };
+    let columns = vec![
+        Column::words("id", "shaft"),
+        Column::words("links", "between"),
+        Column::headed("peak_torque", "T, N·m", Torque),
+        Column::headed("peak_twist", "twist, deg", Dimension::Angle),
+        Column::headed("end_torque", "T at the end", Torque),
+        Column::headed("end_twist", "twist at the end", Dimension::Angle),
+        Column::headed("heat", "heat, J", Energy),
+    ];
+    let view = View {
+        note: "T, twist: the greatest; heat: of the damper.".to_owned(),
+        ..View::new("Elastic shafts", &["id", "peak_torque", "peak_twist", "end_torque", "end_twist", "heat"])
+    };
+    Records {
+        name: "shafts",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
+        is_answer: false,
+    }
+}
+
+fn converters(all: &[ConverterResult]) -> Records {
+    let row = |one: &ConverterResult| {
+        vec![
+            text(&one.id),
+            text(one.links.join("–")),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(Power, Some(one.peak_heat_flow_w)),
+            column(Torque, Some(one.end_torque_n_m)),
+            one.end_speed_ratio.map_or(Figure::None, |ratio| Figure::Printed(ratio, 4)),
+            column(Energy, Some(one.heat_j)),
+        ]
+    };
+    let columns = vec![
+        Column::words("id", "converter"),
+        Column::words("links", "between"),
+        Column::headed("peak_torque", "T, N·m", Torque),
+        Column::headed("peak_heat_flow", "heat flow, kW", Power),
+        Column::headed("end_torque", "T at the end", Torque),
+        Column::number("end_speed_ratio", "ν at the end"),
+        Column::headed("heat", "heat, J", Energy),
+    ];
+    let shown = ["id", "peak_torque", "peak_heat_flow", "end_torque", "end_speed_ratio", "heat"];
+    let view = View {
+        note: "T: on the turbine, the greatest; ν: its speed over that of the impeller.".to_owned(),
+        ..View::new("Torque converters", &shown)
+    };
+    Records {
+        name: "converters",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![view],
+        is_answer: false,
+    }
+}
+
+fn end(simulation: &Simulation) -> Records {
+    let row = |one: &crate::simulate::answer::LinkAtEnd| {
+        vec![
+            text(&one.link),
+            column(AngularSpeed, Some(one.speed_rad_s)),
+            column(Dimension::AngularAcceleration, Some(one.acceleration_rad_s2)),
+        ]
+    };
+    Records {
+        name: "end",
+        columns: vec![
+            Column::words("link", "link"),
+            Column::headed("speed", "n, rpm", AngularSpeed),
+            Column::headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
+        ],
+        rows: simulation.end.iter().map(row).collect(),
+        views: vec![View::new("At the end", &["link", "speed", "acceleration"])],
+        is_answer: false,
+    }
+}
+
+fn energies(simulation: &Simulation) -> Section {
+    let energies = &simulation.energies;
+    let one = |name, label, si| Row::new(name, label, "", [quantity(Energy, si)]);
+    let mut rows = vec![
+        one("kinetic_before", "kinetic, at the start", energies.kinetic_before_j),
+        one("work", "work of the torques", energies.work_j),
+        one("element_heat", "heat of elements", energies.element_heat_j),
+        one("mesh_loss", "loss of meshes", energies.mesh_loss_j),
+        one("kinetic_after", "kinetic, at the end", energies.kinetic_after_j),
+    ];
+    let parts = [
+        (!simulation.drags.is_empty(), "drag_loss", "loss of drags", energies.drag_loss_j),
+        (
+            !simulation.shafts.is_empty(),
+            "elastic_before",
+            "in shafts, at the start",
+            energies.elastic_before_j,
+        ),
+        (!simulation.shafts.is_empty(), "damping_heat", "heat of dampers of shafts", energies.damping_heat_j),
+        (
+            !simulation.converters.is_empty(),
+            "converter_heat",
+            "heat of converters' oil",
+            energies.converter_heat_j,
+        ),
+        (has_dogs(simulation), "impact", "taken by impacts of dog clutches", energies.impact_j),
+        (!simulation.shafts.is_empty(), "elastic_after", "in shafts, at the end", energies.elastic_after_j),
+    ];
+    let there = parts.into_iter().filter(|(is_there, ..)| *is_there);
+    rows.extend(there.map(|(_, name, label, si)| one(name, label, si)));
+    Section { name: "energies", title: "Energies", columns: &[], rows, note: "" }
+}
+
+fn has_dogs(simulation: &Simulation) -> bool {
+    simulation.elements.iter().any(|one| one.kind == ElementKind::DogClutch)
+}
+
+/// Speeds and torques over time as a table: a line for each time.
+#[must_use]
+pub fn samples(simulation: &Simulation) -> Report {
+    let all = &simulation.samples;
+    let mut columns = vec![Column::headed("time", "t, s", Time)];
+    let mut lists: Vec<(&[f64], Dimension)> = vec![(&all.times_s, Time)];
+    for link in &all.links {
+        columns.push(Column::quantity("speed", AngularSpeed).of(&link.link));
+        lists.push((&link.speeds_rad_s, AngularSpeed));
+    }
+    for torque in &all.torques {
+        columns.push(Column::quantity("torque", Torque).of(&torque.id));
+        lists.push((&torque.torques_n_m, Torque));
+    }
+    for element in &all.elements {
+        let mut add = |name, list, dimension| {
+            columns.push(Column::quantity(name, dimension).of(&element.id));
+            lists.push((list, dimension));
+        };
+        add("torque", &element.torques_n_m, Torque);
+        if let Some(capacities) = &element.capacities_n_m {
+            add("capacity", capacities, Torque);
+        }
+        add("slip", &element.slips_rad_s, AngularSpeed);
+        add("heat", &element.heats_j, Energy);
+        if let Some(rises) = &element.temperature_rises_k {
+            add("temperature_rise", rises, TemperatureDifference);
+        }
+    }
+    for shaft in &all.shafts {
+        columns.push(Column::quantity("torque", Torque).of(&shaft.id));
+        lists.push((&shaft.torques_n_m, Torque));
+        columns.push(Column::quantity("twist", Dimension::Angle).of(&shaft.id));
+        lists.push((&shaft.twists_rad, Dimension::Angle));
+    }
+    for converter in &all.converters {
+        columns.push(Column::quantity("impeller_torque", Torque).of(&converter.id));
+        lists.push((&converter.impeller_torques_n_m, Torque));
+        columns.push(Column::quantity("turbine_torque", Torque).of(&converter.id));
+        lists.push((&converter.turbine_torques_n_m, Torque));
+    }
+    for drag in &all.drags {
+        columns.push(Column::quantity("drag_slip", AngularSpeed).of(&drag.id));
+        lists.push((&drag.slips_rad_s, AngularSpeed));
+        columns.push(Column::quantity("drag_torque", Torque).of(&drag.id));
+        lists.push((&drag.torques_n_m, Torque));
+        columns.push(Column::quantity("drag_loss", Energy).of(&drag.id));
+        lists.push((&drag.losses_j, Energy));
+    }
+    columns.push(Column::quantity("output_torque", Torque));
+    lists.push((&all.output_torques_n_m, Torque));
+    let rows = (0..all.times_s.len()).map(|place| {
+        lists.iter().map(|(list, dimension)| column(*dimension, list.get(place).copied())).collect()
+    });
+    let records = Records { name: "samples", columns, rows: rows.collect(), views: vec![], is_answer: true };
+    Report { title: None, parts: vec![Part::Records(records)], warnings: None }
+}

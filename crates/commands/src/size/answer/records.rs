@@ -1,0 +1,455 @@
+//! Records of sizes: designs, what was left out, what the file held.
+
+use super::Wanted;
+use crate::answer::Warning;
+use crate::shared::tool::CuttingTool;
+use crate::strength::answer::prepared::SetToSize;
+use crate::strength::answer::records::{MeshName, NotRated, Reason, ToothedGear, Wear};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::InvoluteGear;
+use epicyclic_gears::life::Rolling;
+use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_strength::factor::Side;
+use epicyclic_strength::sizing::{self, Design, Found, Objective};
+use epicyclic_strength::spectrum::{GearDuty, Worn};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::Length;
+
+/// What is minimised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Minimise {
+    /// The mass of the gears of each set.
+    Mass,
+    /// The outside diameter of each ring.
+    Ring,
+}
+
+impl From<Minimise> for Objective {
+    fn from(minimise: Minimise) -> Self {
+        match minimise {
+            Minimise::Mass => Self::Mass,
+            Minimise::Ring => Self::Ring,
+        }
+    }
+}
+
+/// The space of a set of which the file gives nothing.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Sought {
+    /// Modules.
+    pub modules_m: Vec<f64>,
+    /// Face widths.
+    pub face_widths_m: Vec<f64>,
+    /// Numbers of planets.
+    pub planets: Vec<u32>,
+    /// Step of the centre distances.
+    pub centre_distance_step_m: f64,
+    /// How far centre distances may be from the natural one, in modules.
+    pub reach_in_modules: f64,
+    /// The greatest face width over the sun's reference diameter; `null` without bound.
+    pub width_ratio: Option<f64>,
+    /// Least normal thickness of the tips, in modules.
+    pub least_tip_thickness_in_modules: f64,
+    /// Least rim of the planets between root circle and bore, in modules.
+    pub planet_rim_in_modules: f64,
+    /// Rim of the ring outside its root circle, in modules.
+    pub ring_rim_in_modules: f64,
+    /// How many bearings of the planets there are to choose from, pairs among them.
+    pub bearings: usize,
+}
+
+impl Sought {
+    pub(super) fn of(wanted: &Wanted) -> Self {
+        let si = |lengths: &[Length]| lengths.iter().map(|length| length.si()).collect();
+        Self {
+            modules_m: si(&wanted.modules),
+            face_widths_m: si(&wanted.face_widths),
+            planets: wanted.planets.clone().collect(),
+            centre_distance_step_m: wanted.centre_distance_step.si(),
+            reach_in_modules: super::REACH,
+            width_ratio: wanted.width_ratio,
+            least_tip_thickness_in_modules: wanted.tip_thickness,
+            planet_rim_in_modules: wanted.planet_rim,
+            ring_rim_in_modules: wanted.ring_rim,
+            bearings: wanted.space().bearings.len(),
+        }
+    }
+}
+
+/// A key of a set in the file that the search held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum HeldKey {
+    /// Its module.
+    Module,
+    /// Its face width.
+    FaceWidth,
+    /// Its number of planets.
+    Planets,
+    /// Its profile shifts, with the tip alterations.
+    ProfileShifts,
+    /// The load rating of its planet bearings.
+    LoadRating,
+    /// The bore of its planets; without a load rating no bearing is sought.
+    PlanetBore,
+    /// The rim of its planets, which the search takes as the least.
+    PlanetRim,
+    /// The rim of its ring.
+    RingRim,
+}
+
+impl HeldKey {
+    /// The key as the file has it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Module => "module",
+            Self::FaceWidth => "face_width",
+            Self::Planets => "planets",
+            Self::ProfileShifts => "profile_shifts",
+            Self::LoadRating => "load_rating",
+            Self::PlanetBore => "planet_bore",
+            Self::PlanetRim => "planet_rim",
+            Self::RingRim => "ring_rim",
+        }
+    }
+}
+
+/// How many designs each requirement left out; one that misses several safeties or lives counts with the one that it meets least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeftOut {
+    /// Planets that do not stand at equal angles.
+    pub spacing: u64,
+    /// Planets that touch.
+    pub planets_touch: u64,
+    /// Centre distances without faultless shifts.
+    pub geometry: u64,
+    /// Face widths above the bound.
+    pub width_ratio: u64,
+    /// Bearings that leave too little rim.
+    pub rim: u64,
+    /// Bearings wider than the planet.
+    pub bearing_width: u64,
+    /// Teeth outside what the standard holds for.
+    pub not_calculable: u64,
+    /// Flanks below the required safety.
+    pub flank: u64,
+    /// Roots below the required safety.
+    pub root: u64,
+    /// Flanks and roots below the safety required against an overload.
+    pub overload: u64,
+    /// Bearings below the required life.
+    pub bearing_life: u64,
+}
+
+/// A requirement that is a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Requirement {
+    /// Safety of a flank.
+    Flank,
+    /// Safety of a root.
+    Root,
+    /// Static safety of a flank against an overload.
+    OverloadFlank,
+    /// Static safety of a root against an overload.
+    OverloadRoot,
+    /// Life of the planet bearings.
+    BearingLife,
+}
+
+impl Requirement {
+    /// Whether it is of an overload.
+    #[must_use]
+    pub const fn is_against_overload(self) -> bool {
+        matches!(self, Self::OverloadFlank | Self::OverloadRoot)
+    }
+}
+
+/// The requirement that a design meets least.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Governing {
+    /// Which.
+    pub requirement: Requirement,
+    /// The mesh; `null` of a bearing.
+    pub mesh: Option<MeshName>,
+    /// The gear whose tooth or bearing it is.
+    pub toothed_gear: ToothedGear,
+    /// The safety; of a bearing the load that it carries for the required life over its load.
+    pub value: f64,
+    /// What is required.
+    pub required: f64,
+}
+
+impl Governing {
+    fn of(governing: sizing::Governing) -> Self {
+        let requirement = match governing.requirement {
+            sizing::Requirement::Flank => Requirement::Flank,
+            sizing::Requirement::Root => Requirement::Root,
+            sizing::Requirement::OverloadFlank => Requirement::OverloadFlank,
+            sizing::Requirement::OverloadRoot => Requirement::OverloadRoot,
+            sizing::Requirement::BearingLife => Requirement::BearingLife,
+        };
+        let toothed_gear = match governing.gear {
+            SimpleGear::Sun => ToothedGear::Sun,
+            SimpleGear::Ring => ToothedGear::Ring,
+            _ => ToothedGear::Planet,
+        };
+        let mesh = (requirement != Requirement::BearingLife).then(|| MeshName::BOTH[governing.mesh]);
+        Self { requirement, mesh, toothed_gear, value: governing.value, required: governing.required }
+    }
+}
+
+/// The bearing of a planet.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedBearing {
+    /// Its designation; `null` where the file gives its load rating.
+    pub designation: Option<String>,
+    /// Whether rollers roll in it, or balls.
+    pub rollers: bool,
+    /// Its bore, the pin; `null` where the file gives its load rating.
+    pub bore_m: Option<f64>,
+    /// Its outside diameter, the bore of the planet; `null` of a solid planet.
+    pub outside_diameter_m: Option<f64>,
+    /// Its width; `null` where the file gives its load rating.
+    pub width_m: Option<f64>,
+    /// Basic dynamic load rating.
+    pub load_rating_n: f64,
+    /// Basic rating life over the duty; `null` where it never turns under load.
+    pub life_s: Option<f64>,
+}
+
+/// A gear of a mesh over the duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedGear {
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Its material.
+    pub material: String,
+    /// Its flank.
+    pub flank: Wear,
+    /// Its root.
+    pub root: Wear,
+}
+
+impl SizedGear {
+    fn both(mesh: MeshName, materials: &[String; 3], rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
+        let first = usize::from(mesh == MeshName::PlanetRing);
+        Side::BOTH.map(|side| {
+            let own = &rating[side as usize];
+            Self {
+                mesh,
+                toothed_gear: mesh.gears()[side as usize],
+                material: materials[first + side as usize].clone(),
+                flank: Wear::of(&own.contact),
+                root: Wear::of(&own.root),
+            }
+        })
+    }
+}
+
+/// A design of a set.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedDesign {
+    /// Module.
+    pub module_m: f64,
+    /// Face width.
+    pub face_width_m: f64,
+    /// Face width over the sun's reference diameter.
+    pub face_width_over_sun: f64,
+    /// Number of planets.
+    pub planets: u32,
+    /// Centre distance.
+    pub centre_distance_m: f64,
+    /// Profile shift coefficients of sun, planets and ring.
+    pub profile_shifts: [f64; 3],
+    /// Tip alterations of sun, planets and ring, in modules.
+    pub tip_alterations: [f64; 3],
+    /// Whether the aim of the shifts is met, or only as far as the limits allow.
+    pub aim_met: bool,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
+    /// Bearing of the planets; `null` where none was sought.
+    pub bearing: Option<SizedBearing>,
+    /// Rim of the planets between root circle and bore; `null` of solid ones.
+    pub planet_rim_m: Option<f64>,
+    /// Rim of the ring outside its root circle.
+    pub ring_rim_m: f64,
+    /// Outside diameter of the ring.
+    pub ring_diameter_m: f64,
+    /// Mass of all gears of the set.
+    pub mass_kg: f64,
+    /// Each gear of both meshes over the duty.
+    pub over_duty: Vec<SizedGear>,
+    /// What is met least against the overloads of the file; `null` where none loads the set.
+    pub overload: Option<Governing>,
+    /// The requirement that is met least.
+    pub governing: Governing,
+}
+
+impl SizedDesign {
+    fn of(materials: &[String; 3], design: &Design) -> Self {
+        let positive = |length: Length| Some(length.si()).filter(|si| *si > 0.0);
+        let bearing = design.bearing.as_ref().map(|bearing| SizedBearing {
+            designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
+            rollers: bearing.rolling == Rolling::Rollers,
+            bore_m: positive(bearing.bore),
+            outside_diameter_m: positive(bearing.outside_diameter),
+            width_m: positive(bearing.width),
+            load_rating_n: bearing.load_rating.si(),
+            life_s: design.bearing_life.map(Physical::si),
+        });
+        let gears = design.set.gears();
+        let both = MeshName::BOTH.into_iter().zip(&design.meshes);
+        Self {
+            module_m: design.module.si(),
+            face_width_m: design.face_width.si(),
+            face_width_over_sun: design.face_width.si()
+                / (design.module.si() * gears[0].reference_diameter()),
+            planets: design.set.planets(),
+            centre_distance_m: design.centre_distance.si(),
+            profile_shifts: gears.map(InvoluteGear::shift),
+            tip_alterations: gears.map(InvoluteGear::tip_alteration),
+            aim_met: design.limited_by.is_none(),
+            ring_tool: CuttingTool::of(gears[2]),
+            bearing,
+            planet_rim_m: design.planet_rim.map(Physical::si),
+            ring_rim_m: design.ring_rim.si(),
+            ring_diameter_m: design.ring_diameter.si(),
+            mass_kg: design.mass.si(),
+            over_duty: both.flat_map(|(mesh, rating)| SizedGear::both(mesh, materials, rating)).collect(),
+            overload: design.overload.map(Governing::of),
+            governing: Governing::of(design.governing),
+        }
+    }
+}
+
+/// A set with the best of its designs.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedSet {
+    /// The set.
+    pub set: String,
+    /// Teeth of sun, planets and ring.
+    pub teeth: [u32; 3],
+    /// What the file gives of it, which was held.
+    pub held: Vec<HeldKey>,
+    /// Designs of its space.
+    pub designs: u64,
+    /// Centre distances, of all modules and numbers of planets, whose gears were calculated.
+    pub centre_distances: u64,
+    /// How often teeth were rated.
+    pub rated: u64,
+    /// What each requirement left out.
+    pub left_out: LeftOut,
+    /// Designs that are no better than the last one found.
+    pub not_reached: u64,
+    /// The best, in order.
+    pub found: Vec<SizedDesign>,
+    /// Where none is found, the design that misses the requirements least; `null` where no teeth could be rated.
+    pub nearest_miss: Option<SizedDesign>,
+}
+
+impl SizedSet {
+    pub(super) fn of(set: &SetToSize<'_>, held: Vec<HeldKey>, found: &Found, most: usize) -> Self {
+        let teeth = set.teeth.map(ToothCount::get);
+        let materials = set.materials;
+        let out = found.left_out;
+        Self {
+            set: set.id.to_owned(),
+            teeth,
+            held,
+            designs: found.space,
+            centre_distances: found.geometries,
+            rated: found.rated,
+            left_out: LeftOut {
+                spacing: out.spacing,
+                planets_touch: out.planets_touch,
+                geometry: out.geometry,
+                width_ratio: out.width_ratio,
+                rim: out.rim,
+                bearing_width: out.bearing_width,
+                not_calculable: out.not_calculable,
+                flank: out.flank,
+                root: out.root,
+                overload: out.overload,
+                bearing_life: out.bearing_life,
+            },
+            not_reached: found.not_reached,
+            found: found.found.iter().take(most).map(|design| SizedDesign::of(materials, design)).collect(),
+            nearest_miss: found.nearest_miss.as_ref().map(|design| SizedDesign::of(materials, design)),
+        }
+    }
+
+    /// That it has no size, and what would help.
+    pub(super) fn warning(&self) -> Option<Warning> {
+        if !self.found.is_empty() {
+            return None;
+        }
+        let why = match &self.nearest_miss {
+            None => "no gears of the space run together with a bearing that fits".to_owned(),
+            Some(miss) => {
+                let Governing { requirement, toothed_gear, value, required, .. } = miss.governing;
+                match requirement {
+                    Requirement::BearingLife => format!(
+                        "the bearing of the nearest carries {value:.3} of its load for the required life; bearings with a larger load rating would help, such as rollers"
+                    ),
+                    teeth => {
+                        let (symbol, place) = match teeth {
+                            Requirement::Flank | Requirement::OverloadFlank => ("S_H", "flank"),
+                            _ => ("S_F", "root"),
+                        };
+                        let against = if teeth.is_against_overload() { " against the overload" } else { "" };
+                        format!(
+                            "the nearest misses {symbol} = {value:.3} of the {toothed_gear}'s {place}{against}, {required} required; larger modules, wider faces or a stronger material would help"
+                        )
+                    }
+                }
+            }
+        };
+        Some(Warning { name: "no-size", message: format!("set {}: {why}", self.set) })
+    }
+}
+
+/// A set that is not sized.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct NotSized {
+    /// The set.
+    pub set: String,
+    /// Why.
+    pub reason: Reason,
+    /// The keys, or the factor, that are missing.
+    pub missing: Vec<String>,
+    /// What the factor would follow from, or what is outside the standard.
+    pub because: Option<String>,
+}
+
+impl NotSized {
+    pub(super) fn of(row: NotRated) -> Self {
+        Self { set: row.set, reason: row.reason, missing: row.missing, because: row.because }
+    }
+
+    /// Why, in words.
+    #[must_use]
+    pub fn why(&self) -> String {
+        let Self { set, reason, missing, because } = self.clone();
+        NotRated { missing, because, ..NotRated::new(&set, reason) }.why()
+    }
+
+    /// In words: `set 1: no simple set`.
+    pub(super) fn told(&self) -> String {
+        format!("set {}: {}", self.set, self.why())
+    }
+}

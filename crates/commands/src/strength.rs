@@ -1,0 +1,6 @@
+//! `strength`: safeties of teeth by ISO 6336.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod table;

@@ -1,0 +1,386 @@
+//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of its file, and against its overloads.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`records`] | meshes and gears |
+//! | `names` | meshes, gears, flanks and roots by name |
+//! | `not_rated` | what is not rated, and why |
+//! | `sharing` | how planets share the load |
+//! | `prepared` | the meshes of a file's sets |
+//! | [`factors`] | factors by their symbols, each once |
+//! | `axial` | axial forces of helical teeth |
+//! | `load` | the load of a set in a gear |
+//! | `duty` | the steps of a duty, and a set over them |
+//! | `overload` | a set against an overload |
+//! | `bearings` | planet bearings over a duty |
+//! | `place` | where in the file a fault is |
+//!
+//! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
+
+mod axial;
+mod bearing_records;
+pub(crate) mod bearings;
+pub(crate) mod duty;
+pub mod factors;
+pub(crate) mod load;
+mod names;
+mod not_rated;
+pub(crate) mod overload;
+pub(crate) mod place;
+pub(crate) mod prepared;
+pub mod records;
+mod sharing;
+
+use crate::analyze::answer::pins;
+use crate::analyze::answer::warnings::tilting;
+use crate::analyze::answer::{Input, OperatingPoint, Worked};
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::fault::Named;
+#[cfg(doc)]
+use crate::shared::gearbox::one;
+use crate::shared::gearbox::{Subject, alone};
+use crate::shared::tooth_checks::answer::ToothChecks;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::{Document, Path};
+use epicyclic_strength::factor::Edition;
+use epicyclic_strength::load::Floating;
+use epicyclic_strength::rating::rate;
+use epicyclic_train::{Gear, PlanetSet};
+use epicyclic_units::Physical;
+use load::{both_loads, set_load};
+use place::{Fault, Partly, located, refused};
+use prepared::RatedSet;
+use records::{
+    Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,
+    Overloaded, Rated, Required, Safeties,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Time, Torque};
+
+/// What is asked.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Wanted {
+    /// One gear of the operating point; all without.
+    pub gear: Option<String>,
+    /// Speed and load of the input; without a load the duty of the file.
+    pub input: Input,
+    /// Whether the factors of each mesh are told.
+    pub with_factors: bool,
+}
+
+/// Stresses, limits and safeties of the teeth of simple sets by ISO 6336, method B.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Strength {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// Edition of the standard.
+    pub edition: String,
+    /// Speed and load of the input; `null` over a duty.
+    pub operating_point: Option<OperatingPoint>,
+    /// Required life.
+    pub life_s: f64,
+    /// Viscosity of the oil at 40 °C.
+    pub oil_viscosity_m2_s: f64,
+    /// Required safeties.
+    pub required: Required,
+    /// The steps of the duty; empty at an operating point.
+    pub duty: Vec<DutyStep>,
+    /// The safety that is least over what is required of it; `null` where no teeth are rated: where planet bearings alone are, and in a report.
+    pub governing: Option<Governing>,
+    /// Each gear of each mesh at the operating point; empty over a duty.
+    pub at_point: Vec<Rated>,
+    /// Each gear of each mesh over the duty; empty at an operating point.
+    pub over_duty: Vec<OverDuty>,
+    /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of this gear.
+    pub overload: Vec<Overloaded>,
+    /// The planet bearings with a load rating over the duty; empty at an operating point.
+    pub bearings: Vec<BearingOverDuty>,
+    /// How planets share the load, of sets for which the file gives no `K_γ`.
+    pub load_sharing: Vec<LoadSharing>,
+    /// Axial forces of sets with helical teeth, at the operating point or in each loaded step of the duty.
+    pub axial_forces: Vec<AxialForce>,
+    /// Sets that are not rated.
+    pub not_rated: Vec<NotRated>,
+    /// The checks of the teeth of the sets that are rated.
+    pub tooth_checks: ToothChecks,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl Strength {
+    /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an overload.
+    #[must_use]
+    pub fn is_rated(&self) -> bool {
+        if self.operating_point.is_some() || !self.duty.is_empty() {
+            let at_point = |one: &Rated| one.flank_safety.is_some() || one.root_safety.is_some();
+            let over_duty = |one: &OverDuty| one.flank.is_some() || one.root.is_some();
+            return self.at_point.iter().any(at_point) || self.over_duty.iter().any(over_duty);
+        }
+        self.overload.iter().any(|one| one.flank_safety.is_some() || one.root_safety.is_some())
+    }
+}
+
+impl Answer for Strength {
+    const NAME: &'static str = "strength";
+}
+
+/// The gearbox of a file whose strength is asked.
+///
+/// # Errors
+/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+    alone(document, "strength", "no modules, materials or loads")
+}
+
+/// The strength of a gearbox from a file.
+///
+/// # Errors
+/// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`], [`Error::OfOnePoint`] for a gear or speed of a duty.
+/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where neither teeth nor planet bearings can be
+///   rated.
+/// - [`Error::NoGear`], [`Error::Load`].
+pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
+    let strength = rated(subject, wanted, true)?;
+    // A duty that loads no teeth which are rated may wear planet bearings of compound sets.
+    let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
+    if !strength.is_rated() && !is_borne {
+        return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
+    }
+    Ok(strength)
+}
+
+/// What a report says of the strength of a gearbox, with the factors: at an operating point with load and speed, then over the duty of
+/// the file; nothing where the file does not state oil, life and the `strength` of a set.
+///
+/// # Errors
+/// Those of [`answer`] but [`Error::NothingRated`].
+pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Error> {
+    if subject.document.value().get("transmissions").is_some() {
+        return Ok(vec![]);
+    }
+    let file: GearboxFile = subject.document.read()?;
+    let is_stated = file.oil.is_some() && file.life.is_some();
+    if !is_stated || file.sets.iter().all(|set| set.strength.is_none()) {
+        return Ok(vec![]);
+    }
+    let at_point = Some(input).filter(|input| input.load.is_some() && input.speed.is_some());
+    let is_due = !file.duty.is_empty() || at_point.is_none() && !file.overload.is_empty();
+    let in_life = Some(Input::default()).filter(|_| is_due);
+    let chapter = |(place, input)| {
+        // The overloads stand in the first.
+        rated(subject, &Wanted { gear: None, input, with_factors: true }, place == 0)
+    };
+    at_point.into_iter().chain(in_life).enumerate().map(chapter).collect()
+}
+
+/// What a calculation of a file has found.
+#[derive(Default)]
+struct Found {
+    safeties: Safeties,
+    axial: Vec<AxialForce>,
+    not_rated: Vec<NotRated>,
+}
+
+impl Found {
+    /// Takes what a set gave, or why it gave nothing.
+    fn take<T>(
+        &mut self,
+        rated: Result<Partly<T>, Fault>,
+        to: fn(&mut Safeties) -> &mut Vec<T>,
+        row: impl Fn(NotRated) -> NotRated,
+    ) -> Result<(), Error> {
+        match rated {
+            Ok(Partly { rated, not_rated }) => {
+                to(&mut self.safeties).extend(rated);
+                for one in not_rated {
+                    row(one).join(&mut self.not_rated);
+                }
+            }
+            Err(Fault::Row(missing)) => row(missing).join(&mut self.not_rated),
+            Err(Fault::Refused(error)) => return Err(*error),
+        }
+        Ok(())
+    }
+}
+
+/// What a file has to say of the whole gearbox.
+pub(crate) struct Asked {
+    /// Required life.
+    pub(crate) life: Time,
+    /// Viscosity of the oil at 40 °C.
+    pub(crate) viscosity: KinematicViscosity,
+    /// Required safeties.
+    pub(crate) required: Required,
+}
+
+impl Asked {
+    /// As the file has it.
+    ///
+    /// # Errors
+    /// [`Error::Document`] for what is missing, and for required safeties that are none.
+    pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
+        let root = Path::root();
+        let missing = |key: &str, why: &str| {
+            refused(document, &root, &[], &Named("missing-key", format!("`{key}` is missing: {why}")))
+        };
+        let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
+        let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
+        let required = Required::of(file.required.as_ref());
+        required.check().map_err(|error| located(document, &root, &error))?;
+        Ok(Self { life, viscosity: oil.viscosity.0, required })
+    }
+}
+
+fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
+    let file: GearboxFile = subject.document.read()?;
+    let (sets, not_rated) = prepared::sets(subject, &file)?;
+    let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
+    let mut found = Found { not_rated, ..Found::default() };
+    let mut bearings = vec![];
+    let is_at_point = wanted.input.load.is_some();
+    if is_at_point {
+        at_point(subject, &sets, wanted, life, &mut found)?;
+    } else {
+        if file.duty.is_empty() && file.overload.is_empty() {
+            return Err(Error::NoLoad);
+        }
+        if wanted.gear.is_some() || wanted.input.speed.is_some() {
+            return Err(Error::OfOnePoint);
+        }
+    }
+    let is_over_duty = !is_at_point && !file.duty.is_empty();
+    let steps = if is_over_duty { duty::steps(subject, &file.duty)? } else { vec![] };
+    let peaks = overload::peaks(subject, &file.overload, wanted.gear.as_deref())?;
+    if is_over_duty {
+        bearings = bearings::rated(subject, &file, &steps, &peaks)?;
+        found.axial = axial::over_duty(&sets, &steps, life);
+        for set in &sets {
+            let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
+            found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
+        }
+    }
+    if with_overloads {
+        for peak in &peaks {
+            for set in &sets {
+                let rated = overload::rated(subject, set, peak, life);
+                let row = |row: NotRated| row.against(Against::Overload).of_gear(peak.gear());
+                found.take(rated, |all| &mut all.overload, row)?;
+            }
+        }
+    }
+    let Found { safeties, axial, not_rated } = found;
+    let governing = safeties.governing(required);
+    let load_sharing = sharing(subject, &file, &sets, &bearings);
+    let uneven = load_sharing.iter().filter_map(LoadSharing::warning);
+    let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
+    let helical = sets.iter().filter(|set| set.is_helical());
+    let helical: Vec<&str> = helical.map(|set| set.id).collect();
+    let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+    let is_asked =
+        |of: &str| sets.iter().any(|set| set.id == of) || not_rated.iter().any(|row| row.set == of);
+    let tooth_checks = ToothChecks::of(subject.tooth_checks(), is_asked);
+    let warnings = safeties
+        .below(required)
+        .into_iter()
+        .chain(short_lived)
+        .chain(uneven)
+        .chain(pins::warning(subject, &turning))
+        .chain(tilting(&helical))
+        .chain(tooth_checks.warnings())
+        .collect();
+    let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
+    let Safeties { at_point, over_duty, overload } = safeties;
+    Ok(Strength {
+        gearbox: subject.gearbox.name().to_owned(),
+        edition: Edition::default().to_string(),
+        operating_point: wanted.input.load.map(|_| OperatingPoint::of(wanted.input)),
+        life_s: life.si(),
+        oil_viscosity_m2_s: viscosity.si(),
+        required,
+        duty,
+        governing,
+        at_point,
+        over_duty,
+        overload,
+        bearings,
+        load_sharing,
+        axial_forces: axial,
+        not_rated,
+        tooth_checks,
+        warnings,
+    })
+}
+
+/// How planets share the load, of rated sets and sets with rated bearings for which the file gives no `K_γ`.
+fn sharing(
+    subject: &Subject<'_>,
+    file: &GearboxFile,
+    rated: &[RatedSet<'_>],
+    bearings: &[BearingOverDuty],
+) -> Vec<LoadSharing> {
+    let of_set = |set: &PlanetSet| {
+        let is_asked = rated.iter().any(|one| one.id == set.id() && !one.has_load_sharing())
+            || bearings.iter().any(|one| one.set == set.id() && !one.load_sharing_is_given);
+        let entry = file.sets.iter().find(|entry| entry.id == set.id());
+        let floating = entry.map_or(Floating::Assumed, prepared::floating);
+        set.planet_count()
+            .filter(|planets| is_asked && *planets > 1)
+            .and_then(|planets| LoadSharing::of(set.id(), planets, floating))
+    };
+    subject.gearbox.sets().iter().filter_map(of_set).collect()
+}
+
+/// All sets in the gears that are asked.
+fn at_point(
+    subject: &Subject<'_>,
+    sets: &[RatedSet<'_>],
+    wanted: &Wanted,
+    life: Time,
+    found: &mut Found,
+) -> Result<(), Error> {
+    let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
+    let names: Vec<&str> = match &wanted.gear {
+        Some(name) => vec![name],
+        None => subject.gearbox.gears().iter().map(Gear::name).collect(),
+    };
+    for name in names {
+        let worked = Worked::new(&subject.gearbox, name, wanted.input)?;
+        for set in sets {
+            let load =
+                set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
+            if let Ok((torque, speed)) = load {
+                found.axial.extend(axial::of(set, name, None, (torque, speed), life));
+            }
+            let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
+            let rated = meshes.map(|Partly { rated, mut not_rated }| {
+                let both = |mesh: &MeshAtPoint| mesh.both(name, set.id, wanted.with_factors);
+                not_rated.extend(rated.iter().flat_map(|mesh| mesh.not_rated(set.id)));
+                Partly { rated: rated.iter().flat_map(both).collect(), not_rated }
+            });
+            let row = |row: NotRated| row.against(Against::OperatingPoint).of_gear(name);
+            found.take(rated, |all| &mut all.at_point, row)?;
+        }
+    }
+    Ok(())
+}
+
+/// Both meshes of a set at a load.
+fn at_load(
+    subject: &Subject<'_>,
+    set: &RatedSet<'_>,
+    torque: Torque,
+    speed: AngularVelocity,
+    life: Time,
+) -> Result<Partly<MeshAtPoint>, Fault> {
+    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let loads = both_loads(set, torque, speed, life).map_err(fault)?;
+    Partly::of_meshes(|place, name| {
+        let rating = rate(&set.meshes[place], &loads[place], &set.methods[place]).map_err(fault)?;
+        let materials = [set.materials[place].clone(), set.materials[place + 1].clone()];
+        let mesh = MeshAtPoint { name, materials, load: loads[place], rating: Box::new(rating) };
+        Ok((vec![mesh], vec![]))
+    })
+}

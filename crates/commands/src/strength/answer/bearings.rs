@@ -1,0 +1,326 @@
+//! The planet bearings over the duty of a file: basic and modified rating life, static safety.
+//!
+//! ```text
+//! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
+//! ```
+//!
+//! `F_t` and `F_r` are the forces of the meshes without losses, those of the file's overloads with them in `F_max`, `F_c` is the centrifugal force
+//! ([`planet_bearings`](epicyclic_train::planet_bearings)), `a_ISO` that of [`epicyclic_strength::bearing`].
+
+use super::duty::WorkedStep;
+use super::overload::Peak;
+use super::place::refused;
+use super::prepared::{floating, given_sharing};
+use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
+use crate::analyze::answer::Worked;
+use crate::analyze::answer::records::planet_name;
+use crate::error::Error;
+use crate::shared::fault::Named;
+use crate::shared::gearbox::Subject;
+use crate::shared::toothed::lacking;
+use crate::tolerance::{ROUNDED, rounded};
+use epicyclic_formats::Path;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_gears::life::Rolling;
+use epicyclic_strength::bearing::{
+    BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
+};
+use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
+use epicyclic_units::{Physical, Quantity};
+use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
+
+/// What a file says of its planet bearings.
+struct File<'a> {
+    subject: &'a Subject<'a>,
+    file: &'a GearboxFile,
+    reliability: Reliability,
+}
+
+/// What a file says of the bearings of a planet beside their load rating: of a set with two central gears with the keys of the set, of a
+/// compound set with those of the planet.
+#[derive(Default)]
+struct Given {
+    /// Where these keys stand.
+    path: Path,
+    static_load_rating: Option<Quantity<Force>>,
+    fatigue_limit: Option<Quantity<Force>>,
+    bearing_diameter: Option<Quantity<Length>>,
+    /// `K_γ` of a compound set's planet.
+    load_sharing: Option<f64>,
+}
+
+/// What the modified life asks for.
+struct Conditions {
+    viscosity: KinematicViscosity,
+    contamination: f64,
+    fatigue_limit: Force,
+    diameter: Length,
+}
+
+/// All planet bearings with a load rating.
+///
+/// # Errors
+/// [`Error::Document`] for what the file says wrong, with its place.
+pub(super) fn rated(
+    subject: &Subject<'_>,
+    file: &GearboxFile,
+    duty: &[WorkedStep<'_>],
+    peaks: &[Peak<'_>],
+) -> Result<Vec<BearingOverDuty>, Error> {
+    let of = File { subject, file, reliability: reliability(subject, file)? };
+    let rated = subject.planet_bearings.iter().filter_map(|bearing| {
+        let (rating, rolling) = bearing.load_rating?;
+        Some(of.bearing(bearing, rating, rolling, duty, peaks))
+    });
+    rated.collect()
+}
+
+/// The reliability that a file asks for.
+fn reliability(subject: &Subject<'_>, file: &GearboxFile) -> Result<Reliability, Error> {
+    let Some(asked) = file.bearing_reliability else { return Ok(Reliability::default()) };
+    let is_asked = |one: &Reliability| (one.part() - asked.0.si()).abs() < ROUNDED;
+    Reliability::ALL.into_iter().find(is_asked).ok_or_else(|| {
+        let why = Named("bearing-reliability", "the reliability of bearings is 90, 95, 96, 97, 98 or 99 %");
+        refused(subject.document, &Path::root(), &["bearing_reliability"], &why)
+    })
+}
+
+impl File<'_> {
+    fn bearing(
+        &self,
+        bearing: &PlanetBearing,
+        rating: Force,
+        rolling: Rolling,
+        duty: &[WorkedStep<'_>],
+        peaks: &[Peak<'_>],
+    ) -> Result<BearingOverDuty, Error> {
+        let set = &self.subject.gearbox.sets()[bearing.set];
+        let entry = self.file.sets.iter().find(|entry| entry.id == set.id());
+        let given = self.given(set.id(), &set.planets()[bearing.planet].name);
+        let stated = given.load_sharing.or_else(|| entry.and_then(given_sharing));
+        let floating = entry.map_or(Floating::Assumed, floating);
+        let sharing = match stated {
+            Some(stated) => Some(stated),
+            None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),
+        };
+        let (conditions, mut missing) = self.conditions(&given)?;
+        let mut row = BearingOverDuty {
+            set: set.id().to_owned(),
+            planet: planet_name(set, bearing.planet),
+            rollers: rolling == Rolling::Rollers,
+            load_rating_n: rating.si(),
+            load_sharing: sharing,
+            load_sharing_is_given: stated.is_some(),
+            greatest_force_n: None,
+            static_safety: None,
+            basic_life_s: None,
+            modified: None,
+            steps: vec![],
+            missing: vec![],
+        };
+        let Some(sharing) = sharing else {
+            let key = if entry.is_some() { "strength.factors.K_gamma" } else { "planet_sizes.load_sharing" };
+            row.missing = vec![format!("{key} (its table ends at 7 planets)")];
+            return Ok(row);
+        };
+        let mut steps = vec![];
+        for WorkedStep(entry, worked) in duty {
+            let Some((force, speed)) = self.step(bearing, worked.as_ref(), entry.speed.0, sharing)? else {
+                row.missing = missing_for_forces(bearing);
+                return Ok(row);
+            };
+            steps.push(BearingStep { share: entry.share.0.si(), load: force, speed, modification: 1.0 });
+            row.steps.push(BearingStepFigures {
+                gear: entry.gear.clone(),
+                force_n: force.si(),
+                speed_rad_s: speed.si(),
+                viscosity_ratio: None,
+                modification: None,
+            });
+        }
+        let still = AngularVelocity::from_si(0.0);
+        let mut greatest = steps.iter().map(|step| step.load.si()).fold(0.0, f64::max);
+        for peak in peaks {
+            let force =
+                self.step(bearing, Some(&peak.worked), still, sharing)?.map_or(0.0, |(force, _)| force.si());
+            greatest = greatest.max(force);
+        }
+        row.greatest_force_n = Some(greatest);
+        if let Some(rating) = self.of(&given, "static_load_rating", given.static_load_rating)? {
+            row.static_safety = (greatest > 0.0).then(|| rating.si() / greatest);
+        }
+        let life = |steps: &[BearingStep], reliability| {
+            life_over_duty(rolling, rating, steps, reliability).map(|life| life.map(Physical::si))
+        };
+        row.basic_life_s = life(&steps, Reliability::Percent90)?;
+        if let Some(conditions) = conditions {
+            match self.modify(rolling, &conditions, &mut steps, &mut row.steps) {
+                Ok(()) => {
+                    row.modified = Some(ModifiedLife {
+                        reliability: self.reliability.part(),
+                        reliability_factor: self.reliability.factor(),
+                        life_s: life(&steps, self.reliability)?,
+                    });
+                }
+                Err(why) => missing.push(why),
+            }
+        }
+        row.missing = missing;
+        Ok(row)
+    }
+
+    /// What the file says of the bearings of a planet.
+    fn given(&self, set: &str, planet: &str) -> Given {
+        if let Some((place, entry)) = self.file.sets.iter().enumerate().find(|(_, entry)| entry.id == set) {
+            return Given {
+                path: Path::root().key("sets").index(place),
+                static_load_rating: entry.static_load_rating,
+                fatigue_limit: entry.fatigue_limit,
+                bearing_diameter: entry.bearing_diameter,
+                load_sharing: None,
+            };
+        }
+        let compound = self.file.compound_sets.iter().enumerate().find(|(_, entry)| entry.id == set);
+        let Some((place, entry)) =
+            compound.and_then(|(place, of)| Some((place, of.planet_sizes.get(planet)?)))
+        else {
+            return Given::default();
+        };
+        Given {
+            path: Path::root().key("compound_sets").index(place).key("planet_sizes").key(planet),
+            static_load_rating: entry.static_load_rating,
+            fatigue_limit: entry.fatigue_limit,
+            bearing_diameter: entry.bearing_diameter,
+            load_sharing: entry.load_sharing.map(epicyclic_units::Number::get),
+        }
+    }
+
+    /// What the modified life asks for, or the keys that are missing where some are there.
+    fn conditions(&self, given: &Given) -> Result<(Option<Conditions>, Vec<String>), Error> {
+        let oil = self.file.oil.as_ref();
+        let of_oil = Path::root().key("oil");
+        let viscosity = oil.and_then(|oil| oil.working_viscosity).map(|of| of.0);
+        let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_units::Number::get);
+        viscosity.map_or(Ok(()), |viscosity| self.above_0(viscosity, &of_oil, "working_viscosity"))?;
+        if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
+            let why = Named("out-of-range", "a contamination factor is from 0 to 1");
+            return Err(refused(self.subject.document, &of_oil, &["contamination"], &why));
+        }
+        let fatigue_limit = self.of(given, "fatigue_limit", given.fatigue_limit)?;
+        let diameter = self.of(given, "bearing_diameter", given.bearing_diameter)?;
+        if let (Some(viscosity), Some(contamination), Some(fatigue_limit), Some(diameter)) =
+            (viscosity, contamination, fatigue_limit, diameter)
+        {
+            let all = Conditions { viscosity, contamination, fatigue_limit, diameter };
+            return Ok((Some(all), vec![]));
+        }
+        let known = [
+            ("oil.working_viscosity", viscosity.is_some()),
+            ("oil.contamination", contamination.is_some()),
+            ("fatigue_limit", fatigue_limit.is_some()),
+            ("bearing_diameter", diameter.is_some()),
+        ];
+        // Where nothing is said, nothing is asked.
+        if known.iter().all(|(_, is_known)| !is_known) {
+            return Ok((None, vec![]));
+        }
+        Ok((None, lacking(&known)))
+    }
+
+    /// A quantity of a bearing, which must be above 0.
+    fn of<T: Physical>(
+        &self,
+        given: &Given,
+        key: &str,
+        value: Option<Quantity<T>>,
+    ) -> Result<Option<T>, Error> {
+        let Some(value) = value.map(|value| value.0) else { return Ok(None) };
+        self.above_0(value, &given.path, key)?;
+        Ok(Some(value))
+    }
+
+    fn above_0(&self, value: impl Physical, path: &Path, key: &str) -> Result<(), Error> {
+        if value.si() > 0.0 {
+            return Ok(());
+        }
+        let why = Named("not-positive", format!("{key} must be above 0"));
+        Err(refused(self.subject.document, path, &[key], &why))
+    }
+
+    /// The force on a bearing and its speed, in a step of the duty; `None` where no force follows.
+    fn step(
+        &self,
+        bearing: &PlanetBearing,
+        worked: Option<&Worked<'_>>,
+        speed: AngularVelocity,
+        sharing: f64,
+    ) -> Result<Option<(Force, AngularVelocity)>, Error> {
+        let Some(worked) = worked else {
+            return Ok(Some((Force::from_si(0.0), AngularVelocity::from_si(0.0))));
+        };
+        let case = worked.operation.as_ref().zip(worked.analysis.ideal());
+        let Some((operation, case)) = case else { return Ok(None) };
+        let of_input = |members: &Vec<f64>| -> Vec<Torque> {
+            members.iter().map(|of| operation.input * (of / case.input)).collect()
+        };
+        let torques = case.members[bearing.set].as_ref().map(of_input);
+        let set = &self.subject.gearbox.sets()[bearing.set];
+        let carrier = worked.analysis.speed(set.carrier()).map(|of| speed * of);
+        let forces = bearing.forces(torques.as_deref(), carrier)?;
+        let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet]
+            .map(|planet| AngularVelocity::from_si((speed * rounded(planet.relative)).si().abs()));
+        Ok(shared(&forces, sharing).zip(turning))
+    }
+
+    /// Gives each step its `a_ISO`, or says why there is none.
+    fn modify(
+        &self,
+        rolling: Rolling,
+        conditions: &Conditions,
+        steps: &mut [BearingStep],
+        figures: &mut [BearingStepFigures],
+    ) -> Result<(), String> {
+        let Conditions { viscosity, contamination, fatigue_limit, diameter } = *conditions;
+        for (step, figures) in steps.iter_mut().zip(figures) {
+            if step.load.si() == 0.0 || step.speed.si() == 0.0 {
+                continue;
+            }
+            let why = |error: epicyclic_strength::Error| format!("{error}, in gear {}", figures.gear);
+            let kappa = viscosity_ratio(viscosity, step.speed, diameter).map_err(why)?;
+            let modification =
+                life_modification(rolling, kappa, contamination, fatigue_limit, step.load).map_err(why)?;
+            step.modification = modification;
+            figures.viscosity_ratio = Some(kappa);
+            figures.modification = Some(modification);
+        }
+        Ok(())
+    }
+}
+
+/// What is missing for the forces on a bearing.
+fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
+    let key = |lack: &Lack| match lack {
+        Lack::Planets => "planets",
+        Lack::Radius => "module with teeth, or carrier_radius",
+        Lack::CommonRadius => "a carrier_radius of each planet",
+        Lack::Teeth => "teeth",
+        Lack::Mass => "planet_mass or face_width",
+        Lack::Bevel => "forces on bevel planets are not calculated",
+        Lack::OtherRadius { .. } | Lack::Distance { .. } | Lack::Triangle { .. } => {
+            "the places of planets in mesh"
+        }
+    };
+    let mut all: Vec<String> = bearing.lacks.iter().map(|lack| key(lack).to_owned()).collect();
+    if all.is_empty() {
+        all.push("no torques follow".to_owned());
+    }
+    all
+}
+
+/// All forces on a bearing with what the planets do not share alike.
+fn shared(forces: &BearingForces, sharing: f64) -> Option<Force> {
+    let (tangential, radial) = (forces.tangential?.si(), forces.radial?.si());
+    let across = sharing * radial + forces.centrifugal?.si();
+    Some(Force::from_si(libm::hypot(sharing * tangential, across)))
+}

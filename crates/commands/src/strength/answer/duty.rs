@@ -1,0 +1,104 @@
+//! The steps of a duty, and a set over them.
+
+use super::load::{both_loads, set_load};
+use super::place::{Fault, Partly, refused};
+use super::prepared::RatedSet;
+use super::records::{NotRated, OverDuty, Reason};
+use crate::analyze::answer::{Input, Worked};
+use crate::error::Error;
+use crate::shared::fault::Named;
+use crate::shared::gearbox::Subject;
+use epicyclic_formats::Path;
+use epicyclic_formats::gearbox::DutyEntry;
+use epicyclic_strength::mesh::Load;
+use epicyclic_strength::rating::rate;
+use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
+use epicyclic_train::InputLoad;
+use epicyclic_units::Physical;
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// A step of the duty as the file has it, and its gear at that load; `None` where it does nothing.
+pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
+
+/// The steps of a duty.
+///
+/// # Errors
+/// [`Error::Document`] for shares that are not the whole time, and gears that do not exist or carry no such load.
+pub(crate) fn steps<'g>(
+    subject: &'g Subject<'_>,
+    duty: &'g [DutyEntry],
+) -> Result<Vec<WorkedStep<'g>>, Error> {
+    let root = Path::root();
+    check_shares(duty.iter().map(|step| step.share.0.si()))
+        .map_err(|error| refused(subject.document, &root, &["duty"], &error))?;
+    let step = |(place, step): (usize, &'g DutyEntry)| {
+        Ok(WorkedStep(step, worked(subject, step, &root.clone().key("duty").index(place))?))
+    };
+    duty.iter().enumerate().map(step).collect()
+}
+
+fn worked<'g>(subject: &'g Subject<'_>, step: &DutyEntry, path: &Path) -> Result<Option<Worked<'g>>, Error> {
+    let input = Input { speed: Some(step.speed.0), load: Some(InputLoad::Torque(step.torque.0)) };
+    let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0 || step.speed.0.si() == 0.0;
+    // A gear that does not exist is refused however little it does.
+    let input = if idle { Input::default() } else { input };
+    let worked = Worked::new(&subject.gearbox, &step.gear, input).map_err(|error| {
+        let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
+        refused(subject.document, path, &[key], &error)
+    })?;
+    if idle {
+        return Ok(None);
+    }
+    if worked.operation.is_none() {
+        let message = format!("gear `{}` carries no such load from its input to its output", step.gear);
+        return Err(refused(subject.document, path, &["gear"], &Named("carries-no-load", message)));
+    }
+    Ok(Some(worked))
+}
+
+/// Both meshes of a set over the duty.
+pub(super) fn rated(
+    subject: &Subject<'_>,
+    set: &RatedSet<'_>,
+    duty: &[WorkedStep<'_>],
+    life: Time,
+    with_factors: bool,
+) -> Result<Partly<OverDuty>, Fault> {
+    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let mut steps: [Vec<Step>; 2] = [vec![], vec![]];
+    let mut loaded: [Vec<Load>; 2] = [vec![], vec![]];
+    for WorkedStep(entry, worked) in duty {
+        let idle = (Torque::from_si(0.0), AngularVelocity::from_si(0.0));
+        let (torque, speed) = match worked {
+            None => idle,
+            Some(worked) => match set_load(set, worked, entry.speed.0) {
+                Err(Reason::NoTorquesFollow) => {
+                    return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow)));
+                }
+                Err(_) => idle,
+                Ok(load) => load,
+            },
+        };
+        let loads = both_loads(set, torque, speed, life).map_err(fault)?;
+        let is_loaded = torque.si() != 0.0;
+        for ((steps, loaded), load) in steps.iter_mut().zip(&mut loaded).zip(loads) {
+            steps.push(Step { share: entry.share.0.si(), torque: load.torque, speed: load.speed });
+            loaded.extend(Some(load).filter(|_| with_factors && is_loaded));
+        }
+    }
+    let contacts =
+        both_loads(set, Torque::from_si(0.0), AngularVelocity::from_si(0.0), life).map_err(fault)?;
+    Partly::of_meshes(|place, name| {
+        let rating =
+            rate_duty(&set.meshes[place], &steps[place], life, contacts[place].contacts, &set.methods[place])
+                .map_err(fault)?;
+        let of_step = |load: &Load| rate(&set.meshes[place], load, &set.methods[place]);
+        let of_steps: Vec<_> = loaded[place].iter().map(of_step).collect::<Result<_, _>>().map_err(fault)?;
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        let both = OverDuty::both(set.id, name, &set.materials[place..], &rating, &of_steps);
+        Ok((both.into(), NotRated::parts(set.id, name, parts)))
+    })
+}

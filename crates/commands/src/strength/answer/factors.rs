@@ -1,0 +1,49 @@
+//! Factors that a file gives by their symbols: each once, however it is spelled.
+
+use super::place::refused;
+use crate::error::Error;
+use crate::shared::fault::Named;
+use epicyclic_formats::yaml::Value;
+use epicyclic_formats::{Document, Path};
+use epicyclic_strength::factor::Symbol;
+
+/// Keys of `strength` that hold factors.
+pub(crate) const KEYS: [&str; 6] =
+    ["factors", "sun_mesh_factors", "ring_mesh_factors", "sun_factors", "planet_factors", "ring_factors"];
+
+/// Refuses names that are no factor, and a factor that stands twice under one key, as `K_A` and `KA`; `strength` is the path of the key.
+pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
+    for key in KEYS {
+        let path = strength.clone().key(key);
+        let names = document.value_at(&path).and_then(Value::as_mapping).into_iter().flatten();
+        let mut before: Vec<(Symbol, &str)> = vec![];
+        for name in names.filter_map(|(name, _)| name.as_str()) {
+            let of = symbol(document, &path, name)?;
+            if let Some((_, other)) = before.iter().find(|(other, _)| *other == of) {
+                return Err(refused(
+                    document,
+                    &path,
+                    &[name],
+                    &Named("factor-twice", twice(of, [other, name])),
+                ));
+            }
+            before.push((of, name));
+        }
+    }
+    Ok(())
+}
+
+/// The factor of a name under a key.
+pub(crate) fn symbol(document: &Document, key: &Path, name: &str) -> Result<Symbol, Error> {
+    Symbol::named(name).ok_or_else(|| {
+        let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
+        let message = format!("no factor is called `{name}`; there are {}", all.join(", "));
+        refused(document, key, &[name], &Named("no-factor", message))
+    })
+}
+
+/// The refusal of a factor given twice, by both its spellings.
+#[must_use]
+pub fn twice(symbol: Symbol, [one, other]: [&str; 2]) -> String {
+    format!("`{one}` and `{other}` are the same factor, {symbol}; give it once")
+}

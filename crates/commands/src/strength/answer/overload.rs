@@ -1,0 +1,101 @@
+//! A set against the overloads of a file.
+
+use super::load::{both_loads, sun_torque, torque};
+use super::place::{Fault, Partly, refused};
+use super::prepared::RatedSet;
+use super::records::{NotRated, Overloaded, Required};
+use crate::analyze::answer::{Input, Worked};
+use crate::error::Error;
+use crate::shared::fault::{Fault as Refusal, Named};
+use crate::shared::gearbox::Subject;
+use epicyclic_formats::Path;
+use epicyclic_formats::gearbox::OverloadEntry;
+use epicyclic_strength::factor::Side;
+use epicyclic_strength::rating::overload;
+use epicyclic_strength::sizing::SetOverload;
+use epicyclic_train::InputLoad;
+use epicyclic_units::Physical;
+use uom::si::f64::{AngularVelocity, Time};
+
+/// An overload as the file has it, what is required against it, and its gear at it.
+pub(crate) struct Peak<'g> {
+    entry: &'g OverloadEntry,
+    required: Required,
+    pub(super) worked: Worked<'g>,
+}
+
+impl Peak<'_> {
+    /// The selected gear.
+    pub(super) fn gear(&self) -> &str {
+        &self.entry.gear
+    }
+
+    /// The overload as a set feels it; `None` where no torques follow.
+    pub(crate) fn felt(&self, set: usize) -> Option<SetOverload> {
+        let Required { flank, root } = self.required;
+        let sun_torque = torque(set, &self.worked)?;
+        Some(SetOverload { sun_torque, required_contact: flank, required_root: root })
+    }
+}
+
+/// The overloads of a file; of one gear where that is named.
+///
+/// # Errors
+/// [`Error::Document`] for gears that do not exist or carry no such load, torques of 0, and required safeties that are not above 0.
+pub(crate) fn peaks<'g>(
+    subject: &'g Subject<'_>,
+    all: &'g [OverloadEntry],
+    gear: Option<&str>,
+) -> Result<Vec<Peak<'g>>, Error> {
+    let peak = |(place, entry): (usize, &'g OverloadEntry)| {
+        let path = Path::root().key("overload").index(place);
+        let no = |key: &str, why: &dyn Refusal| refused(subject.document, &path, &[key], why);
+        let required = Required::of(entry.required.as_ref());
+        required.check().map_err(|error| no("required", &error))?;
+        if entry.torque.0.si() == 0.0 {
+            return Err(no("torque", &Named("no-torque", "an overload needs a torque other than 0")));
+        }
+        let input = Input { speed: None, load: Some(InputLoad::Torque(entry.torque.0)) };
+        let worked = Worked::new(&subject.gearbox, &entry.gear, input).map_err(|error| {
+            let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
+            no(key, &error)
+        })?;
+        if worked.operation.is_none() {
+            let message = format!("gear `{}` carries no such load from its input to its output", entry.gear);
+            return Err(no("gear", &Named("carries-no-load", message)));
+        }
+        Ok(Peak { entry, required, worked })
+    };
+    let all = all.iter().enumerate().map(peak).collect::<Result<Vec<_>, _>>()?;
+    Ok(all.into_iter().filter(|peak| gear.is_none_or(|gear| peak.entry.gear == gear)).collect())
+}
+
+/// Both meshes of a set against an overload. A set that does not roll carries its torque all the same.
+pub(super) fn rated(
+    subject: &Subject<'_>,
+    set: &RatedSet<'_>,
+    peak: &Peak<'_>,
+    life: Time,
+) -> Result<Partly<Overloaded>, Fault> {
+    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let torque = sun_torque(set, &peak.worked).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
+    let loads = both_loads(set, torque, AngularVelocity::from_si(0.0), life).map_err(fault)?;
+    Partly::of_meshes(|place, mesh| {
+        let rating = overload(&set.meshes[place], loads[place].torque, &set.methods[place]).map_err(fault)?;
+        let parts = rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        let both = Side::BOTH.map(|side| Overloaded {
+            gear: peak.entry.gear.clone(),
+            torque_n_m: peak.entry.torque.0.si(),
+            set: set.id.to_owned(),
+            mesh,
+            toothed_gear: mesh.gears()[side as usize],
+            flank_safety: rating.gears[side as usize].contact.as_ref().ok().copied(),
+            root_safety: rating.gears[side as usize].root.as_ref().ok().copied(),
+            required: peak.required,
+        });
+        Ok((both.into(), NotRated::parts(set.id, mesh, parts)))
+    })
+}

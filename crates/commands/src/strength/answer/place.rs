@@ -1,0 +1,110 @@
+//! Where in a gearbox file a fault of its strength is.
+
+use super::records::{MeshName, NotRated, Reason};
+use crate::error::Error;
+use crate::shared::fault::Fault as Refusal;
+use epicyclic_formats::{Document, Path};
+use epicyclic_strength::{self as strength, Quantity};
+
+/// What keeps a set from being rated.
+pub(crate) enum Fault {
+    /// It lacks something; the others are rated.
+    Row(NotRated),
+    /// Something is wrong.
+    Refused(Box<Error>),
+}
+
+impl Fault {
+    /// Of a set at its path.
+    pub(crate) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
+        match NotRated::of_error(set, error) {
+            Some(row) => Self::Row(row),
+            None => Self::Refused(Box::new(located(document, path, error))),
+        }
+    }
+}
+
+/// What a set gives, and what of it is not rated.
+pub(crate) struct Partly<T> {
+    pub(crate) rated: Vec<T>,
+    pub(crate) not_rated: Vec<NotRated>,
+}
+
+impl<T> Partly<T> {
+    /// Both meshes, each by itself: one that cannot be rated leaves the other.
+    ///
+    /// # Errors
+    /// [`Fault::Refused`], and [`Fault::Row`] where nothing is loaded.
+    pub(crate) fn of_meshes(
+        mut mesh: impl FnMut(usize, MeshName) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
+    ) -> Result<Self, Fault> {
+        let mut all = Self { rated: vec![], not_rated: vec![] };
+        for (place, name) in MeshName::BOTH.into_iter().enumerate() {
+            match mesh(place, name) {
+                Ok((rated, not_rated)) => {
+                    all.rated.extend(rated);
+                    all.not_rated.extend(not_rated);
+                }
+                Err(Fault::Row(row)) if row.reason != Reason::NoTorque => {
+                    all.not_rated.push(row.of_mesh(name));
+                }
+                Err(fault) => return Err(fault),
+            }
+        }
+        if let ([], [first, second]) = (&all.rated[..], &all.not_rated[..]) {
+            let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
+            // What keeps both meshes from being rated is of the set.
+            if of_set(first) == of_set(second) {
+                return Err(Fault::Row(of_set(first)));
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// A refusal at the longest part of a path that the file has.
+pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn Refusal) -> Error {
+    let deeper = |path: Path, key: &&str| {
+        let inner = path.clone().key(*key);
+        if document.value_at(&inner).is_some() { inner } else { path }
+    };
+    let place = keys.iter().fold(path.clone(), deeper);
+    document.error(&place, why.problem()).into()
+}
+
+/// What the strength of a set refuses, at the key that it is about.
+pub(crate) fn located(document: &Document, set: &Path, error: &strength::Error) -> Error {
+    use strength::Error as E;
+    let root = Path::root();
+    let (path, keys): (&Path, &[&str]) = match error {
+        E::NotPositive { quantity, .. }
+        | E::Negative { quantity, .. }
+        | E::OutOfRange { quantity, .. }
+        | E::NotAbove { quantity, .. } => match quantity {
+            Quantity::Life => (&root, &["life"]),
+            Quantity::Viscosity => (&root, &["oil", "viscosity"]),
+            Quantity::RequiredSafety => (&root, &["required"]),
+            Quantity::Module => (set, &["module"]),
+            Quantity::FaceWidth => (set, &["face_width"]),
+            Quantity::Planets => (set, &["planets"]),
+            Quantity::FlankRoughness => (set, &["strength", "flank_roughness"]),
+            Quantity::RootRoughness => (set, &["strength", "root_roughness"]),
+            Quantity::ContactRatio | Quantity::TransverseContactRatio => (set, &["profile_shifts"]),
+            Quantity::ShaperTeeth => (set, &["strength", "shaper", "teeth"]),
+            Quantity::ShaperShift => (set, &["strength", "shaper", "shift"]),
+            Quantity::Rim | Quantity::RimOverHeight => (set, &["strength", "planet_rim"]),
+            Quantity::AccuracyGrade => (set, &["strength", "accuracy_grade"]),
+            Quantity::RingRim | Quantity::RimOverModule => (set, &["strength", "ring_rim"]),
+            Quantity::PitchDeviation => (set, &["strength", "accuracy", "pitch_deviations"]),
+            Quantity::ProfileDeviation => (set, &["strength", "accuracy", "profile_deviations"]),
+            Quantity::TipRelief => (set, &["strength", "accuracy", "tip_relief"]),
+            Quantity::BlankFactor => (set, &["strength", "accuracy", "blank_factor"]),
+            Quantity::Bore => (set, &["strength", "accuracy"]),
+            Quantity::LongLifeFactor => (set, &["strength", "long_life_factor"]),
+            _ => (set, &["strength"]),
+        },
+        E::NoRootSection { .. } => (set, &["strength", "shaper"]),
+        _ => (set, &["strength"]),
+    };
+    refused(document, path, keys, error)
+}

@@ -1,0 +1,439 @@
+//! Records of the strength of teeth: meshes, gears, what governs, what is not rated.
+
+pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
+pub use super::names::{Against, MeshName, Place, ToothedGear};
+pub use super::not_rated::{NotRated, Reason};
+pub use super::sharing::{LoadSharing, SharingBasis};
+use crate::answer::Warning;
+use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
+use epicyclic_strength::factor::{Origin, Side};
+use epicyclic_strength::mesh::Load;
+use epicyclic_strength::rating::MeshRating;
+use epicyclic_strength::spectrum::{DutyRating, Worn};
+use epicyclic_strength::{self as strength, factor, rating};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt;
+
+/// Required safeties.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Required {
+    /// Of the flanks.
+    pub flank: f64,
+    /// Of the roots.
+    pub root: f64,
+}
+
+impl Required {
+    /// As a file has them, 1 without.
+    pub(crate) fn of(entry: Option<&RequiredEntry>) -> Self {
+        let of = |required: &RequiredEntry| Self { flank: required.flank.get(), root: required.root.get() };
+        entry.map_or(Self { flank: 1.0, root: 1.0 }, of)
+    }
+
+    pub(crate) fn check(self) -> Result<(), strength::Error> {
+        let quantity = strength::Quantity::RequiredSafety;
+        let wrong = [self.flank, self.root].into_iter().find(|value| !(value.is_finite() && *value > 0.0));
+        wrong.map_or(Ok(()), |value| Err(strength::Error::NotPositive { quantity, value, unit: "" }))
+    }
+
+    const fn at(self, place: Place) -> f64 {
+        match place {
+            Place::Flank => self.flank,
+            Place::Root => self.root,
+        }
+    }
+}
+
+/// A factor of the calculation.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Factor {
+    /// Its symbol as ISO 6336 writes it.
+    pub symbol: String,
+    /// Its value; of `Z_E` in √(N/mm²), else without unit.
+    pub value: f64,
+    /// The document and clause of its formula; `null` where it is given.
+    pub formula: Option<String>,
+}
+
+impl Factor {
+    fn of(factor: factor::Factor) -> Self {
+        let formula = match factor.origin {
+            Origin::Formula(reference) => Some(reference.to_string()),
+            Origin::Given => None,
+        };
+        Self { symbol: factor.symbol.to_string(), value: factor.value, formula }
+    }
+}
+
+/// A gear of a mesh at an operating point.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Rated {
+    /// The selected gear.
+    pub gear: String,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Its material.
+    pub material: String,
+    /// Torque of one mesh on the mesh's first gear, without sign.
+    pub mesh_torque_n_m: f64,
+    /// Speed of the mesh's first gear relative to the carrier, without sign.
+    pub mesh_speed_rad_s: f64,
+    /// Tangential force of one mesh at the reference circle, `F_t`.
+    pub tangential_force_n: f64,
+    /// Load cycles in the required life, `N_L`.
+    pub cycles: f64,
+    /// Contact stress `σ_H`; `null` of a flank in `not_rated`.
+    pub contact_stress_pa: Option<f64>,
+    /// Its limit `σ_HG`; `null` of a flank in `not_rated`.
+    pub contact_limit_pa: Option<f64>,
+    /// Safety of the flank, `S_H`; `null` of a flank in `not_rated`.
+    pub flank_safety: Option<f64>,
+    /// Root stress `σ_F`; `null` of a root in `not_rated`.
+    pub root_stress_pa: Option<f64>,
+    /// Its limit `σ_FG`; `null` of a root in `not_rated`.
+    pub root_limit_pa: Option<f64>,
+    /// Safety of the root, `S_F`; `null` of a root in `not_rated`.
+    pub root_safety: Option<f64>,
+    /// All factors in the order of the calculation, if they are wanted.
+    pub factors: Vec<Factor>,
+}
+
+/// A mesh at an operating point.
+pub(crate) struct MeshAtPoint {
+    pub(crate) name: MeshName,
+    /// Materials of its gears.
+    pub(crate) materials: [String; 2],
+    pub(crate) load: Load,
+    pub(crate) rating: Box<MeshRating>,
+}
+
+impl MeshAtPoint {
+    /// Both of its gears, in a selected gear.
+    pub(crate) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
+        let of = |side: Side| {
+            let own: &rating::GearRating = &self.rating.gears[side as usize];
+            let (flank, root) = (own.contact.as_ref().ok(), own.root.as_ref().ok());
+            let factors =
+                if with_factors { self.rating.chain(side).map(Factor::of).collect() } else { vec![] };
+            Rated {
+                gear: gear.to_owned(),
+                set: set.to_owned(),
+                mesh: self.name,
+                toothed_gear: self.name.gears()[side as usize],
+                material: self.materials[side as usize].clone(),
+                mesh_torque_n_m: self.load.torque.si(),
+                mesh_speed_rad_s: self.load.speed.si(),
+                tangential_force_n: self.rating.tangential_force.si(),
+                cycles: own.cycles,
+                contact_stress_pa: flank.map(|flank| flank.stress.si()),
+                contact_limit_pa: flank.map(|flank| flank.limit.si()),
+                flank_safety: flank.map(|flank| flank.safety),
+                root_stress_pa: root.map(|root| root.stress.si()),
+                root_limit_pa: root.map(|root| root.limit.si()),
+                root_safety: root.map(|root| root.safety),
+                factors,
+            }
+        };
+        Side::BOTH.map(of)
+    }
+
+    /// Flanks and roots that are not rated, of a set.
+    pub(crate) fn not_rated(&self, set: &str) -> Vec<NotRated> {
+        let parts = self
+            .rating
+            .gears
+            .each_ref()
+            .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
+        NotRated::parts(set, self.name, parts)
+    }
+}
+
+/// A step of the duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DutyStep {
+    /// The selected gear.
+    pub gear: String,
+    /// Share of the time.
+    pub share: f64,
+    /// Torque on the input.
+    pub torque_n_m: f64,
+    /// Speed of the input.
+    pub speed_rad_s: f64,
+}
+
+impl DutyStep {
+    pub(super) fn of(entry: &DutyEntry) -> Self {
+        Self {
+            gear: entry.gear.clone(),
+            share: entry.share.0.si(),
+            torque_n_m: entry.torque.0.si(),
+            speed_rad_s: entry.speed.0.si(),
+        }
+    }
+}
+
+/// A factor of the calculation over the steps of a duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FactorOverDuty {
+    /// Its symbol as ISO 6336 writes it.
+    pub symbol: String,
+    /// Its least value; of `Z_E` in √(N/mm²), else without unit.
+    pub least: f64,
+    /// Its greatest value.
+    pub greatest: f64,
+    /// The document and clause of its formula; `null` where it is given.
+    pub formula: Option<String>,
+}
+
+/// Factors that are of one number of cycles.
+const fn is_of_life(symbol: factor::Symbol) -> bool {
+    matches!(symbol, factor::Symbol::LifeContact | factor::Symbol::LifeRoot)
+}
+
+impl FactorOverDuty {
+    /// The chains of all steps as one.
+    fn of(steps: &[MeshRating], side: Side) -> Vec<Self> {
+        let mut all: Vec<Self> = vec![];
+        for (place, step) in steps.iter().enumerate() {
+            let chain = step.chain(side).filter(|factor| !is_of_life(factor.symbol)).map(Factor::of);
+            if place == 0 {
+                all.extend(chain.map(|Factor { symbol, value, formula }| Self {
+                    symbol,
+                    least: value,
+                    greatest: value,
+                    formula,
+                }));
+            } else {
+                for Factor { symbol, value, formula } in chain {
+                    match all.iter_mut().find(|one| one.symbol == symbol) {
+                        Some(one) => {
+                            one.least = one.least.min(value);
+                            one.greatest = one.greatest.max(value);
+                        }
+                        // In the steps before, this flank or root was not rated.
+                        None => all.push(Self { symbol, least: value, greatest: value, formula }),
+                    }
+                }
+            }
+        }
+        all
+    }
+}
+
+/// What a duty does to a flank or root.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Wear {
+    /// Damage in the required life, 1 at its end; `null` where a stress is above the static limit.
+    pub damage: Option<f64>,
+    /// Factor of all stresses with which the damage is 1.
+    pub safety: f64,
+    /// Life; `null` where nothing does damage.
+    pub life_s: Option<f64>,
+}
+
+impl Wear {
+    pub(crate) fn of(worn: &Worn) -> Self {
+        let damage = Some(worn.damage).filter(|damage| damage.is_finite());
+        Self { damage, safety: worn.safety, life_s: worn.life.map(Physical::si) }
+    }
+}
+
+/// A gear of a mesh over the duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OverDuty {
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Its material.
+    pub material: String,
+    /// Its flank; `null` of one in `not_rated`.
+    pub flank: Option<Wear>,
+    /// Its root; `null` of one in `not_rated`.
+    pub root: Option<Wear>,
+    /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value of, if they are wanted.
+    pub factors: Vec<FactorOverDuty>,
+}
+
+impl OverDuty {
+    /// Both gears of a mesh with their materials, and the ratings of the steps whose factors are wanted.
+    pub(crate) fn both(
+        set: &str,
+        mesh: MeshName,
+        materials: &[String],
+        rating: &DutyRating,
+        steps: &[MeshRating],
+    ) -> [Self; 2] {
+        Side::BOTH.map(|side| {
+            let own = &rating.gears[side as usize];
+            Self {
+                set: set.to_owned(),
+                mesh,
+                toothed_gear: mesh.gears()[side as usize],
+                material: materials[side as usize].clone(),
+                flank: own.contact.as_ref().ok().map(Wear::of),
+                root: own.root.as_ref().ok().map(Wear::of),
+                factors: FactorOverDuty::of(steps, side),
+            }
+        })
+    }
+}
+
+/// A gear of a mesh against an overload: statically, with `K_A` and `K_v` of 1.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Overloaded {
+    /// The selected gear.
+    pub gear: String,
+    /// Torque on the input.
+    pub torque_n_m: f64,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Static safety of the flank, `S_H`; `null` of one in `not_rated`.
+    pub flank_safety: Option<f64>,
+    /// Static safety of the root, `S_F`; `null` of one in `not_rated`.
+    pub root_safety: Option<f64>,
+    /// What is required against this overload.
+    pub required: Required,
+}
+
+/// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load factors.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AxialForce {
+    /// The set.
+    pub set: String,
+    /// The selected gear.
+    pub gear: String,
+    /// The step of the duty, from 1; `null` at an operating point.
+    pub step: Option<u32>,
+    /// Axial force of one mesh `F_a`, on the planet in both meshes against each other.
+    pub axial_force_n: f64,
+    /// Moment by which both tilt a planet, which no rating of its bearing has.
+    pub tilting_moment_n_m: f64,
+}
+
+/// All safeties.
+#[derive(Debug, Default)]
+pub(super) struct Safeties {
+    pub(super) at_point: Vec<Rated>,
+    pub(super) over_duty: Vec<OverDuty>,
+    pub(super) overload: Vec<Overloaded>,
+}
+
+/// A safety, and what is required of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Governing {
+    /// What it is against.
+    pub against: Against,
+    /// The selected gear; `null` over a duty.
+    pub gear: Option<String>,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Flank or root.
+    pub place: Place,
+    /// The safety.
+    pub safety: f64,
+    /// What is required.
+    pub required: f64,
+}
+
+impl Governing {
+    /// Of a gear: flank and root, as far as they are rated.
+    fn both(
+        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, MeshName, ToothedGear),
+        safeties: [Option<f64>; 2],
+        required: Required,
+    ) -> impl Iterator<Item = Self> + use<> {
+        let (gear, set) = (gear.cloned(), set.clone());
+        [Place::Flank, Place::Root].into_iter().zip(safeties).filter_map(move |(place, safety)| {
+            Some(Self {
+                against,
+                gear: gear.clone(),
+                set: set.clone(),
+                mesh,
+                toothed_gear,
+                place,
+                safety: safety?,
+                required: required.at(place),
+            })
+        })
+    }
+}
+
+impl Safeties {
+    /// Flank and root of each gear that are rated.
+    fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
+        let points = self.at_point.iter().flat_map(move |one| {
+            let of = (Against::OperatingPoint, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [one.flank_safety, one.root_safety], required)
+        });
+        let duties = self.over_duty.iter().flat_map(move |one| {
+            let safety = |wear: &Option<Wear>| wear.as_ref().map(|wear| wear.safety);
+            let of = (Against::Duty, None, &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [safety(&one.flank), safety(&one.root)], required)
+        });
+        let overloads = self.overload.iter().flat_map(|one| {
+            let of = (Against::Overload, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            Governing::both(of, [one.flank_safety, one.root_safety], one.required)
+        });
+        points.chain(duties).chain(overloads)
+    }
+
+    /// The safety that is least over what is required of it; of equal ones the first.
+    pub(crate) fn governing(&self, required: Required) -> Option<Governing> {
+        let over = |one: &Governing| one.safety / one.required;
+        self.all(required).reduce(|least, one| if over(&one) < over(&least) { one } else { least })
+    }
+
+    /// What is below its required safety.
+    pub(crate) fn below(&self, required: Required) -> Vec<Warning> {
+        self.all(required)
+            .filter(|one| one.safety < one.required)
+            .map(|one| Warning {
+                name: "low-safety",
+                message: format!("{one} is below the {} required", one.required),
+            })
+            .collect()
+    }
+}
+
+impl fmt::Display for Governing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let symbol = match self.place {
+            Place::Flank => "S_H",
+            Place::Root => "S_F",
+        };
+        let Self { set, mesh, toothed_gear, place, safety, .. } = self;
+        write!(f, "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {mesh}")?;
+        match (self.against, &self.gear) {
+            (Against::Overload, Some(gear)) => write!(f, ", gear {gear}, against the overload)"),
+            (_, Some(gear)) => write!(f, ", gear {gear})"),
+            (_, None) => f.write_str(", over the duty)"),
+        }
+    }
+}

@@ -1,0 +1,531 @@
+//! The strength of teeth as tables.
+
+mod compact;
+mod planets;
+mod words;
+
+use crate::shared::tooth_checks::table as tooth_checks;
+use crate::strength::answer::Strength;
+use crate::strength::answer::records::{
+    DutyStep, Factor, FactorOverDuty, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated,
+    SharingBasis, ToothedGear, Wear,
+};
+use crate::table::figure::{Figure, text};
+use crate::table::quantities::{optional, quantity};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::units::hours;
+use epicyclic_units::Dimension;
+use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
+use words::{OF_STEPS, extent, from};
+
+/// Load cycles are shown in millions.
+const MILLION: f64 = 1e6;
+
+impl AsReport for Strength {
+    fn report(&self) -> Report {
+        let mut parts = vec![Part::Facts(self.facts())];
+        parts.extend(tables(self));
+        parts.extend(self.at_point.chunks(2).filter_map(at_point_factors).map(Part::Records));
+        parts.extend(self.over_duty.chunks(2).filter_map(over_duty_factors).map(Part::Records));
+        if !self.not_rated.is_empty() {
+            parts.push(Part::Records(not_rated(&self.not_rated)));
+        }
+        if tooth_checks::has_any(&self.tooth_checks) {
+            parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
+        }
+        let title = Some(match &self.governing {
+            Some(governing) if self.not_rated.iter().any(|one| one.mesh.is_some()) => {
+                format!("{}: of what could be rated {governing} governs.", self.gearbox)
+            }
+            Some(governing) => format!("{}: {governing} governs.", self.gearbox),
+            None => format!("{}: no teeth are rated, but planet bearings.", self.gearbox),
+        });
+        Report { title, parts, warnings: warned(&self.warnings) }
+    }
+}
+
+/// The duty and the safeties.
+fn tables(strength: &Strength) -> Vec<Part> {
+    let mut parts = vec![];
+    if !strength.duty.is_empty() {
+        parts.push(Part::Records(duty(&strength.duty)));
+    }
+    if !strength.at_point.is_empty() {
+        parts.push(Part::Records(at_point(&strength.at_point)));
+    }
+    if !strength.over_duty.is_empty() {
+        parts.push(Part::Records(over_duty(strength.over_duty.iter().map(Worn::from))));
+    }
+    if !strength.overload.is_empty() {
+        parts.push(Part::Records(overload(&strength.overload)));
+    }
+    if !strength.load_sharing.is_empty() {
+        parts.push(Part::Records(load_sharing(&strength.load_sharing)));
+    }
+    if !strength.axial_forces.is_empty() {
+        parts.push(Part::Records(axial_forces(&strength.axial_forces)));
+    }
+    if !strength.bearings.is_empty() {
+        parts.push(Part::Records(bearings(&strength.bearings)));
+        parts.extend(bearings_missing(&strength.bearings).map(Part::Records));
+        if strength.bearings.iter().any(|bearing| bearing.modified.is_some()) {
+            parts.push(Part::Records(bearing_steps(&strength.bearings)));
+        }
+    }
+    parts
+}
+
+/// The same as parts of a page: with all factors of a set in one table, at an operating point those of the gear in which a safety of it is least over what is
+/// required.
+pub(crate) fn for_page(strength: &Strength) -> Report {
+    let mut parts = vec![Part::Facts(strength.facts())];
+    parts.extend(tables(strength));
+    if !strength.not_rated.is_empty() {
+        parts.push(Part::Records(not_rated(&strength.not_rated)));
+    }
+    parts.extend(compact::factors(strength).into_iter().map(Part::Records));
+    Report { title: None, parts, warnings: warned(&strength.warnings) }
+}
+
+/// The facts of an answer that all its tables share.
+trait Facts {
+    fn facts(&self) -> Section;
+}
+
+impl Facts for Strength {
+    fn facts(&self) -> Section {
+        let mut rows = vec![Row::new("edition", "edition, method B", "", [text(&self.edition)])];
+        if let Some(at) = &self.operating_point {
+            rows.push(Row::new(
+                "torque",
+                "torque on the input",
+                "T",
+                [optional(Dimension::Torque, at.torque_n_m)],
+            ));
+            rows.push(Row::new(
+                "power",
+                "power into the input",
+                "P",
+                [optional(Dimension::Power, at.power_w)],
+            ));
+            rows.push(Row::new(
+                "speed",
+                "speed of the input",
+                "n",
+                [optional(Dimension::AngularSpeed, at.speed_rad_s)],
+            ));
+            // Of torque and power one is given.
+            rows.retain(|row| !matches!(row.cells[..], [Figure::Without(_)]));
+        }
+        rows.push(Row::new("life", "required life", "L", [quantity(Dimension::Time, self.life_s)]));
+        rows.push(Row::new(
+            "oil_viscosity",
+            "viscosity of the oil",
+            "ν_40",
+            [quantity(Dimension::Viscosity, self.oil_viscosity_m2_s)],
+        ));
+        rows.push(Row::new(
+            "required_flank",
+            "required safety, flank",
+            "",
+            [Figure::Number(self.required.flank)],
+        ));
+        rows.push(Row::new(
+            "required_root",
+            "required safety, root",
+            "",
+            [Figure::Number(self.required.root)],
+        ));
+        Section { name: "load", title: "Load and requirements", columns: &[], rows, note: "" }
+    }
+}
+
+fn column(si: f64, dimension: Dimension) -> Figure {
+    Figure::Column { si, dimension }
+}
+
+fn safety(value: Option<f64>) -> Figure {
+    value.map_or(Figure::None, |value| Figure::Printed(value, 3))
+}
+
+fn duty(all: &[DutyStep]) -> Records {
+    let row = |one: &DutyStep| {
+        vec![
+            text(&one.gear),
+            Figure::Share(one.share),
+            column(one.torque_n_m, Dimension::Torque),
+            column(one.speed_rad_s, Dimension::AngularSpeed),
+        ]
+    };
+    Records {
+        name: "duty",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("share", "share of time"),
+            Column::headed("torque", "T, N·m", Dimension::Torque),
+            Column::headed("speed", "n, rpm", Dimension::AngularSpeed),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View::new(
+            "Duty: torque on the input and its speed",
+            &["gear", "share", "torque", "speed"],
+        )],
+        is_answer: false,
+    }
+}
+
+fn at_point(all: &[Rated]) -> Records {
+    let stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
+    let row = |one: &Rated| {
+        vec![
+            text(&one.gear),
+            text(&one.set),
+            text(one.mesh.to_string()),
+            text(one.toothed_gear.to_string()),
+            text(&one.material),
+            safety(one.flank_safety),
+            safety(one.root_safety),
+            stress(one.contact_stress_pa),
+            stress(one.contact_limit_pa),
+            stress(one.root_stress_pa),
+            stress(one.root_limit_pa),
+            column(one.tangential_force_n, Dimension::Force),
+            column(one.mesh_torque_n_m, Dimension::Torque),
+            column(one.mesh_speed_rad_s, Dimension::AngularSpeed),
+            Figure::Number(one.cycles),
+            Figure::Number(one.cycles / MILLION),
+        ]
+    };
+    Records {
+        name: "at_point",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::words("material", "material"),
+            Column::number("flank_safety", "S_H"),
+            Column::number("root_safety", "S_F"),
+            Column::headed("contact_stress", "σ_H", Dimension::Pressure),
+            Column::headed("contact_limit", "σ_HG", Dimension::Pressure),
+            Column::headed("root_stress", "σ_F", Dimension::Pressure),
+            Column::headed("root_limit", "σ_FG", Dimension::Pressure),
+            Column::headed("tangential_force", "F_t, N", Dimension::Force),
+            Column::headed("mesh_torque", "T, N·m", Dimension::Torque),
+            Column::headed("mesh_speed", "n, rpm", Dimension::AngularSpeed),
+            Column::number("cycles", "N_L"),
+            Column::number("million_cycles", "N_L, 10⁶").for_people(),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![
+            View::new(
+                "Safeties of flanks and roots, stresses and limits in MPa",
+                &[
+                    "gear",
+                    "set",
+                    "mesh",
+                    "toothed_gear",
+                    "flank_safety",
+                    "root_safety",
+                    "contact_stress",
+                    "contact_limit",
+                    "root_stress",
+                    "root_limit",
+                ],
+            ),
+            View {
+                note: "F_t: of one mesh, without losses. n: of its first gear relative to the carrier."
+                    .to_owned(),
+                ..View::new(
+                    "Materials and loads",
+                    &[
+                        "gear",
+                        "set",
+                        "mesh",
+                        "toothed_gear",
+                        "material",
+                        "tangential_force",
+                        "mesh_speed",
+                        "million_cycles",
+                    ],
+                )
+            },
+        ],
+        is_answer: false,
+    }
+}
+
+/// A row for each factor of two gears, and two where they have it by different formulas or only one of them has it: of the factor that names it,
+/// and of the values that stand in it.
+fn by_formula<'a, F>(
+    [first, second]: [&'a [F]; 2],
+    symbol: impl Fn(&F) -> &str,
+    formula: impl Fn(&F) -> &Option<String>,
+    row: impl Fn(&'a F, [Option<&'a F>; 2]) -> Vec<Figure>,
+) -> Vec<Vec<Figure>> {
+    let mut rows = vec![];
+    let mut rest = second;
+    for one in first {
+        // What the second has alone stands where it stands there.
+        if let Some(place) = rest.iter().position(|other| symbol(other) == symbol(one)) {
+            rows.extend(rest[..place].iter().map(|other| row(other, [None, Some(other)])));
+            let other = &rest[place];
+            rest = &rest[place + 1..];
+            if formula(one) == formula(other) {
+                rows.push(row(one, [Some(one), Some(other)]));
+            } else {
+                rows.extend([row(one, [Some(one), None]), row(other, [None, Some(other)])]);
+            }
+        } else {
+            rows.push(row(one, [Some(one), None]));
+        }
+    }
+    rows.extend(rest.iter().map(|other| row(other, [None, Some(other)])));
+    rows
+}
+
+/// The factors of a mesh over the duty, those of its gears side by side; none where none are told.
+fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
+    let [first, second] = both else { return None };
+    if first.factors.is_empty() {
+        return None;
+    }
+    let row = |one: &FactorOverDuty, values: [Option<&FactorOverDuty>; 2]| {
+        let names = [text(&first.set), text(first.mesh.to_string()), text(&one.symbol)];
+        let shown = values.map(|value| value.map_or(Figure::None, |value| text(extent(value))));
+        let least = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.least)));
+        let most = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.greatest)));
+        let from = [from(one.formula.as_deref())];
+        names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
+    };
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+    let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
+    Some(Records {
+        name: "factors",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("symbol", "factor"),
+            Column::number("first", one).for_people(),
+            Column::number("second", other).for_people(),
+            Column::number("first_least", "least"),
+            Column::number("second_least", "least"),
+            Column::number("first_greatest", "greatest"),
+            Column::number("second_greatest", "greatest"),
+            Column::words("formula", "from"),
+        ],
+        rows,
+        views: vec![View {
+            note: OF_STEPS.to_owned(),
+            ..View::new(
+                format!("Factors over the duty: set {}, mesh {}", first.set, first.mesh),
+                &["symbol", "first", "second", "formula"],
+            )
+        }],
+        is_answer: false,
+    })
+}
+
+/// The factors of a mesh, those of its gears side by side; none where none are told.
+fn at_point_factors(both: &[Rated]) -> Option<Records> {
+    let [first, second] = both else { return None };
+    if first.factors.is_empty() {
+        return None;
+    }
+    let row = |one: &Factor, values: [Option<&Factor>; 2]| {
+        let names = [&first.gear, &first.set].map(text);
+        let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
+        let values = values.map(|value| value.map_or(Figure::None, |value| Figure::Printed(value.value, 4)));
+        names.into_iter().chain(mesh).chain(values).chain([from(one.formula.as_deref())]).collect::<Vec<_>>()
+    };
+    let rows =
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+    let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
+    let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
+    Some(Records {
+        name: "factors",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("symbol", "factor"),
+            Column::number("first", one),
+            Column::number("second", other),
+            Column::words("formula", "from"),
+        ],
+        rows,
+        views: vec![View::new(title, &["symbol", "first", "second", "formula"])],
+        is_answer: false,
+    })
+}
+
+/// A gear of a mesh over a duty, as it stands in a table.
+pub(crate) struct Worn<'a> {
+    pub(crate) set: &'a str,
+    pub(crate) mesh: MeshName,
+    pub(crate) toothed_gear: ToothedGear,
+    pub(crate) material: &'a str,
+    pub(crate) flank: Option<&'a Wear>,
+    pub(crate) root: Option<&'a Wear>,
+}
+
+impl<'a> From<&'a OverDuty> for Worn<'a> {
+    fn from(one: &'a OverDuty) -> Self {
+        let OverDuty { set, mesh, toothed_gear, material, flank, root, .. } = one;
+        let [flank, root] = [flank, root].map(Option::as_ref);
+        Self { set, mesh: *mesh, toothed_gear: *toothed_gear, material, flank, root }
+    }
+}
+
+pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records {
+    let wear = |wear: Option<&Wear>| {
+        let Some(wear) = wear else { return [Figure::None, Figure::None, Figure::None, Figure::None] };
+        let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
+        let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));
+        [safety(Some(wear.safety)), damage, optional(Dimension::Time, wear.life_s), shown]
+    };
+    let row = |one: Worn<'_>| {
+        let names = [text(one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
+        let wear = wear(one.flank).into_iter().chain(wear(one.root));
+        names.into_iter().chain(wear).chain([text(one.material)]).collect::<Vec<_>>()
+    };
+    Records {
+        name: "over_duty",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::number("flank_safety", "S_H"),
+            Column::number("flank_damage", "damage"),
+            Column::quantity("flank_life", Dimension::Time),
+            Column::number("flank_hours", "hours").for_people(),
+            Column::number("root_safety", "S_F"),
+            Column::number("root_damage", "damage"),
+            Column::quantity("root_life", Dimension::Time),
+            Column::number("root_hours", "hours").for_people(),
+            Column::words("material", "material"),
+        ],
+        rows: all.into_iter().map(row).collect(),
+        views: vec![View {
+            note: "Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage."
+                .to_owned(),
+            ..View::new(
+                "Over the duty: flanks, then roots",
+                &[
+                    "set",
+                    "mesh",
+                    "toothed_gear",
+                    "flank_safety",
+                    "flank_damage",
+                    "flank_hours",
+                    "root_safety",
+                    "root_damage",
+                    "root_hours",
+                ],
+            )
+        }, View::new("Materials", &["set", "mesh", "toothed_gear", "material"])],
+        is_answer: false,
+    }
+}
+
+fn overload(all: &[Overloaded]) -> Records {
+    let row = |one: &Overloaded| {
+        vec![
+            text(&one.gear),
+            column(one.torque_n_m, Dimension::Torque),
+            text(&one.set),
+            text(one.mesh.to_string()),
+            text(one.toothed_gear.to_string()),
+            safety(one.flank_safety),
+            Figure::Number(one.required.flank),
+            safety(one.root_safety),
+            Figure::Number(one.required.root),
+        ]
+    };
+    let columns = vec![
+        Column::words("gear", "gear"),
+        Column::headed("torque", "T, N·m", Dimension::Torque),
+        Column::words("set", "set"),
+        Column::words("mesh", "mesh"),
+        Column::words("toothed_gear", "of"),
+        Column::number("flank_safety", "S_H"),
+        Column::number("required_flank", "required"),
+        Column::number("root_safety", "S_F"),
+        Column::number("required_root", "required"),
+    ];
+    let shown: Vec<&'static str> = columns.iter().map(|column| column.name).collect();
+    Records {
+        name: "overload",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Static safeties, K_A and K_v being 1. T: on the input.".to_owned(),
+            ..View::new("Against the overload", &shown)
+        }],
+        is_answer: false,
+    }
+}
+
+/// How planets share the load where the file does not give it.
+fn load_sharing(all: &[LoadSharing]) -> Records {
+    let row = |one: &LoadSharing| {
+        let words = match one.basis {
+            SharingBasis::Floating => "a member floats",
+            SharingBasis::Rigid => "no member floats",
+            SharingBasis::Assumed => "a floating member is assumed",
+        };
+        let basis = Figure::choice(one.basis, words);
+        vec![text(&one.set), Figure::Count(one.planets), Figure::Printed(one.mesh_load_factor, 3), basis]
+    };
+    Records {
+        name: "load_sharing",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::number("planets", "planets"),
+            Column::number("mesh_load_factor", "K_γ"),
+            Column::words("basis", "since"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself."
+                .to_owned(),
+            ..View::new("Load sharing of the planets", &["set", "planets", "mesh_load_factor", "basis"])
+        }],
+        is_answer: false,
+    }
+}
+
+fn not_rated(all: &[NotRated]) -> Records {
+    let row = |one: &NotRated| {
+        let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
+        let words = |word: Option<String>| word.map_or(Figure::None, text);
+        vec![
+            text(&one.set),
+            gears,
+            words(one.mesh.map(|mesh| mesh.to_string())),
+            words(one.toothed_gear.map(|gear| gear.to_string())),
+            words(one.place.map(|place| place.to_string())),
+            text(one.why()),
+        ]
+    };
+    let part = ["mesh", "toothed_gear", "place"];
+    let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
+    let shown: Vec<&'static str> =
+        ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
+    Records {
+        name: "not_rated",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gears", "gears"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::words("place", "part"),
+            Column::words("reason", "why"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View::new("Not rated", &shown)],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,16 @@
+//! Tables for people and CSV, made from answers.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
+//! | [`figure`] | a value in it |
+//! | [`text`] | tables of plain text, CSV |
+//! | [`quantities`] | figures of the SI numbers in a record |
+//!
+//! Nothing is calculated here: a figure that an answer lacks cannot be shown.
+
+pub mod figure;
+pub mod quantities;
+pub mod report;
+pub mod text;
+pub(crate) mod units;

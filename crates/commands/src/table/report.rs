@@ -1,0 +1,548 @@
+//! An answer of several parts as tables, as CSV, and as part of a page.
+//!
+//! Tables and CSV show figures in the units of drawings. CSV is written
+//! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
+//! with the units in its header.
+
+pub(crate) mod html;
+
+use crate::answer::Warning;
+use crate::table::figure::{self, Figure, suffix};
+use crate::table::text::{self, Error};
+use epicyclic_units::Dimension;
+use epicyclic_units::visible::one_line;
+use std::borrow::Cow;
+use std::io;
+
+/// An answer that people can read.
+pub trait AsReport {
+    /// Its parts: figures, lists, words, warnings.
+    fn report(&self) -> Report;
+}
+
+/// An answer: its parts, then warnings.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// What the answer is about.
+    pub title: Option<String>,
+    /// In the order in which they are shown.
+    pub parts: Vec<Part>,
+    /// None at all where the command has no warnings to give.
+    pub warnings: Option<Vec<(&'static str, String)>>,
+}
+
+/// A part of an answer.
+#[derive(Debug)]
+pub enum Part {
+    /// Figures, each of its own kind.
+    Facts(Section),
+    /// Like things with like figures.
+    Records(Records),
+    /// A text of paragraphs, a list or a table, for people only.
+    Text(Text),
+}
+
+/// A text with or without a heading.
+#[derive(Debug, Default)]
+pub struct Text {
+    /// Its heading.
+    pub heading: Option<String>,
+    /// Sentences that belong together.
+    pub paragraphs: Vec<String>,
+    /// Lines that stand as they are, after the paragraphs; one that is too long goes on further in.
+    pub lines: Vec<String>,
+    /// Points of a list, after the lines.
+    pub points: Vec<String>,
+    /// A table of words or marks, after the points: its header, then its rows.
+    pub table: Vec<Vec<String>>,
+}
+
+impl Text {
+    /// One paragraph.
+    pub fn paragraph(paragraph: impl Into<String>) -> Self {
+        Self { paragraphs: vec![paragraph.into()], ..Self::default() }
+    }
+
+    /// A list below a heading.
+    pub fn list(heading: impl Into<String>, points: Vec<String>) -> Self {
+        Self { heading: Some(heading.into()), points, ..Self::default() }
+    }
+
+    fn text(&self, width: usize) -> String {
+        let mut text = String::new();
+        if let Some(heading) = &self.heading {
+            text += &unmarked(&one_line(heading), width);
+        }
+        for paragraph in &self.paragraphs {
+            text += &unmarked(&one_line(paragraph), width);
+        }
+        for line in &self.lines {
+            text += &continued(&one_line(line), width);
+        }
+        for point in &self.points {
+            text += &wrapped(" -", &one_line(point), width);
+        }
+        if let Some((header, rows)) = self.table.split_first() {
+            let header: Vec<&str> = header.iter().map(String::as_str).collect();
+            text += &text::table(&header, rows.iter().cloned(), &[], width);
+        }
+        text
+    }
+}
+
+/// Figures that belong together.
+#[derive(Debug)]
+pub struct Section {
+    /// Its key.
+    pub name: &'static str,
+    /// Its heading.
+    pub title: &'static str,
+    /// Key and heading of each column; none where every figure stands alone.
+    pub columns: &'static [(&'static str, &'static str)],
+    /// What it says.
+    pub rows: Vec<Row>,
+    /// A note below the table; empty for none.
+    pub note: &'static str,
+}
+
+/// A figure, or one for each column.
+#[derive(Debug)]
+pub struct Row {
+    /// Its key without unit.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// One, or one for each column.
+    pub cells: Vec<Figure>,
+    /// A remark, in the table only.
+    pub remark: String,
+}
+
+impl Row {
+    /// Without a remark.
+    pub fn new(
+        name: &'static str,
+        label: &'static str,
+        symbol: &'static str,
+        cells: impl Into<Vec<Figure>>,
+    ) -> Self {
+        Self { name, label, symbol, cells: cells.into(), remark: String::new() }
+    }
+}
+
+/// Like things, each with one figure a column; the first names it.
+#[derive(Debug)]
+pub struct Records {
+    /// The key of the list.
+    pub name: &'static str,
+    /// What each of its figures says.
+    pub columns: Vec<Column>,
+    /// The things, with a figure for each column.
+    pub rows: Vec<Vec<Figure>>,
+    /// The tables it is shown as.
+    pub views: Vec<View>,
+    /// Whether this list is the answer: CSV then has one line for each of its things.
+    pub is_answer: bool,
+}
+
+/// What one column says.
+#[derive(Debug)]
+pub struct Column {
+    /// Its key without unit. Like columns of several things, such as the shift elements, have one name.
+    pub name: &'static str,
+    /// Of which of several things it is: before its key.
+    pub of: Option<String>,
+    /// Its heading in tables.
+    pub heading: String,
+    /// What it measures.
+    pub dimension: Option<Dimension>,
+    /// Whether it holds numbers, which stand to the right.
+    pub is_number: bool,
+    /// Whether it only says for people what other columns say for programs: CSV leaves it out.
+    pub is_for_people: bool,
+}
+
+/// A title behind the first warning of its answer, which is the gravest.
+pub(crate) fn headline(title: String, warnings: &[Warning]) -> String {
+    match warnings.first() {
+        Some(Warning { message, .. }) => format!("Warning: {message}. {title}"),
+        None => title,
+    }
+}
+
+/// Warnings of an answer as a report has them.
+pub(crate) fn warned(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
+    Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
+        Self {
+            name,
+            of: None,
+            heading: heading.into(),
+            dimension: None,
+            is_number: false,
+            is_for_people: false,
+        }
+    }
+
+    /// A column of plain numbers.
+    pub fn number(name: &'static str, heading: impl Into<String>) -> Self {
+        Self { is_number: true, ..Self::words(name, heading) }
+    }
+
+    /// The same column for people alone.
+    #[must_use]
+    pub fn for_people(self) -> Self {
+        Self { is_for_people: true, ..self }
+    }
+
+    /// A column of quantities, headed by their unit.
+    #[must_use]
+    pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
+        let heading = dimension.usual_unit().symbol;
+        Self { dimension: Some(dimension), ..Self::number(name, heading) }
+    }
+
+    /// A column of quantities with a heading of its own.
+    pub fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Self {
+        Self { heading: heading.into(), ..Self::quantity(name, dimension) }
+    }
+
+    /// The same column of one of several things, which heads it.
+    #[must_use]
+    pub fn of(self, thing: impl Into<String>) -> Self {
+        let thing = thing.into();
+        Self { heading: thing.clone(), of: Some(thing), ..self }
+    }
+
+    fn full_name(&self) -> String {
+        self.of.iter().map(|of| format!("{of}_")).chain([self.name.to_owned()]).collect()
+    }
+
+    fn key(&self) -> String {
+        format!("{}{}", self.full_name(), self.dimension.map_or("", |dimension| suffix(dimension)))
+    }
+}
+
+/// Some columns of a list as a table.
+#[derive(Debug)]
+pub struct View {
+    /// Its heading.
+    pub title: String,
+    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed over.
+    pub columns: Vec<&'static str>,
+    /// A note below the table; empty for none.
+    pub note: String,
+}
+
+impl View {
+    /// Without a note.
+    pub fn new(title: impl Into<String>, columns: &[&'static str]) -> Self {
+        Self { title: title.into(), columns: columns.to_vec(), note: String::new() }
+    }
+}
+
+impl Report {
+    /// No `inf` or `NaN` leaves the program, however the answer is written.
+    pub fn refuse_infinite(&self) -> Result<(), Error> {
+        let refuse = |figure: String| Err(Error::NotFinite { figure });
+        for part in &self.parts {
+            match part {
+                Part::Facts(section) => {
+                    let found = section.rows.iter().find(|row| !row.cells.iter().all(Figure::is_finite));
+                    if let Some(row) = found {
+                        return refuse(format!("{}.{}", section.name, row.name));
+                    }
+                }
+                Part::Records(records) => {
+                    for (column, place) in records.columns.iter().zip(0..) {
+                        if let Some(row) = records.rows.iter().find(|row| !row[place].is_finite()) {
+                            let item = row[0].csv().0;
+                            return refuse(format!("{}.{} of {item}", records.name, column.name));
+                        }
+                    }
+                }
+                Part::Text(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// As tables for people, in lines of so many columns.
+    #[must_use]
+    pub fn table(&self, width: usize) -> String {
+        let title = self.title.as_ref().map(|title| unmarked(&one_line(title), width));
+        let parts = self.parts.iter().flat_map(|part| part.tables(width));
+        let text = title.into_iter().chain(parts).collect::<Vec<_>>().join("\n");
+        let Some(warnings) = &self.warnings else { return text };
+        let heading = match warnings.len() {
+            0 => "No warnings.\n",
+            1 => "Warning\n",
+            _ => "Warnings\n",
+        };
+        let warnings: String =
+            warnings.iter().map(|(_, warning)| wrapped(" -", &one_line(warning), width)).collect();
+        format!("{text}\n{heading}{warnings}")
+    }
+
+    /// As CSV, written as it comes.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn csv(&self, out: impl io::Write) -> io::Result<()> {
+        for part in &self.parts {
+            if let Part::Records(records) = part
+                && records.is_answer
+            {
+                return records.csv(out);
+            }
+        }
+        let figures = self.parts.iter().flat_map(|part| match part {
+            Part::Facts(section) => section.lines(),
+            Part::Records(records) => records.lines(),
+            Part::Text(_) => vec![],
+        });
+        let warnings = self.warnings.iter().flatten().map(|(name, message)| {
+            vec!["warnings".to_owned(), String::new(), (*name).to_owned(), message.clone(), String::new()]
+        });
+        text::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings), out)
+    }
+}
+
+impl Report {
+    /// Whether CSV has one line for each of its things, and no place for warnings.
+    #[must_use]
+    pub fn is_list(&self) -> bool {
+        self.parts.iter().any(|part| matches!(part, Part::Records(records) if records.is_answer))
+    }
+}
+
+impl Part {
+    fn tables(&self, width: usize) -> Vec<String> {
+        match self {
+            Self::Facts(section) => vec![section.grid().text(width)],
+            Self::Records(records) => {
+                records.views.iter().map(|view| records.grid(view).text(width)).collect()
+            }
+            Self::Text(text) => vec![text.text(width)],
+        }
+    }
+}
+
+/// A table's cells as text, however it is written.
+struct Grid<'a> {
+    title: &'a str,
+    header: Vec<&'a str>,
+    rows: Vec<Vec<String>>,
+    /// Places of the columns whose cells stand to the right.
+    right: Vec<usize>,
+    note: &'a str,
+}
+
+impl Grid<'_> {
+    fn text(self, width: usize) -> String {
+        let note =
+            if self.note.is_empty() { String::new() } else { wrapped("", &one_line(self.note), width) };
+        let table = text::table(&self.header, self.rows, &self.right, width);
+        format!("{}{table}{note}", unmarked(&one_line(self.title), width))
+    }
+}
+
+impl Section {
+    fn grid(&self) -> Grid<'_> {
+        let remarks = self.rows.iter().any(|row| !row.remark.is_empty());
+        let mut header = vec!["", ""];
+        header.extend(self.columns.iter().map(|(_, heading)| *heading));
+        let rows = self.rows.iter().map(|row| {
+            let mut cells = vec![row.label.to_owned(), row.symbol.to_owned()];
+            cells.extend(row.cells.iter().map(Figure::table));
+            if remarks {
+                cells.push(row.remark.clone());
+            }
+            cells
+        });
+        let right = (2..2 + self.columns.len().max(1) + usize::from(remarks)).collect();
+        Grid { title: self.title, rows: rows.collect(), header, right, note: self.note }
+    }
+
+    fn lines(&self) -> Vec<Vec<String>> {
+        let cells = |row: &Row| -> Vec<Vec<String>> {
+            let cell = |(index, cell): (usize, &Figure)| {
+                let column = self.columns.get(index).map_or("", |(key, _)| key);
+                let (value, unit) = cell.csv();
+                vec![self.name.to_owned(), column.to_owned(), row.name.to_owned(), value, unit]
+            };
+            row.cells.iter().enumerate().map(cell).collect()
+        };
+        self.rows.iter().flat_map(cells).collect()
+    }
+}
+
+impl Records {
+    fn grid<'a>(&'a self, view: &'a View) -> Grid<'a> {
+        let named = |name: &&'static str| {
+            let name = *name;
+            self.columns.iter().enumerate().filter(move |(_, column)| column.name == name)
+        };
+        let places: Vec<usize> = view.columns.iter().flat_map(named).map(|(place, _)| place).collect();
+        let header: Vec<&str> = places.iter().map(|&place| self.columns[place].heading.as_str()).collect();
+        let decimals: Vec<usize> =
+            places.iter().map(|&place| figure::decimals(self.rows.iter().map(|row| &row[place]))).collect();
+        let cells = |row: &Vec<Figure>| {
+            places.iter().zip(&decimals).map(|(&place, decimals)| row[place].in_column(*decimals)).collect()
+        };
+        let rows = self.rows.iter().map(cells).collect();
+        let is_number = |shown: &usize| self.columns[places[*shown]].is_number;
+        let right = (0..places.len()).filter(is_number).collect();
+        Grid { title: &view.title, header, rows, right, note: &view.note }
+    }
+
+    fn csv(&self, out: impl io::Write) -> io::Result<()> {
+        rows_as_csv(&self.columns, self.rows.iter().map(Cow::Borrowed), out)
+    }
+
+    fn lines(&self) -> Vec<Vec<String>> {
+        // As many columns as it takes to tell the things apart.
+        let are_apart = |named: &usize| {
+            let mut seen = std::collections::BTreeSet::new();
+            self.rows.iter().all(|row| seen.insert(named_by(row, *named)))
+        };
+        let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
+        let line = |item: &str, column: &Column, cell: &Figure| {
+            let (value, unit) = cell.csv();
+            vec![self.name.to_owned(), item.to_owned(), column.full_name(), value, unit]
+        };
+        let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
+            let item = named_by(row, named);
+            let cells = self.columns.iter().zip(row).skip(named).filter(|(column, _)| !column.is_for_people);
+            cells.map(|(column, cell)| line(&item, column, cell)).collect()
+        };
+        self.rows.iter().flat_map(record).collect()
+    }
+}
+
+/// Names of columns in CSV, no two alike: where a thing is called as if its column were another, a point parts its name from the rest, as in
+/// `output.torque_n_m` of a brake called `output`.
+fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
+    let all: Vec<String> = columns.clone().map(Column::key).collect();
+    let is_taken = |key: &String| all.iter().filter(|other| *other == key).count() > 1;
+    columns
+        .zip(&all)
+        .map(|(column, key)| match &column.of {
+            Some(of) if is_taken(key) => format!("{of}.{}", &key[of.len() + 1..]),
+            _ => key.clone(),
+        })
+        .collect()
+}
+
+/// Rows of a list as CSV, each when it comes.
+fn rows_as_csv<'a>(
+    columns: &[Column],
+    rows: impl Iterator<Item = Cow<'a, Vec<Figure>>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let places: Vec<usize> = (0..columns.len()).filter(|&place| !columns[place].is_for_people).collect();
+    let header = keys(places.iter().map(|&place| &columns[place]));
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let rows = rows.map(|row| places.iter().map(|&place| row[place].csv().0).collect());
+    text::csv(&header, rows, out)
+}
+
+/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `list` is the key of the list.
+pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    list: &'static str,
+    columns: &[Column],
+    rows: impl Iterator<Item = Result<Vec<Figure>, E>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let mut fault = None;
+    let checked = |row: Result<Vec<Figure>, E>| {
+        let row = row.map_err(io::Error::other)?;
+        match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
+            None => Ok(row),
+            Some((column, _)) => {
+                let figure = format!("{list}.{} of {}", column.name, row[0].csv().0);
+                Err(io::Error::other(Error::NotFinite { figure }))
+            }
+        }
+    };
+    let rows = rows.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
+    let written = rows_as_csv(columns, rows.map(Cow::Owned), out);
+    fault.map_or(written, Err)
+}
+
+/// Sentences in lines of at most so many columns, after a list mark or none.
+#[must_use]
+pub fn wrapped(mark: &str, text: &str, width: usize) -> String {
+    let width = width.min(text::WIDEST_SENTENCES);
+    let mut lines = String::new();
+    let mut line = mark.to_owned();
+    for word in text.split(' ') {
+        if line.chars().count() + 1 + word.chars().count() > width {
+            lines += &line;
+            lines.push('\n');
+            line = " ".repeat(mark.len());
+        }
+        line.push(' ');
+        line += word;
+    }
+    lines + &line + "\n"
+}
+
+/// A line in lines of at most so many columns, the further ones set in. What follows a sign stays with it.
+fn continued(text: &str, width: usize) -> String {
+    let words = text.trim_start();
+    let margin = text.len() - words.len();
+    let mut lines = String::new();
+    let mut line = " ".repeat(margin);
+    let mut sign = String::new();
+    for word in words.split(' ') {
+        if matches!(word, "+" | "−" | "=") {
+            sign += word;
+            sign.push(' ');
+            continue;
+        }
+        let word = std::mem::take(&mut sign) + word;
+        let is_first = line.trim().is_empty();
+        if !is_first && line.chars().count() + 1 + word.chars().count() > width {
+            lines += &line;
+            lines.push('\n');
+            line = " ".repeat(margin + 4);
+        } else if !is_first {
+            line.push(' ');
+        }
+        line += &word;
+    }
+    lines + &line + "\n"
+}
+
+/// A paragraph in lines of at most so many columns.
+fn unmarked(text: &str, width: usize) -> String {
+    wrapped("", text, width)
+        .lines()
+        .map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)))
+        .collect()
+}
+
+/// The cells of the first columns, which name a thing.
+fn named_by(row: &[Figure], columns: usize) -> String {
+    row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_line_goes_on_further_in_and_signs_stay_with_what_follows() {
+        let term = "a".repeat(30);
+        let line = format!("  i = {term} + {term} − {term} = 1");
+        assert_eq!(continued(&line, 80), format!("  i = {term} + {term}\n      − {term} = 1\n"));
+        assert_eq!(continued("  i = 1", 80), "  i = 1\n");
+    }
+}

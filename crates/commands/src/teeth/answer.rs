@@ -1,0 +1,267 @@
+//! Tooth numbers of a simple set for a ratio.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`double_planet`] | the same of a double-planet set |
+//! | [`shifted`] | the same of simple sets with profile shift |
+//! | `gearbox` | a set as a gearbox |
+
+pub mod double_planet;
+mod gearbox;
+pub mod shifted;
+
+use crate::answer::Answer;
+use crate::error::Error;
+use crate::shared::records::{Fraction, Motion};
+use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
+use crate::tolerance::ROUNDED;
+use epicyclic_gears::ToothCount;
+pub use epicyclic_gears::mesh::USUAL_PLANET_GAP;
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::synthesis::{Bounds, Candidate};
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// The most sets that are written: their text is built whole, in some 100 MB.
+pub const MOST_SETS: usize = 100_000;
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// Ratio of the speeds of input and output; negative where they turn against each other.
+    pub ratio: f64,
+    /// Which member drives, which is driven, which rests.
+    pub mode: Mode,
+    /// How far the ratio may be off, as a share of it.
+    pub tolerance: f64,
+    /// Bounds of tooth numbers, of planets, of a double-planet set of each of its two and of the pairs, of k, and the rack.
+    pub bounds: Bounds,
+    /// How many of the sets are told.
+    pub most: usize,
+    /// Number of the set whose checks are told, from 1; the first where there are fewer.
+    pub checked: usize,
+}
+
+/// Sets of tooth numbers that give a ratio, the most exact first.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Teeth {
+    /// The ratio wanted.
+    pub ratio: f64,
+    /// Which member drives, which is driven, which rests.
+    pub mode: Motion,
+    /// How far the ratio may be off, as a share of it.
+    pub tolerance: f64,
+    /// How many sets there are.
+    pub found: u64,
+    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` if no set is
+    /// left out.
+    pub left_out: Option<TeethLeftOut>,
+    /// How many of them are told here.
+    pub shown: usize,
+    /// These.
+    pub tooth_numbers: Vec<ToothNumbers>,
+    /// The checks of the teeth of one of them, the first unless another is asked for.
+    pub tooth_checks: ToothChecks,
+}
+
+/// Tooth numbers of a simple set, and what follows from them.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ToothNumbers {
+    /// Teeth of the sun.
+    pub sun: u32,
+    /// Teeth of a planet.
+    pub planet: u32,
+    /// Teeth of the ring.
+    pub ring: u32,
+    /// Number of planets.
+    pub planets: u32,
+    /// The ratio, input speed over output speed.
+    pub ratio: f64,
+    /// The same, exactly.
+    pub exact_ratio: Fraction,
+    /// How far it is from the ratio wanted, as a share of it.
+    pub ratio_error: f64,
+    /// The most planets that clear each other at equal spacing.
+    pub most_planets: u32,
+    /// Whether the rack undercuts the sun.
+    pub undercut_sun: bool,
+    /// Whether the rack undercuts the planets.
+    pub undercut_planet: bool,
+    /// Whether the planets stand at equal angles.
+    pub equal_spacing: bool,
+    /// Gap between the tip circles of neighbouring planets, in modules.
+    pub planet_gap_in_modules: f64,
+    /// Where each planet stands.
+    pub planet_angles_rad: Vec<f64>,
+    /// Distance of the planets' common centre of mass from the axis over the radius of their centres.
+    pub imbalance: f64,
+}
+
+impl Answer for Teeth {
+    const NAME: &'static str = "teeth";
+}
+
+/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
+///
+/// # Errors
+/// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
+pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Error> {
+    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
+    let found = bounds.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    if most > MOST_SETS && found.found > MOST_SETS as u64 {
+        return Err(Error::TooMany { found: found.found, most: MOST_SETS });
+    }
+    let tooth_numbers: Vec<ToothNumbers> =
+        found.first.iter().map(|one| ToothNumbers::of(one, &bounds.rack)).collect();
+    Ok(Teeth {
+        ratio,
+        mode: Motion::of(mode),
+        tolerance,
+        found: found.found,
+        left_out: found.left_out.as_deref().map(TeethLeftOut::of),
+        shown: tooth_numbers.len(),
+        tooth_checks: wanted.checks(&tooth_numbers, ToothNumbers::gearbox)?,
+        tooth_numbers,
+    })
+}
+
+impl Wanted {
+    /// The checks of the set with the number `checked`, which `gearbox` makes a gearbox.
+    fn checks<Set>(
+        &self,
+        sets: &[Set],
+        gearbox: fn(&Set, &Self) -> Result<Gearbox, Error>,
+    ) -> Result<ToothChecks, Error> {
+        let number = if (1..=sets.len()).contains(&self.checked) { self.checked } else { 1 };
+        let Some(set) = sets.get(number - 1) else { return Ok(ToothChecks::default()) };
+        let mut all =
+            ToothChecks::of(gearbox(set, self)?.set_checks(&self.bounds.rack, |_| vec![]), |_| true);
+        // The only set of its gearbox has the number that the list gives it.
+        all.checks.iter_mut().for_each(|check| check.set = number.to_string());
+        Ok(all)
+    }
+
+    fn built(&self, set: SetSpec) -> Result<Gearbox, Error> {
+        gearbox::built(self.mode, self.ratio, self.bounds.placement, set)
+    }
+}
+
+/// So many sets in series have a ratio that one has not within the same bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stages {
+    /// How many sets.
+    pub sets: u32,
+    /// The size of the ratio of each, were all alike.
+    pub ratio: f64,
+    /// The mode of the others, where one alone turns the direction of rotation.
+    pub others: Option<Mode>,
+}
+
+/// The most sets in series that [`stages`] tries.
+const MOST_STAGES: u32 = 4;
+
+/// How many sets in series have a ratio that one has not: each has the same root of it within its share of the tolerance.
+///
+/// A mode with negative ratios, the carrier at rest, is that of one set, and the carrier of the others turns.
+///
+/// # Errors
+/// Those of a bound that cannot be.
+pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
+    let Wanted { ratio, mode, tolerance, bounds, .. } = wanted;
+    let is_negative = mode.fixed() == Member::Carrier;
+    if is_negative != (*ratio < 0.0) {
+        return Ok(None);
+    }
+    let others = match is_negative {
+        false => None,
+        true if ratio.abs() < 1.0 => Some(Mode::new(Member::Carrier, Member::Sun)?),
+        true => Some(Mode::new(Member::Sun, Member::Carrier)?),
+    };
+    for sets in 2..=MOST_STAGES {
+        let of_each = libm::pow(ratio.abs(), 1.0 / f64::from(sets));
+        let has = |ratio: f64, mode: Mode| match bounds.first_for_ratio(
+            ratio,
+            mode,
+            tolerance / f64::from(sets),
+            1,
+            |_| ControlFlow::Continue(()),
+        ) {
+            Ok(_) => Ok(true),
+            Err(epicyclic_gears::Error::NoToothNumbers { .. }) => Ok(false),
+            Err(error) => Err(error),
+        };
+        if has(of_each * ratio.signum(), *mode)? && others.map_or(Ok(true), |others| has(of_each, others))? {
+            return Ok(Some(Stages { sets, ratio: of_each, others }));
+        }
+    }
+    Ok(None)
+}
+
+impl ToothNumbers {
+    /// The set as a gearbox without losses: its links are its members, and the one at rest is the housing.
+    ///
+    /// # Errors
+    /// None of a set that [`answer`] tells.
+    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
+        let members = gearbox::members(wanted.mode);
+        let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
+        wanted.built(set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets))
+    }
+
+    fn of(found: &Candidate, rack: &BasicRack) -> Self {
+        let imbalance = found.spacing.imbalance();
+        Self {
+            sun: found.teeth.sun.get(),
+            planet: found.teeth.planet.get(),
+            ring: found.teeth.ring.get(),
+            planets: found.teeth.planets,
+            ratio: found.ratio,
+            exact_ratio: Fraction::of(found.exact_ratio),
+            ratio_error: found.ratio_error,
+            most_planets: found.most_planets,
+            undercut_sun: found.undercut_sun,
+            undercut_planet: found.undercut_planet,
+            equal_spacing: found.spacing.is_equal(),
+            planet_gap_in_modules: found
+                .teeth
+                .planet_circle(rack)
+                .gap_to_alike(found.spacing.half_gap_sine()),
+            planet_angles_rad: found.spacing.angles().into_iter().map(Physical::si).collect(),
+            imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wanted(ratio: f64, mode: [Member; 2], bounds: Bounds) -> Wanted {
+        let mode = Mode::new(mode[0], mode[1]).unwrap();
+        Wanted { ratio, mode, tolerance: 0.01, bounds, most: 1, checked: 1 }
+    }
+
+    #[test]
+    fn several_sets_have_a_ratio_that_one_has_not() {
+        let sun_to_carrier = [Member::Sun, Member::Carrier];
+        let found = |ratio: f64, mode| stages(&wanted(ratio, mode, Bounds::default())).unwrap().unwrap();
+        let two = found(24.0, sun_to_carrier);
+        assert!(two.sets == 2 && (two.ratio - 24.0_f64.sqrt()).abs() < 1e-12 && two.others.is_none());
+        assert_eq!(found(400.0, sun_to_carrier).sets, 3);
+        let negative = found(-24.0, [Member::Sun, Member::Ring]);
+        assert_eq!((negative.sets, negative.others.unwrap().to_string()), (2, "aH^b".to_owned()));
+        let faster = found(-1.0 / 24.0, [Member::Ring, Member::Sun]);
+        assert_eq!((faster.sets, faster.others.unwrap().to_string()), (2, "Ha^b".to_owned()));
+        // A mode with the other sign, and bounds that no number of sets helps.
+        assert_eq!(stages(&wanted(-24.0, sun_to_carrier, Bounds::default())).unwrap(), None);
+        let narrow = Bounds { ring_to_sun_ratio: 5.0..=5.0, ..Bounds::default() };
+        assert_eq!(stages(&wanted(7.0, sun_to_carrier, narrow)).unwrap(), None);
+    }
+}

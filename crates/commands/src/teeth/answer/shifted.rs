@@ -1,0 +1,287 @@
+//! Tooth numbers of a simple set with profile shift for a ratio.
+
+use super::{MOST_SETS, Wanted, gearbox};
+use crate::answer::Answer;
+use crate::error::Error;
+use crate::shared::records::{Fraction, Motion};
+use crate::shared::tool::CuttingTool;
+use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
+use crate::tolerance::{ROUNDED, rounded};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::closing::Closing;
+use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::profile::Cutting;
+use epicyclic_gears::involute::search::{ProfileShift, Shifted};
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::{InvoluteGear, Profile};
+use epicyclic_gears::synthesis::{Bounds, Ranked, ToothNumbers};
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::{ControlFlow, RangeInclusive};
+
+/// What is wanted of the shifts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WantedShifts {
+    /// Offsets of the ring, `z_r − z_s − 2·z_p`.
+    pub offsets: RangeInclusive<i32>,
+    /// What picks the shifts.
+    pub aim: ShiftAim,
+    /// Least normal thickness of the tips, modules.
+    pub tip_thickness: f64,
+}
+
+/// What picks the shifts of a set whose sums of shifts are fixed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ShiftAim {
+    /// Equal specific sliding at the roots of sun and planets.
+    BalancedSliding,
+    /// Least tip alteration.
+    LeastTipAlteration,
+}
+
+impl WantedShifts {
+    /// Within these bounds: their rack and their gap between planets.
+    #[must_use]
+    pub fn within(&self, bounds: &Bounds) -> ProfileShift {
+        let limits =
+            Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
+        let closing = Closing {
+            profiles: Profile::of_rack(bounds.rack).into(),
+            aim: self.aim.into(),
+            limits,
+            ..Closing::default()
+        };
+        ProfileShift { offsets: self.offsets.clone(), closing }
+    }
+}
+
+/// What was wanted of the profile shifts of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RequiredShifts {
+    /// The least and the greatest offset of a ring.
+    pub ring_offsets: [i32; 2],
+    /// What picks the shifts.
+    pub aim: ShiftAim,
+    /// Least normal thickness of the tips, in modules.
+    pub least_tip_thickness_in_modules: f64,
+}
+
+impl RequiredShifts {
+    pub(crate) fn of(wanted: &WantedShifts) -> Self {
+        Self {
+            ring_offsets: [*wanted.offsets.start(), *wanted.offsets.end()],
+            aim: wanted.aim,
+            least_tip_thickness_in_modules: wanted.tip_thickness,
+        }
+    }
+}
+
+/// Profile shifts of a simple set that a search found; lengths in modules.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SetShifts {
+    /// By how much the ring departs from the teeth of the sun and twice those of a planet.
+    pub ring_offset: i32,
+    /// Centre distance, in modules.
+    pub centre_distance_in_modules: f64,
+    /// Profile shift coefficients of sun, planets and ring; of a ring above 0 inwards.
+    pub profile_shifts: [f64; 3],
+    /// Tip alterations of sun, planets and ring, in modules; below 0 shorter.
+    pub tip_alterations: [f64; 3],
+    /// Whether the aim is met, or only as far as the limits allow.
+    pub aim_met: bool,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
+}
+
+impl SetShifts {
+    /// Those of a set that a search with this shift found.
+    pub(crate) fn of(shift: &ProfileShift, teeth: &ToothNumbers) -> Result<Self, Error> {
+        let choice = shift.close(teeth)?;
+        let gears = choice.set.gears();
+        Ok(Self {
+            ring_offset: teeth.ring_offset(),
+            centre_distance_in_modules: choice.set.centre_distance(),
+            profile_shifts: gears.map(|gear| rounded(gear.shift())),
+            tip_alterations: gears.map(|gear| rounded(gear.tip_alteration())),
+            aim_met: choice.limited_by.is_none(),
+            ring_tool: CuttingTool::of(gears[2]),
+        })
+    }
+
+    /// A set with these shifts, cut so.
+    pub(crate) fn put_into(&self, set: SetSpec) -> SetSpec {
+        let hob = Cutting::default();
+        set.shifted(Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) }).cut([
+            hob,
+            hob,
+            self.ring_tool.cutting(),
+        ])
+    }
+}
+
+impl From<ShiftAim> for Aim {
+    fn from(aim: ShiftAim) -> Self {
+        match aim {
+            ShiftAim::BalancedSliding => Self::BalancedSliding,
+            ShiftAim::LeastTipAlteration => Self::LeastTipAlteration,
+        }
+    }
+}
+
+/// Sets with profile shift that give a ratio, the most exact first.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ShiftedTeeth {
+    /// The ratio wanted.
+    pub ratio: f64,
+    /// Which member drives, which is driven, which rests.
+    pub mode: Motion,
+    /// How far the ratio may be off, as a share of it.
+    pub tolerance: f64,
+    /// What picks the shifts.
+    pub aim: ShiftAim,
+    /// Least normal thickness of the tips, in modules.
+    pub least_tip_thickness_in_modules: f64,
+    /// How many sets there are.
+    pub found: u64,
+    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` if no set is
+    /// left out.
+    pub left_out: Option<TeethLeftOut>,
+    /// How many of them are told here.
+    pub shown: usize,
+    /// These.
+    pub tooth_numbers: Vec<ShiftedNumbers>,
+    /// The checks of the teeth of one of them, the first unless another is asked for.
+    pub tooth_checks: ToothChecks,
+}
+
+/// Tooth numbers of a simple set with its profile shifts, and what follows from them; lengths in modules.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ShiftedNumbers {
+    /// Teeth of the sun.
+    pub sun: u32,
+    /// Teeth of a planet.
+    pub planet: u32,
+    /// Teeth of the ring.
+    pub ring: u32,
+    /// By how much the ring departs from the teeth of the sun and twice those of a planet.
+    pub ring_offset: i32,
+    /// Number of planets.
+    pub planets: u32,
+    /// The ratio, input speed over output speed.
+    pub ratio: f64,
+    /// The same, exactly.
+    pub exact_ratio: Fraction,
+    /// How far it is from the ratio wanted, as a share of it.
+    pub ratio_error: f64,
+    /// Centre distance, in modules.
+    pub centre_distance_in_modules: f64,
+    /// Profile shift coefficients of sun, planets and ring; of a ring above 0 inwards.
+    pub profile_shifts: [f64; 3],
+    /// Tip alterations of sun, planets and ring, in modules; below 0 shorter.
+    pub tip_alterations: [f64; 3],
+    /// Working pressure angles of the meshes of sun and planet, planet and ring.
+    pub working_angles_rad: [f64; 2],
+    /// Transverse contact ratios of these meshes.
+    pub contact_ratios: [f64; 2],
+    /// Normal tip thicknesses of sun, planets and ring, in modules.
+    pub tip_thicknesses_in_modules: [f64; 3],
+    /// Gap between the tip circles of neighbouring planets, in modules.
+    pub planet_gap_in_modules: f64,
+    /// What cuts the ring.
+    pub ring_tool: CuttingTool,
+    /// Whether the aim is met, or only as far as the limits allow.
+    pub aim_met: bool,
+    /// Whether the planets stand at equal angles.
+    pub equal_spacing: bool,
+    /// Where each planet stands.
+    pub planet_angles_rad: Vec<f64>,
+    /// Distance of the planets' common centre of mass from the axis over the radius of their centres.
+    pub imbalance: f64,
+}
+
+impl Answer for ShiftedTeeth {
+    const NAME: &'static str = "teeth-shifted";
+}
+
+/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
+///
+/// # Errors
+/// [`Error::Gear`] where nothing is found, or of a bound that cannot be; [`Error::TooMany`].
+pub fn answer(
+    wanted: &Wanted,
+    shifts: &WantedShifts,
+    done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<ShiftedTeeth, Error> {
+    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
+    let search = shifts.within(bounds).within(bounds);
+    let Ranked { found, first, left_out } =
+        search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    if most > MOST_SETS && found > MOST_SETS as u64 {
+        return Err(Error::TooMany { found, most: MOST_SETS });
+    }
+    let tooth_numbers: Vec<ShiftedNumbers> = first.iter().map(ShiftedNumbers::of).collect();
+    Ok(ShiftedTeeth {
+        ratio,
+        mode: Motion::of(mode),
+        tolerance,
+        aim: shifts.aim,
+        least_tip_thickness_in_modules: shifts.tip_thickness,
+        found,
+        left_out: left_out.as_deref().map(TeethLeftOut::of),
+        shown: tooth_numbers.len(),
+        tooth_checks: wanted.checks(&tooth_numbers, ShiftedNumbers::gearbox)?,
+        tooth_numbers,
+    })
+}
+
+impl ShiftedNumbers {
+    /// The set as a gearbox without losses, with its shifts, tip alterations and tools.
+    ///
+    /// # Errors
+    /// None of a set that [`answer`] tells.
+    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
+        let members = gearbox::members(wanted.mode);
+        let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
+        let set = set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets);
+        let hob = Cutting::default();
+        let shifts = Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) };
+        wanted.built(set.shifted(shifts).cut([hob, hob, self.ring_tool.cutting()]))
+    }
+
+    fn of(found: &Shifted) -> Self {
+        let set = &found.choice.set;
+        let meshes = [set.sun_mesh(), set.ring_mesh()];
+        let spacing = set.spacing();
+        let imbalance = spacing.imbalance();
+        Self {
+            sun: found.teeth.sun.get(),
+            planet: found.teeth.planet.get(),
+            ring: found.teeth.ring.get(),
+            ring_offset: found.offset(),
+            planets: found.teeth.planets,
+            ratio: found.ratio,
+            exact_ratio: Fraction::of(found.exact_ratio),
+            ratio_error: found.ratio_error,
+            centre_distance_in_modules: set.centre_distance(),
+            profile_shifts: set.gears().map(InvoluteGear::shift),
+            tip_alterations: set.gears().map(InvoluteGear::tip_alteration),
+            working_angles_rad: meshes.map(epicyclic_gears::involute::Pair::working_angle_rad),
+            contact_ratios: meshes.map(epicyclic_gears::involute::Pair::transverse_contact_ratio),
+            tip_thicknesses_in_modules: set.gears().map(InvoluteGear::tip_thickness),
+            planet_gap_in_modules: set.planet_gap(),
+            ring_tool: CuttingTool::of(set.gears()[2]),
+            aim_met: found.choice.limited_by.is_none(),
+            equal_spacing: spacing.is_equal(),
+            planet_angles_rad: spacing.angles().into_iter().map(Physical::si).collect(),
+            imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! `vibrate`: natural frequencies, modes and resonances of sets.
+
+pub mod answer;
+pub mod page;
+pub mod request;
+pub mod table;

@@ -1,0 +1,275 @@
+//! All sets of a gearbox in a gear in the plane, on common links and centres.
+//!
+//! Members that ties join for ever, or that name one link, are one piece in the plane, too: one centre with their masses and supports together. Where one of them has no `support`, all are
+//! held. A member on the housing, members that a clutch joins and the two ends of a shaft have centres of their own; a shaft joins them by its lateral stiffness.
+
+use super::links::{LaidShaft, Train, TrainSet};
+use super::records::{Member, ModeKind, NotCalculated, Reason, What};
+use super::train_records::{
+    CentreBody, CentreMember, CoupledKinetic, CoupledMode, CoupledModes, KineticPart, SetInMode, StrainPart,
+    TorsionalStrain,
+};
+use super::{Prepared, joined, number};
+use crate::error::Error;
+use crate::tolerance::rounded;
+use epicyclic_train::{Gear, LinkId};
+use epicyclic_units::Physical;
+use epicyclic_vibration::coupled::{Centre, CoupledParts, Placed, Shaft, planar};
+use epicyclic_vibration::{BodyId, Group, ModalEnergy, Model, SpringId};
+use uom::si::f64::Mass;
+
+const MEMBERS: [Member; 3] = [Member::Sun, Member::Ring, Member::Carrier];
+const NAMES: [&str; 3] = ["sun", "ring", "carrier"];
+
+/// The modes of the whole gearbox in the plane in a gear, or which set lacks what.
+pub(super) fn modes(
+    train: &Train<'_>,
+    gear: &Gear,
+    sets: &[TrainSet<'_>],
+) -> Result<Result<CoupledModes, NotCalculated>, Error> {
+    let is_round = |one: &TrainSet<'_>| one.prepared.planets > 2 && one.prepared.is_equally_spaced();
+    // Among others that are round one set may stand anyhow.
+    if let Some(one) = sets.iter().filter(|one| !is_round(one)).nth(1) {
+        return Ok(Err(NotCalculated {
+            set: one.of.entry.id.clone(),
+            gear: None,
+            what: What::Coupled,
+            reason: Reason::NoSymmetry,
+            missing: vec![],
+        }));
+    }
+    let built = |prepared: &Prepared, held| prepared.built(held).map(|built| built.set);
+    let laid = match train.laid(gear, sets, What::Coupled, built) {
+        Ok(laid) => laid,
+        Err(missing) => return Ok(Err(missing)),
+    };
+    let mut centres = Centres::of(train, sets);
+    let shafts: Vec<Shaft> = laid.shafts.iter().map(|shaft| centres.shaft(shaft)).collect();
+    let placed = std::iter::zip(sets, &laid.sets).zip(&centres.of_sets);
+    let placed: Vec<Placed<'_>> = placed
+        .map(|((one, (set, links)), centres)| Placed {
+            name: format!("{} ", one.of.entry.id),
+            set,
+            links: *links,
+            centres: *centres,
+        })
+        .collect();
+    let refuse = |error| train.refused(gear, &error);
+    let (model, parts) = planar(&laid.bodies.links, &centres.centres, &placed, &shafts).map_err(refuse)?;
+    let groups = model.groups(&parts.central()).map_err(refuse)?;
+    let whole = Whole {
+        model: &model,
+        parts: &parts,
+        sets,
+        places: &placed,
+        names: &laid.bodies.names,
+        links: &laid.bodies.links,
+        centres: &centres,
+        shafts: &shafts,
+    };
+    let modes: Result<Vec<CoupledMode>, _> =
+        groups.iter().enumerate().map(|(index, group)| whole.mode(index, group)).collect();
+    let zeros = groups.iter().filter(|group| group.is_zero());
+    Ok(Ok(CoupledModes {
+        gear: gear.name().to_owned(),
+        freedoms: zeros.map(|group| group.multiplicity() as u32).sum(),
+        centres: centres.told(&placed),
+        modes: modes.map_err(refuse)?,
+    }))
+}
+
+/// What moves in the plane as one piece.
+struct Centres {
+    centres: Vec<Centre>,
+    /// Members of each: places of the set and of the member.
+    members: Vec<Vec<(usize, usize)>>,
+    ids: Vec<String>,
+    /// Centres of sun, ring and carrier of each set.
+    of_sets: Vec<[usize; 3]>,
+    /// For every link the first of those that move with it, by [`LinkId::index`].
+    roots: Vec<usize>,
+    /// Centres by these.
+    of_root: Vec<(usize, usize)>,
+}
+
+impl Centres {
+    fn of(train: &Train<'_>, sets: &[TrainSet<'_>]) -> Self {
+        let mut all = Self {
+            centres: vec![],
+            members: vec![],
+            ids: sets.iter().map(|one| one.of.entry.id.clone()).collect(),
+            of_sets: vec![[0; 3]; sets.len()],
+            roots: joined(&train.subject.gearbox, None, &train.springs()),
+            of_root: vec![],
+        };
+        for (set, one) in sets.iter().enumerate() {
+            for member in 0..3 {
+                let root = all.roots[one.set.members()[member].index()];
+                let place = match all.of_root.iter().find(|(own, _)| *own == root) {
+                    Some((_, place)) => *place,
+                    None => all.add(Some(root).filter(|root| *root != LinkId::GROUND.index())),
+                };
+                all.members[place].push((set, member));
+                all.centres[place].held |= one.prepared.radial_support(member).is_none();
+                all.of_sets[set][member] = place;
+            }
+        }
+        for place in 0..all.centres.len() {
+            all.centres[place].name = all.names(place).join("+");
+        }
+        all
+    }
+
+    /// Names of the members of a centre.
+    fn names(&self, place: usize) -> Vec<String> {
+        let members = self.members[place].iter();
+        members.map(|(set, member)| format!("{} of {}", NAMES[*member], self.ids[*set])).collect()
+    }
+
+    fn add(&mut self, root: Option<usize>) -> usize {
+        let place = self.centres.len();
+        self.centres.push(Centre { name: String::new(), mass: Mass::default(), held: false });
+        self.members.push(vec![]);
+        self.of_root.extend(root.map(|root| (root, place)));
+        place
+    }
+
+    /// A shaft between two centres; one without a member of a set is at rest.
+    fn shaft(&mut self, shaft: &LaidShaft<'_>) -> Shaft {
+        let lateral = shaft.entry.lateral_stiffness.map(|stiffness| stiffness.0);
+        let centres = lateral.map(|stiffness| {
+            let ends = shaft.ends.map(|end| {
+                let root = self.roots[end.index()];
+                match self.of_root.iter().find(|(own, _)| *own == root) {
+                    Some((_, place)) => *place,
+                    None => {
+                        let place = self.add(Some(root));
+                        self.centres[place].held = true;
+                        place
+                    }
+                }
+            });
+            (ends, stiffness.into())
+        });
+        Shaft { name: shaft.entry.id.clone(), links: shaft.between, centres }
+    }
+
+    fn told(&self, placed: &[Placed<'_>]) -> Vec<CentreBody> {
+        let own = self.centres.iter().zip(&self.members).filter(|(_, members)| !members.is_empty());
+        own.map(|(centre, members)| {
+            let central = |(set, member): &(usize, usize)| {
+                let set = placed[*set].set;
+                [&set.sun, &set.ring, &set.carrier][*member]
+            };
+            let sum = |of: fn(&epicyclic_vibration::Central) -> f64| {
+                (!centre.held).then(|| members.iter().map(|one| of(central(one))).sum())
+            };
+            CentreBody {
+                members: members
+                    .iter()
+                    .map(|(set, member)| CentreMember {
+                        set: self.ids[*set].clone(),
+                        member: MEMBERS[*member],
+                    })
+                    .collect(),
+                mass_kg: sum(|central| central.body.mass.si()),
+                support_n_m: sum(|central| central.support.radial.value),
+            }
+        })
+        .collect()
+    }
+}
+
+/// The model with the names of its parts.
+struct Whole<'a> {
+    model: &'a Model,
+    parts: &'a CoupledParts,
+    sets: &'a [TrainSet<'a>],
+    places: &'a [Placed<'a>],
+    names: &'a [Vec<String>],
+    links: &'a [epicyclic_vibration::train::Link],
+    centres: &'a Centres,
+    shafts: &'a [Shaft],
+}
+
+impl Whole<'_> {
+    fn mode(&self, index: usize, group: &Group) -> Result<CoupledMode, epicyclic_vibration::Error> {
+        let energy = self.model.modal_energy(group)?;
+        let parts = self.parts;
+        let sets = self.places.iter().enumerate().map(|(place, placed)| {
+            let sum = |bodies: &[BodyId]| bodies.iter().map(|body| energy.kinetic_of(*body)).sum::<f64>();
+            let planets = rounded(sum(&parts.planets[place]));
+            let once = |mut all: [usize; 3], of: &[BodyId]| {
+                all.sort_unstable();
+                let apart = all.iter().enumerate().filter(|(at, one)| *at == 0 || all[at - 1] != **one);
+                rounded(apart.map(|(_, one)| energy.kinetic_of(of[*one])).sum())
+            };
+            let (turns, moves) = (once(placed.links, &parts.links), once(placed.centres, &parts.centres));
+            let kind = match (moves > 0.0, turns > 0.0) {
+                (false, true) => Some(ModeKind::Rotational),
+                (true, false) => Some(ModeKind::Translational),
+                (true, true) => Some(ModeKind::Mixed),
+                (false, false) => (planets > 0.0).then_some(ModeKind::Planet),
+            };
+            SetInMode { set: self.sets[place].of.entry.id.clone(), kind }
+        });
+        Ok(CoupledMode {
+            mode: number(index),
+            kind: ModeKind::of(group.kind),
+            multiplicity: group.multiplicity() as u32,
+            frequency_hz: group.frequency.si(),
+            sets: sets.collect(),
+            kinetic: self.kinetic(&energy),
+            strain: if group.is_zero() { vec![] } else { self.strain(&energy) },
+        })
+    }
+
+    fn kinetic(&self, energy: &ModalEnergy) -> Vec<CoupledKinetic> {
+        let mut all = vec![];
+        let mut add = |part, of: Vec<String>, share: f64| {
+            all.push(CoupledKinetic { part, of, share: rounded(share) });
+        };
+        for (place, body) in self.parts.links.iter().enumerate().filter(|(place, _)| !self.links[*place].held)
+        {
+            add(KineticPart::Rotation, self.names[place].clone(), energy.kinetic_of(*body));
+        }
+        for (place, (centre, body)) in self.centres.centres.iter().zip(&self.parts.centres).enumerate() {
+            if !centre.held {
+                add(KineticPart::Translation, self.centres.names(place), energy.kinetic_of(*body));
+            }
+        }
+        for (set, planets) in self.sets.iter().zip(&self.parts.planets) {
+            let share = planets.iter().map(|planet| energy.kinetic_of(*planet)).sum();
+            add(KineticPart::Planets, vec![set.of.entry.id.clone()], share);
+        }
+        all
+    }
+
+    fn strain(&self, energy: &ModalEnergy) -> Vec<TorsionalStrain> {
+        let mut all = vec![];
+        let parts = self.parts;
+        let mut add = |part, of: &str, springs: &[SpringId]| {
+            if springs.is_empty() {
+                return;
+            }
+            all.push(TorsionalStrain { part, of: of.to_owned(), share: rounded(energy.strain_of(springs)) });
+        };
+        for (place, set) in self.sets.iter().enumerate() {
+            let id = &set.of.entry.id;
+            add(StrainPart::SunMeshes, id, &parts.sun_meshes[place]);
+            add(StrainPart::RingMeshes, id, &parts.ring_meshes[place]);
+            add(StrainPart::PlanetBearings, id, &parts.bearings[place]);
+        }
+        for (shaft, [torsion, bending]) in self.shafts.iter().zip(&parts.shafts) {
+            add(StrainPart::Shaft, &shaft.name, torsion);
+            add(StrainPart::Bending, &shaft.name, bending);
+        }
+        for (link, springs) in self.links.iter().zip(&parts.link_supports) {
+            add(StrainPart::Support, &link.name, springs);
+        }
+        for (centre, springs) in self.centres.centres.iter().zip(&parts.centre_supports) {
+            add(StrainPart::CentreSupport, &centre.name, springs);
+        }
+        all
+    }
+}

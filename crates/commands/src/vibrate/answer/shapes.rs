@@ -1,0 +1,51 @@
+//! The motion of a mode: one of each frequency, normalised.
+//!
+//! Modes of one frequency are as good in any basis. The one told is that with the most of the first coordinate that moves: `x` of sun, ring, carrier in this order, then their
+//! rotations, then what the first planet does; its sign is positive.
+
+use super::Found;
+use super::records::{BodyMotion, Member};
+use crate::shared::number::plain;
+use crate::tolerance::STILL;
+use epicyclic_vibration::{BodyId, Group};
+
+/// The motion of all bodies, over the largest displacement.
+pub(super) fn of(found: &Found, group: &Group) -> Vec<BodyMotion> {
+    let parts = &found.parts;
+    let central = [parts.sun, parts.ring, parts.carrier];
+    let names = [Member::Sun, Member::Ring, Member::Carrier];
+    let bodies = central.into_iter().zip(names.map(|name| (name, None)));
+    let planets = parts.planets.iter().zip(1..).map(|(body, number)| (*body, (Member::Planet, Some(number))));
+    let bodies: Vec<(BodyId, (Member, Option<u32>))> = bodies.chain(planets).collect();
+    let of = |shape: usize, body: BodyId| group.shapes[shape].of(body).unwrap_or_default();
+    let all = || {
+        (0..group.shapes.len()).flat_map(|shape| bodies.iter().flat_map(move |(body, _)| of(shape, *body)))
+    };
+    let size = all().fold(0.0_f64, |most, part| most.max(part.abs()));
+    let first = parts.planets.first().copied();
+    let leading = central.map(|body| (body, 0)).into_iter().chain(central.map(|body| (body, 2)));
+    let leading = leading.chain(first.into_iter().flat_map(|planet| [2, 0, 1].map(|axis| (planet, axis))));
+    let weights = leading
+        .map(|(body, axis)| (0..group.shapes.len()).map(|shape| of(shape, body)[axis]).collect::<Vec<f64>>())
+        .find(|weights| weights.iter().any(|weight| weight.abs() > STILL * size))
+        .unwrap_or_else(|| vec![1.0; group.shapes.len()]);
+    let motion = |body: BodyId| {
+        let mut sum = [0.0; 3];
+        for (shape, weight) in weights.iter().enumerate() {
+            sum.iter_mut().zip(of(shape, body)).for_each(|(sum, part)| *sum += weight * part);
+        }
+        sum
+    };
+    let largest = bodies
+        .iter()
+        .map(|(body, _)| motion(*body))
+        .fold(0.0_f64, |most, [x, y, u]| most.max(libm::hypot(x, y)).max(u.abs()));
+    let shown = |value: f64| if value.abs() < STILL * largest { 0.0 } else { plain(value / largest) };
+    bodies
+        .iter()
+        .map(|(body, (name, planet))| {
+            let [x, y, u] = motion(*body).map(shown);
+            BodyMotion { body: *name, planet: *planet, x, y, u }
+        })
+        .collect()
+}

@@ -1,0 +1,202 @@
+//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as springs; and what excites it.
+//!
+//! Centres are at rest, so that the speed changes no frequency, and an order meets a mode at `n = f/order`. What the teeth and planets of a set do excites by
+//! [`phasing::torsional`] either modes in which links rotate, or those of the planets of this set alone; what turns with a link excites the modes in which it rotates.
+
+use super::links::{Bodies, Train, TrainSet};
+use super::records::{ModeKind, NotCalculated, Order, Source, What};
+use super::train_records::{
+    StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalResonance,
+    TorsionalStrain,
+};
+use super::wanted::Settled;
+use super::{Prepared, number, orders};
+use crate::analyze::answer::analysis;
+use crate::error::Error;
+use crate::tolerance::{ROUNDED, rounded};
+use epicyclic_train::{Analysis, Gear};
+use epicyclic_units::Physical;
+use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
+use epicyclic_vibration::{Group, Model, SpringId, phasing};
+use std::f64::consts::TAU;
+
+/// The torsional modes in a gear with what excites them, or which set lacks what.
+pub(super) fn modes(
+    train: &Train<'_>,
+    gear: &Gear,
+    sets: &[TrainSet<'_>],
+    settled: &Settled,
+) -> Result<Result<TorsionalModes, NotCalculated>, Error> {
+    let laid = match train.laid(gear, sets, What::Torsional, Prepared::torsional) {
+        Ok(laid) => laid,
+        Err(missing) => return Ok(Err(missing)),
+    };
+    let bodies = &laid.bodies;
+    let between = laid.shafts.iter().filter_map(|shaft| Some((shaft, shaft.between?)));
+    let shafts: Vec<Shaft> = between
+        .map(|(shaft, (links, stiffness))| Shaft { name: shaft.entry.id.clone(), links, stiffness })
+        .collect();
+    let placed: Vec<Placed<'_>> = std::iter::zip(sets, &laid.sets)
+        .map(|(one, (set, links))| Placed { name: format!("{} ", one.of.entry.id), set, links: *links })
+        .collect();
+    let refuse = |error| train.refused(gear, &error);
+    let (model, parts) = torsional(&bodies.links, &placed, &shafts).map_err(refuse)?;
+    let groups = model.groups(&parts.links).map_err(refuse)?;
+    let modes: Result<Vec<TorsionalMode>, _> = groups
+        .iter()
+        .enumerate()
+        .map(|(index, group)| mode(index, group, &model, &parts, bodies, sets, &shafts))
+        .collect();
+    let zeros = groups.iter().filter(|group| group.is_zero());
+    let mut all = TorsionalModes {
+        gear: gear.name().to_owned(),
+        freedoms: zeros.map(|group| group.multiplicity() as u32).sum(),
+        modes: modes.map_err(refuse)?,
+        orders: vec![],
+        resonances: vec![],
+        input_speeds_rad_s: settled.ends(),
+    };
+    if let Some([low, high]) = all.input_speeds_rad_s {
+        let analysis = analysis(&train.subject.gearbox, gear.name())?;
+        all.orders = of_links(&analysis, bodies);
+        for (place, one) in sets.iter().enumerate() {
+            all.orders.extend(of_set(&analysis, place, one, settled.harmonics));
+        }
+        for order in &all.orders {
+            all.resonances.extend(met(order, &all.modes, [low, high]));
+        }
+        all.resonances.sort_by(|one, other| one.input_speed_rad_s.total_cmp(&other.input_speed_rad_s));
+    }
+    Ok(Ok(all))
+}
+
+/// A turn of each link that turns.
+fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
+    let order = |(root, place): &(usize, usize)| {
+        let of_input = analysis.speeds().get(*root).copied().flatten()?.abs();
+        (of_input > ROUNDED).then(|| TorsionalOrder {
+            of: bodies.links[*place].name.clone(),
+            source: Source::LinkTurn,
+            harmonic: 1,
+            of_input,
+            excites: Some(ModeKind::Rotational),
+        })
+    };
+    bodies.of_root.iter().filter_map(order).collect()
+}
+
+/// What the teeth and planets of a set do, in axes on its carrier; nothing where its teeth or speeds are not known.
+fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
+    let (planets, Some(teeth)) = (one.prepared.planets, one.prepared.teeth) else { return vec![] };
+    let [Some(sun), Some(ring), Some(carrier)] = analysis.sets()[place].members[..] else { return vec![] };
+    let set = &one.of.entry.id;
+    let periods = |order: &Order| match order.source {
+        Source::Mesh => Some(u64::from(order.harmonic) * u64::from(teeth[0])),
+        Source::SunTurn | Source::RingTurn => Some(1),
+        Source::SunPlanetPass | Source::RingPlanetPass => Some(u64::from(planets)),
+        // Each planet has a phase of its own.
+        Source::PlanetTurn | Source::LinkTurn => None,
+    };
+    let is_equal = one.prepared.is_equally_spaced();
+    let speeds = [sun, ring, carrier];
+    let all = orders::all(set, analysis.gear().name(), teeth, planets, is_equal, speeds, harmonics);
+    all.into_iter()
+        .map(|order| {
+            // The rule is of equally spaced planets.
+            let periods = periods(&order).filter(|_| is_equal);
+            let excites = periods.and_then(|periods| phasing::torsional(periods, planets).ok());
+            TorsionalOrder {
+                of: set.clone(),
+                source: order.source,
+                harmonic: order.harmonic,
+                of_input: order.of_input,
+                excites: excites.map(ModeKind::of),
+            }
+        })
+        .collect()
+}
+
+/// Where an order has the frequency of a mode that it can excite.
+fn met(order: &TorsionalOrder, modes: &[TorsionalMode], [low, high]: [f64; 2]) -> Vec<TorsionalResonance> {
+    let mut all = vec![];
+    for mode in modes.iter().filter(|mode| mode.frequency_hz > 0.0) {
+        let share = share(order, mode);
+        // Shares that rounding leaves are told as 0.
+        if share == 0.0 || order.excites.is_some_and(|kind| kind != mode.kind) {
+            continue;
+        }
+        let speed = TAU * mode.frequency_hz / order.of_input;
+        for input_speed_rad_s in [-speed, speed].into_iter().filter(|speed| (low..=high).contains(speed)) {
+            all.push(TorsionalResonance {
+                input_speed_rad_s,
+                of: order.of.clone(),
+                source: order.source,
+                harmonic: order.harmonic,
+                mode: mode.mode,
+                frequency_hz: mode.frequency_hz,
+                share,
+            });
+        }
+    }
+    all
+}
+
+/// How much of a mode is where an order acts.
+fn share(order: &TorsionalOrder, mode: &TorsionalMode) -> f64 {
+    if order.source == Source::LinkTurn {
+        let own =
+            mode.kinetic.iter().filter(|one| one.planets_of.is_none() && one.links.join("+") == order.of);
+        return own.map(|one| one.share).sum();
+    }
+    let is_mesh = |part| matches!(part, StrainPart::SunMeshes | StrainPart::RingMeshes);
+    mode.strain.iter().filter(|one| is_mesh(one.part) && one.of == order.of).map(|one| one.share).sum()
+}
+
+fn mode(
+    index: usize,
+    group: &Group,
+    model: &Model,
+    parts: &TrainParts,
+    bodies: &Bodies,
+    sets: &[TrainSet<'_>],
+    shafts: &[Shaft],
+) -> Result<TorsionalMode, epicyclic_vibration::Error> {
+    let energy = model.modal_energy(group)?;
+    let links = parts.links.iter().zip(&bodies.names).zip(&bodies.links).filter(|(_, link)| !link.held);
+    let mut kinetic: Vec<TorsionalKinetic> = links
+        .map(|((body, names), _)| TorsionalKinetic {
+            links: names.clone(),
+            planets_of: None,
+            share: rounded(energy.kinetic_of(*body)),
+        })
+        .collect();
+    kinetic.extend(parts.planets.iter().zip(sets).map(|(planets, set)| TorsionalKinetic {
+        links: vec![],
+        planets_of: Some(set.of.entry.id.clone()),
+        share: rounded(planets.iter().map(|planet| energy.kinetic_of(*planet)).sum()),
+    }));
+    let mut strain: Vec<TorsionalStrain> = vec![];
+    if !group.is_zero() {
+        let mut add = |part, of: String, springs: &[SpringId]| {
+            strain.push(TorsionalStrain { part, of, share: rounded(energy.strain_of(springs)) });
+        };
+        for (place, set) in sets.iter().enumerate() {
+            add(StrainPart::SunMeshes, set.of.entry.id.clone(), &parts.sun_meshes[place]);
+            add(StrainPart::RingMeshes, set.of.entry.id.clone(), &parts.ring_meshes[place]);
+        }
+        for (shaft, spring) in shafts.iter().zip(&parts.shafts) {
+            add(StrainPart::Shaft, shaft.name.clone(), &[*spring]);
+        }
+        for (link, springs) in bodies.links.iter().zip(&parts.supports).filter(|(_, own)| !own.is_empty()) {
+            add(StrainPart::Support, link.name.clone(), springs);
+        }
+    }
+    Ok(TorsionalMode {
+        mode: number(index),
+        kind: ModeKind::of(group.kind),
+        multiplicity: group.multiplicity() as u32,
+        frequency_hz: group.frequency.si(),
+        kinetic,
+        strain,
+    })
+}

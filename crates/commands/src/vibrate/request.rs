@@ -1,0 +1,256 @@
+//! The command `vibrate`: natural frequencies, modes and resonances of planet sets.
+
+use crate::analyze::request::refuse;
+use crate::desk::{Call, Content};
+use crate::drawing_file;
+use crate::error::Error;
+use crate::failure::Failure;
+use crate::input;
+use crate::losses::request::Range;
+use crate::output::OutputArgs;
+use crate::vibrate::answer::{self as answers, Vibration, Wanted};
+use crate::vibrate::table as views;
+use epicyclic_drawing::Scene;
+use epicyclic_units::Quantity as Given;
+use std::path::{Path, PathBuf};
+use uom::si::f64::{AngularVelocity, Length, Ratio};
+
+/// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
+///
+/// Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With --speeds also what excites it
+/// in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which it meets them;
+/// with --transmission-error the forces in the meshes. Torsional modes are of the whole gearbox, and with --coupled also its modes in the plane.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  printf 'gearbox: hoist\\ninput: s\\noutput: h\\nsets:\\n' > hoist.yaml
+  printf '  - id: P\\n    sun: s\\n    ring: ground\\n    carrier: h\\n' >> hoist.yaml
+  printf '    teeth: [24, 84]\\n    planets: 4\\n' >> hoist.yaml
+  printf '    module: 3 mm\\n    face_width: 40 mm\\n' >> hoist.yaml
+  printf '    vibration:\\n      planet_bearing: 300 N/um\\n' >> hoist.yaml
+  printf '      sun: { support: 0 N/um }\\n' >> hoist.yaml
+  printf '      carrier: { mass: 9 kg, inertia: 0.05 kg·m2, ' >> hoist.yaml
+  printf 'support: 200 N/um }\\n' >> hoist.yaml
+  printf 'gears: [{ name: only }]\\n' >> hoist.yaml
+  epicyclic vibrate hoist.yaml --shapes modes.svg
+  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --harmonics 2
+  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --campbell c.pdf
+  epicyclic vibrate hoist.yaml --coupled
+  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/100 \\
+    --transmission-error 3um,1um --damping 3% --response forces.svg
+
+Keys of the file beyond those of `epicyclic analyze`:
+  sets: vibration: planet_bearing, mesh_stiffness, pressure_angles, base_radii;
+        sun, ring, carrier, planet: mass, inertia or rotary_mass, support,
+        tangential_support; sun: bore; ring: outside_diameter
+  vibration: speeds, harmonics, transmission_error, ring_transmission_error,
+        damping, in place of the options; link_inertias, shafts
+  A centre without a support is held. Meshes without a stiffness have that of
+  ISO 6336.")]
+pub struct Args {
+    /// The file, in YAML, or - for standard input.
+    #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    file: PathBuf,
+
+    /// One gear; all without.
+    #[arg(long, value_name = "NAME")]
+    gear: Option<String>,
+
+    /// One set; all without.
+    #[arg(long, value_name = "NAME")]
+    set: Option<String>,
+
+    #[command(flatten)]
+    exciting: Exciting,
+
+    /// File for a picture of the forces by the transmission error of one set in one gear over the speed, as for --campbell.
+    #[arg(long, value_name = "FILE")]
+    response: Option<PathBuf>,
+
+    /// File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png, otherwise SVG.
+    #[arg(long, value_name = "FILE")]
+    campbell: Option<PathBuf>,
+
+    /// File for a Campbell diagram of the torsional modes of one gear, as for --campbell.
+    #[arg(long, value_name = "FILE")]
+    torsional_campbell: Option<PathBuf>,
+
+    /// File for pictures of all modes of one set, seen along its axis, as for --campbell.
+    #[arg(long, value_name = "FILE")]
+    shapes: Option<PathBuf>,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// What excites a vibration, and where it is looked at. What is not given here the file may say.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Exciting {
+    /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many places.
+    #[arg(long, value_name = "FROM..TO/PLACES", allow_hyphen_values = true)]
+    speeds: Option<Range<AngularVelocity>>,
+
+    /// How many harmonics of the meshes. Default: 3.
+    #[arg(long, value_name = "COUNT")]
+    harmonics: Option<u32>,
+
+    /// Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes.
+    #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
+    transmission_error: Vec<Given<Length>>,
+
+    /// The same of the ring's meshes, where it is another.
+    #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
+    ring_transmission_error: Vec<Given<Length>>,
+
+    /// Damping ratio of every mode, such as 0.03 or 3%.
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    damping: Option<Given<Ratio>>,
+
+    /// These forces without the gyroscopic effect of the carrier's speed.
+    #[arg(long)]
+    without_gyroscopic: bool,
+
+    /// Modes of the whole gearbox in the plane, with all sets on common links.
+    #[arg(long)]
+    coupled: bool,
+}
+
+impl Exciting {
+    /// An option that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let all = [
+            ("--speeds", self.speeds.is_some()),
+            ("--harmonics", self.harmonics.is_some()),
+            ("--transmission-error", !self.transmission_error.is_empty()),
+            ("--ring-transmission-error", !self.ring_transmission_error.is_empty()),
+            ("--damping", self.damping.is_some()),
+            ("--without-gyroscopic", self.without_gyroscopic),
+            ("--coupled", self.coupled),
+        ];
+        all.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
+    }
+
+    /// What is asked, of all sets and gears.
+    pub(crate) fn wanted(&self) -> Result<Wanted, Failure> {
+        let lengths = |all: &[Given<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
+        Ok(Wanted {
+            gear: None,
+            set: None,
+            speeds: self.speeds.as_ref().map(|range| range.places("--speeds")).transpose()?,
+            harmonics: self.harmonics,
+            transmission_error: lengths(&self.transmission_error),
+            ring_transmission_error: lengths(&self.ring_transmission_error),
+            damping: self.damping.map(|damping| damping.0.value),
+            without_gyroscopic: self.without_gyroscopic,
+            coupled: self.coupled,
+        })
+    }
+
+    /// What is refused, by its option.
+    pub(crate) fn refuse(error: Error) -> Failure {
+        let option = match &error {
+            Error::Harmonics { .. } => "--harmonics",
+            Error::DampingRatio { .. } => "--damping",
+            Error::TransmissionError { .. } => "--transmission-error",
+            Error::ExcitationWithout { given: "harmonics", .. } => "--harmonics",
+            Error::ExcitationWithout { given: "damping", .. } => "--damping",
+            Error::ExcitationWithout { given: "without-gyroscopic", .. } => "--without-gyroscopic",
+            Error::ExcitationWithout { given: "ring-transmission-error", .. } => "--ring-transmission-error",
+            Error::ExcitationWithout { .. } => "--transmission-error",
+            _ => return refuse(error),
+        };
+        let message = match &error {
+            Error::ExcitationWithout { lacks, .. } => {
+                format!("it needs {lacks}, as an option or as a key of `vibration` of the file")
+            }
+            error => error.to_string(),
+        };
+        Failure::Option { option, message }
+    }
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let document = input::document(call, &args.file)?;
+    let subject = answers::subject(&document)?;
+    if args.set.is_some() && args.exciting.coupled {
+        let message = "it is of all sets; leave --set out".to_owned();
+        return Err(Failure::Option { option: "--coupled", message });
+    }
+    let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
+    let answer = answers::answer(&subject, &wanted, &|| call.goes_on()).map_err(|error| match error {
+        Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
+        error => Exciting::refuse(error),
+    })?;
+    let mut files = vec![];
+    if let Some(file) = &args.campbell {
+        files.push(drawn(file, "--campbell", &campbell(&answer)?)?);
+    }
+    if let Some(file) = &args.torsional_campbell {
+        files.push(drawn(file, "--torsional-campbell", &torsional_campbell(&answer)?)?);
+    }
+    if let Some(file) = &args.response {
+        files.push(drawn(file, "--response", &response(&answer)?)?);
+    }
+    if let Some(file) = &args.shapes {
+        files.push(drawn(file, "--shapes", &shapes(&answer)?)?);
+    }
+    args.output.deliver_with(call, files, &answer)
+}
+
+/// A picture as a file.
+fn drawn(file: &Path, option: &'static str, scene: &Scene) -> Result<Content, Failure> {
+    let format = drawing_file::format_by_name(file, option)?;
+    Ok((file.to_owned(), drawing_file::content(scene, format, None)?))
+}
+
+/// Refuses a picture of none.
+fn none(option: &'static str, needs: &str) -> Failure {
+    Failure::Option { option, message: format!("nothing to draw: it is of {needs}") }
+}
+
+/// Refuses a picture of several.
+fn only(option: &'static str, by: &str, all: &[String]) -> Result<(), Failure> {
+    if all.len() < 2 {
+        return Ok(());
+    }
+    let message = format!("it is of one, by {by}; there are {}", all.join(", "));
+    Err(Failure::Option { option, message })
+}
+
+/// The Campbell diagram.
+fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
+    only("--campbell", "--set and --gear", &all.collect::<Vec<_>>())?;
+    let picture = views::campbell(answer, 0)
+        .ok_or_else(|| none("--campbell", "a set with modes over speeds of the input"))?;
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The Campbell diagram of the torsional modes.
+fn torsional_campbell(answer: &Vibration) -> Result<Scene, Failure> {
+    let option = "--torsional-campbell";
+    let all: Vec<String> = answer.torsional.iter().map(|one| format!("gear {}", one.gear)).collect();
+    only(option, "--gear", &all)?;
+    let picture = views::torsional_campbell(answer, 0)
+        .ok_or_else(|| none(option, "a gearbox with torsional modes over speeds of the input"))?;
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The forces over the speed.
+fn response(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.responses.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
+    only("--response", "--set and --gear", &all.collect::<Vec<_>>())?;
+    let picture = views::response(answer, 0).ok_or_else(|| {
+        none("--response", "a set with modes, a transmission error and speeds of the input")
+    })?;
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The modes along the axis.
+fn shapes(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.sets.iter().map(|one| format!("set {} in gear {}", one.set, one.gears.join(" and ")));
+    only("--shapes", "--set and --gear", &all.collect::<Vec<_>>())?;
+    let (title, modes) = views::shapes(answer, 0).ok_or_else(|| none("--shapes", "a set with modes"))?;
+    Ok(epicyclic_pictures::modes::scene(&title, &modes).map_err(epicyclic_pictures::Error::from)?)
+}

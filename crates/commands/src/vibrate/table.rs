@@ -1,0 +1,517 @@
+//! Modes, orders and resonances as tables; those of the whole gearbox are in `train`.
+
+mod train;
+
+use crate::table::figure::{Figure, count, text};
+use crate::table::quantities::{column, optional, quantity, words};
+use crate::table::report::AsReport;
+use crate::table::report::{Column, Part, Records, Report, View, warned};
+use crate::table::units::{hertz_of_rpm, rpm};
+use crate::vibrate::answer::Vibration;
+use crate::vibrate::answer::records::{
+    self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
+    StiffnessOrigin, What,
+};
+use epicyclic_pictures::campbell::{self, Branch, Ray};
+use epicyclic_pictures::modes;
+use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_units::Dimension::{AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque};
+use epicyclic_units::format::in_unit;
+pub use train::torsional_campbell;
+
+/// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
+#[must_use]
+pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
+    let one = all.campbell.get(place)?;
+    let is_own = |set: &str, gear: &str| set == one.set && gear == one.gear;
+    let branch = |branch: &records::Branch| Branch {
+        kind: branch_kind(branch.kind),
+        frequencies: branch.frequencies_hz.clone(),
+    };
+    let ray = |order: &Order| Ray {
+        name: ray_name(order.source, order.harmonic),
+        slope: hertz_of_rpm(order.of_input),
+    };
+    let moves = |branch: &&records::Branch| branch.frequencies_hz.iter().any(|frequency| *frequency > 0.0);
+    let met = all.resonances.iter().filter(|met| is_own(&met.set, &met.gear));
+    Some(campbell::Campbell {
+        title: format!("{}, set {}, gear {}", all.gearbox, one.set, one.gear),
+        across: "speed of the input, rpm".to_owned(),
+        up: "frequency, Hz".to_owned(),
+        speeds: one.input_speeds_rad_s.iter().map(|speed| rpm(*speed)).collect(),
+        branches: one.branches.iter().filter(moves).map(branch).collect(),
+        rays: all.orders.iter().filter(|order| is_own(&order.set, &order.gear)).map(ray).collect(),
+        meetings: met.map(|met| [rpm(met.input_speed_rad_s), met.frequency_hz]).collect(),
+        size_mm: campbell::SIZE_MM,
+        is_untitled: false,
+    })
+}
+
+const fn branch_kind(kind: ModeKind) -> campbell::Kind {
+    match kind {
+        ModeKind::Rotational => campbell::Kind::Rotational,
+        ModeKind::Translational => campbell::Kind::Translational,
+        ModeKind::Planet => campbell::Kind::Planet,
+        ModeKind::Mixed => campbell::Kind::Mixed,
+    }
+}
+
+/// A short name of an order.
+fn ray_name(of: Source, harmonic: u32) -> String {
+    match of {
+        Source::Mesh => format!("meshes {harmonic}"),
+        of => source(of).to_owned(),
+    }
+}
+
+/// The forces that transmission errors make in a set in a gear over the speed as a plot; its place is that in the answer.
+#[must_use]
+pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
+    let one = all.responses.get(place)?;
+    let damping = Figure::Share(one.damping_ratio).table();
+    let title = format!(
+        "{}, set {}, gear {}: forces of the meshes, damping {damping}",
+        all.gearbox, one.set, one.gear
+    );
+    let mut plot = Plot::new(title, "speed of the input, rpm", "amplitude of the force, N");
+    for harmonic in &one.harmonics {
+        let own = [
+            ("sun", harmonic.sun_error_m, &harmonic.sun_forces_n),
+            ("ring", harmonic.ring_error_m, &harmonic.ring_forces_n),
+        ];
+        for (name, error, forces) in own {
+            let points = std::iter::zip(&harmonic.input_speeds_rad_s, forces);
+            let points = points.map(|(speed, force)| [rpm(*speed), *force]).collect();
+            plot = plot.with(Curve::new(
+                format!("{name}, harmonic {}: {}", harmonic.harmonic, words(Length, error, 3)),
+                points,
+            ));
+        }
+    }
+    Some(plot)
+}
+
+/// The modes of a set as pictures along the axis; its place is that in the answer.
+#[must_use]
+pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>)> {
+    let set = all.sets.get(place)?;
+    let circle = set.bodies.iter().find(|body| body.body == Member::Carrier)?.radius_m;
+    let body = |motion: &BodyMotion| {
+        let radius = set.bodies.iter().find(|body| body.body == motion.body)?.radius_m;
+        let part = match motion.body {
+            Member::Sun => modes::Part::Sun,
+            Member::Ring => modes::Part::Ring,
+            Member::Carrier => modes::Part::Carrier,
+            Member::Planet => modes::Part::Planet,
+        };
+        let centre = motion.planet.map_or([0.0; 2], |number| {
+            let angle = set.planet_angles_rad.get(number as usize - 1).copied().unwrap_or_default();
+            [circle * libm::cos(angle), circle * libm::sin(angle)]
+        });
+        Some(modes::Body { part, centre, radius, motion: [motion.x, motion.y, motion.u] })
+    };
+    let mode = |mode: &Mode| modes::Mode {
+        name: format!(
+            "{}: {}, {}",
+            mode.mode,
+            in_unit(mode.frequency_hz, Frequency.usual_unit(), 5),
+            kind(mode.kind)
+        ),
+        bodies: mode.shape.iter().filter_map(body).collect(),
+    };
+    let gears = set.gears.join(", ");
+    let of_gears = if gears.is_empty() { String::new() } else { format!(", gear {gears}") };
+    Some((format!("{}, set {}{of_gears}", all.gearbox, set.set), set.modes.iter().map(mode).collect()))
+}
+
+/// A chapter of a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Chapter {
+    /// Frequencies, kinds and energies, with the bodies and springs.
+    Frequencies,
+    /// Orders and where they meet a mode.
+    Resonances,
+    /// What transmission errors do.
+    Forces,
+}
+
+/// The tables of a chapter of a page, which has the warnings elsewhere.
+pub(crate) fn chapter(all: &Vibration, of: Chapter) -> Report {
+    let parts = tables(all).into_iter().filter(|(chapter, _)| *chapter == of).map(|(_, records)| records);
+    Report { parts: parts.map(Part::Records).collect(), ..Report::default() }
+}
+
+/// All tables, each with its chapter.
+fn tables(all: &Vibration) -> Vec<(Chapter, Records)> {
+    use Chapter::{Forces, Frequencies, Resonances};
+    let has_sets = !all.sets.is_empty();
+    let over_speed = !all.campbell.is_empty();
+    let has_resonances = all.torsional.iter().any(|one| !one.orders.is_empty());
+    let tables = [
+        (has_sets, Frequencies, of_modes(&all.sets, !over_speed)),
+        (over_speed, Resonances, resonances(&all.resonances)),
+        (over_speed && !all.responses.is_empty(), Forces, responses(&all.responses)),
+        (over_speed, Resonances, orders(&all.orders)),
+        (!all.torsional.is_empty(), Frequencies, train::torsional(&all.torsional)),
+        (has_resonances, Resonances, train::resonances(&all.torsional)),
+        (has_resonances, Resonances, train::orders(&all.torsional)),
+        (!all.coupled.is_empty(), Frequencies, train::coupled(&all.coupled)),
+        (!all.coupled.is_empty(), Frequencies, train::centres(&all.coupled)),
+        (has_sets, Frequencies, bodies(&all.sets)),
+        (has_sets, Frequencies, springs(&all.sets)),
+        (!all.not_calculated.is_empty(), Frequencies, not_calculated(&all.not_calculated)),
+    ];
+    tables.into_iter().filter(|(is_told, ..)| *is_told).map(|(_, of, records)| (of, records)).collect()
+}
+
+impl AsReport for Vibration {
+    fn report(&self) -> Report {
+        Report {
+            title: Some(format!("{}: vibration", self.gearbox)),
+            parts: tables(self).into_iter().map(|(_, records)| Part::Records(records)).collect(),
+            warnings: warned(&self.warnings),
+        }
+    }
+}
+
+/// A frequency with one decimal.
+fn hertz(si: f64) -> Figure {
+    Figure::Measured { si, dimension: Frequency, decimals: 1 }
+}
+
+/// A share in per cent.
+fn share(of: f64) -> Figure {
+    Figure::Printed(100.0 * of, 1)
+}
+
+const fn kind(kind: ModeKind) -> &'static str {
+    match kind {
+        ModeKind::Rotational => "rotational",
+        ModeKind::Translational => "translational",
+        ModeKind::Planet => "planet",
+        ModeKind::Mixed => "mixed",
+    }
+}
+
+const fn member(of: Member) -> &'static str {
+    match of {
+        Member::Sun => "sun",
+        Member::Ring => "ring",
+        Member::Carrier => "carrier",
+        Member::Planet => "planet",
+    }
+}
+
+const fn source(source: Source) -> &'static str {
+    match source {
+        Source::Mesh => "meshes",
+        Source::SunTurn => "turn of the sun",
+        Source::RingTurn => "turn of the ring",
+        Source::SunPlanetPass => "planets pass the sun",
+        Source::RingPlanetPass => "planets pass the ring",
+        Source::PlanetTurn => "turn of a planet",
+        Source::LinkTurn => "turn of the shaft",
+    }
+}
+
+/// The part with most of an energy, with its share.
+fn most<N: std::fmt::Display>(shares: impl IntoIterator<Item = (f64, N)>) -> Figure {
+    let most = shares.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
+    most.map_or(Figure::None, |(share, name)| text(format!("{name} {:.0}", 100.0 * share)))
+}
+
+fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
+    let rows = sets.iter().flat_map(|set| set.modes.iter().map(move |mode| row(set, mode)));
+    let shares =
+        ["sun", "ring", "carrier", "planets", "sun_meshes", "ring_meshes", "planet_bearings", "supports"];
+    let headings = ["sun", "ring", "carrier", "planets", "s mesh", "r mesh", "bearings", "supports"];
+    let mut columns = vec![
+        Column::words("set", "set"),
+        Column::words("gears", "gears"),
+        Column::words("held", "held"),
+        Column::number("mode", "mode"),
+        Column::words("kind", "kind"),
+        Column::number("multiplicity", "×"),
+        Column::headed("frequency", "f, Hz", Frequency),
+        Column::words("moves", "moves most, %").for_people(),
+        Column::words("strained", "strained most, %").for_people(),
+    ];
+    columns.extend(shares.into_iter().zip(headings).map(|(name, heading)| Column::number(name, heading)));
+    Records {
+        name: "modes",
+        columns,
+        rows: rows.collect(),
+        views: vec![
+            View {
+                note: "×: how many modes have this frequency. Rotational: sun, ring and carrier rotate and do not translate; translational: \
+                       they translate; planet: they are at rest. At 0 Hz all turn by their ratios."
+                    .to_owned(),
+                ..View::new(
+                    "Natural frequencies",
+                    &["set", "gears", "mode", "kind", "multiplicity", "frequency", "moves", "strained"],
+                )
+            },
+            View {
+                note: "Shares in per cent: of the bodies in the kinetic energy, of the springs in the strain energy. Springs that stiffen by \
+                       1 % raise the frequency by half their share of 1 %; a body that grows by 1 % lowers it by half its share."
+                    .to_owned(),
+                ..View::new("Where the energy is", &[&["set", "mode"][..], &shares[..]].concat())
+            },
+        ],
+        is_answer,
+    }
+}
+
+fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
+    let kinetic = mode.kinetic;
+    let bodies = [
+        (kinetic.sun, "sun"),
+        (kinetic.ring, "ring"),
+        (kinetic.carrier, "carrier"),
+        (kinetic.planets, "planets"),
+    ];
+    let springs = mode.strain.map(|strain| {
+        [
+            (strain.sun_meshes, "sun meshes"),
+            (strain.ring_meshes, "ring meshes"),
+            (strain.planet_bearings, "planet bearings"),
+            (strain.supports, "supports"),
+        ]
+    });
+    let held = set.held.iter().map(|one| member(*one).to_owned()).collect();
+    let mut row = vec![
+        text(&set.set),
+        Figure::Texts(set.gears.clone()),
+        Figure::Texts(held),
+        count(mode.mode),
+        Figure::choice(mode.kind, kind(mode.kind)),
+        count(mode.multiplicity),
+        hertz(mode.frequency_hz),
+        most(bodies),
+        springs.map_or(Figure::None, most),
+    ];
+    row.extend(bodies.map(|(of, _)| share(of)));
+    match springs {
+        Some(springs) => row.extend(springs.map(|(of, _)| share(of))),
+        None => row.extend([Figure::None, Figure::None, Figure::None, Figure::None]),
+    }
+    row
+}
+
+fn resonances(all: &[Resonance]) -> Records {
+    let row = |one: &Resonance| {
+        vec![
+            text(&one.set),
+            text(&one.gear),
+            column(AngularSpeed, Some(one.input_speed_rad_s)),
+            Figure::choice(one.source, source(one.source)),
+            count(one.harmonic),
+            count(one.mode),
+            Figure::choice(one.kind, kind(one.kind)),
+            hertz(one.frequency_hz),
+        ]
+    };
+    Records {
+        name: "resonances",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::headed("input_speed", "n in, rpm", AngularSpeed),
+            Column::words("source", "excited by"),
+            Column::number("harmonic", "harm."),
+            Column::number("mode", "mode"),
+            Column::words("kind", "kind"),
+            Column::headed("frequency", "f, Hz", Frequency),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Speeds of the input at which what excites has the frequency of a mode that it can excite."
+                .to_owned(),
+            ..View::new(
+                "Resonances",
+                &["set", "gear", "input_speed", "source", "harmonic", "mode", "kind", "frequency"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn responses(all: &[Response]) -> Records {
+    let rows = all.iter().flat_map(|set| {
+        set.harmonics.iter().flat_map(move |one| {
+            let meshes =
+                [("sun", one.sun_error_m, one.greatest_sun), ("ring", one.ring_error_m, one.greatest_ring)];
+            meshes.map(|(mesh, error, greatest)| {
+                vec![
+                    text(&set.set),
+                    text(&set.gear),
+                    text(mesh),
+                    count(one.harmonic),
+                    quantity(Length, error),
+                    column(AngularSpeed, Some(greatest.input_speed_rad_s)),
+                    hertz(greatest.frequency_hz),
+                    column(Force, Some(greatest.force_n)),
+                    column(Torque, Some(greatest.parts_below_sun_torque_n_m)),
+                    Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" }),
+                ]
+            })
+        })
+    });
+    Records {
+        name: "responses",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::words("mesh", "mesh"),
+            Column::number("harmonic", "harm."),
+            Column::headed("error", "e", Length),
+            Column::headed("input_speed", "n in, rpm", AngularSpeed),
+            Column::headed("frequency", "f, Hz", Frequency),
+            Column::headed("force", "F, N", Force),
+            Column::headed("parts_below_sun_torque", "T sun, N·m", Torque),
+            Column::words("gyroscopic", "gyro"),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
+                   below which the flanks part there, and this is no longer so."
+                .to_owned(),
+            ..View::new(
+                "Forces by the transmission error",
+                &["set", "gear", "mesh", "harmonic", "error", "input_speed", "frequency", "force", "parts_below_sun_torque", "gyroscopic"],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn orders(all: &[Order]) -> Records {
+    let row = |one: &Order| {
+        vec![
+            text(&one.set),
+            text(&one.gear),
+            Figure::choice(one.source, source(one.source)),
+            count(one.harmonic),
+            Figure::Multiple(one.of_input),
+            one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))),
+        ]
+    };
+    Records {
+        name: "orders",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::words("source", "excited by"),
+            Column::number("harmonic", "harm."),
+            Column::number("of_input", "order"),
+            Column::words("excites", "excites"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Order: frequency over that of a turn of the input, in axes on the carrier.".to_owned(),
+            ..View::new("Orders", &["set", "gear", "source", "harmonic", "of_input", "excites"])
+        }],
+        is_answer: false,
+    }
+}
+
+fn bodies(sets: &[SetModes]) -> Records {
+    let rows = sets.iter().flat_map(|set| {
+        set.bodies.iter().map(move |body| {
+            vec![
+                text(&set.set),
+                Figure::Texts(set.gears.clone()),
+                Figure::choice(body.body, member(body.body)),
+                column(Mass, body.mass_kg),
+                optional(Inertia, body.inertia_kg_m2),
+                column(Length, Some(body.radius_m)),
+            ]
+        })
+    });
+    Records {
+        name: "bodies",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gears", "gears"),
+            Column::words("body", "body"),
+            Column::headed("mass", "m, kg", Mass),
+            Column::headed("inertia", "I", Inertia),
+            Column::headed("radius", "r, mm", Length),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "Without a mass the centre is held, without an inertia the rotation. r: base radius, of the carrier the radius of the planets' \
+                   circle."
+                .to_owned(),
+            ..View::new("Bodies", &["set", "gears", "body", "mass", "inertia", "radius"])
+        }],
+        is_answer: false,
+    }
+}
+
+fn springs(sets: &[SetModes]) -> Records {
+    let rows = sets.iter().flat_map(|set| {
+        let of = &set.stiffness;
+        let meshes = match of.meshes_by {
+            StiffnessOrigin::Given => "given",
+            StiffnessOrigin::Iso6336 => "ISO 6336",
+        };
+        let all = [
+            ("sun mesh", Some(of.sun_mesh_n_m), meshes),
+            ("ring mesh", Some(of.ring_mesh_n_m), meshes),
+            ("planet bearing", Some(of.planet_bearing_n_m), "given"),
+            ("sun support", of.sun_support_n_m, "given"),
+            ("ring support", of.ring_support_n_m, "given"),
+            ("carrier support", of.carrier_support_n_m, "given"),
+            ("sun, tangential", of.sun_tangential_support_n_m, "given"),
+            ("ring, tangential", of.ring_tangential_support_n_m, "given"),
+            ("carrier, tangential", of.carrier_tangential_support_n_m, "given"),
+        ];
+        all.into_iter().filter_map(move |(name, stiffness, by)| {
+            let row = [text(name), column(Stiffness, Some(stiffness?)), text(by)];
+            Some([text(&set.set), Figure::Texts(set.gears.clone())].into_iter().chain(row).collect())
+        })
+    });
+    Records {
+        name: "springs",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gears", "gears"),
+            Column::words("spring", "spring"),
+            Column::headed("stiffness", "k, N/µm", Stiffness),
+            Column::words("by", "by"),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new("Springs", &["set", "gears", "spring", "stiffness", "by"])],
+        is_answer: false,
+    }
+}
+
+fn not_calculated(all: &[NotCalculated]) -> Records {
+    let row = |one: &NotCalculated| {
+        let what = match one.what {
+            What::Modes => "modes",
+            What::Resonances => "resonances",
+            What::Torsional => "torsional modes",
+            What::Coupled => "coupled modes",
+        };
+        vec![
+            text(&one.set),
+            one.gear.as_ref().map_or(text("all"), text),
+            Figure::choice(one.what, what),
+            text(one.why()),
+        ]
+    };
+    Records {
+        name: "not_calculated",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gear", "gear"),
+            Column::words("what", "what"),
+            Column::words("reason", "why"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View::new("Not calculated", &["set", "gear", "what", "reason"])],
+        is_answer: false,
+    }
+}

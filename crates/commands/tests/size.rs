@@ -1,0 +1,253 @@
+//! Sizes found for a file, and the file written with them.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_commands::analyze::answer as analyze;
+use epicyclic_commands::answer::to_json;
+use epicyclic_commands::error::Error;
+use epicyclic_commands::size::answer as size;
+use epicyclic_commands::size::answer::records::{HeldKey, Minimise, Requirement};
+use epicyclic_commands::size::answer::{Size, Wanted};
+use epicyclic_commands::strength::answer as strength;
+use epicyclic_commands::strength::answer::records::Reason;
+use epicyclic_formats::Document;
+use uom::si::f64::Length;
+use uom::si::length::millimeter;
+
+/// Two speeds and direct drive of two simple sets, and a double-planet set that nothing drives through.
+const BOX: &str = "\
+gearbox: hoist
+input: motor
+output: drum
+sets:
+  - { id: A, sun: motor, ring: R, carrier: drum, teeth: [24, 84], strength: HARD }
+  - { id: B, sun: motor, ring: S, carrier: R, teeth: [30, 81], planet_teeth: [25], strength: HARD }
+  - { id: C, kind: double_planet, sun: motor, ring: drum, carrier: T, teeth: [30, 72] }
+oil: { viscosity: 220 mm²/s }
+life: 3000 h
+required: { flank: 1.1, root: 1.4 }
+duty:
+  - { gear: low, share: 30 %, torque: 90 N·m, speed: 1450 rpm }
+  - { gear: high, share: 50 %, torque: 60 N·m, speed: 1450 rpm }
+  - { gear: high, share: 20 %, torque: 0 N·m, speed: 1450 rpm }
+brakes: [{ id: K1, link: R }, { id: K2, link: S }]
+gears: [{ name: low, engaged: [K1] }, { name: high, engaged: [K2] }]
+";
+
+const HARD: &str = "{ materials: [18CrNiMo7-6, 18CrNiMo7-6, 34CrNiMo6], flank_roughness: [4 µm, 4 µm, 6 µm], \
+    root_roughness: [16 µm, 16 µm, 20 µm], shaper: { teeth: 30 }, ring_factors: { Y_delta_rel_T_stat: 1 }, \
+    factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 } }";
+
+fn hoist() -> String {
+    BOX.replace("HARD", HARD)
+}
+
+fn mm(values: &[f64]) -> Vec<Length> {
+    values.iter().map(|value| Length::new::<millimeter>(*value)).collect()
+}
+
+/// A small space.
+fn wanted() -> Wanted {
+    Wanted {
+        modules: mm(&[2.0, 2.5, 3.0, 4.0, 5.0]),
+        face_widths: mm(&[20.0, 30.0, 40.0, 50.0, 60.0]),
+        planets: 3..=4,
+        centre_distance_step: Length::new::<millimeter>(1.0),
+        planet_rim: 2.0,
+        ..Wanted::default()
+    }
+}
+
+fn read(text: &str) -> Document {
+    Document::parse_one("box.yaml", text.as_bytes()).unwrap()
+}
+
+fn sized(text: &str, wanted: &Wanted) -> Result<Size, Error> {
+    let document = read(text);
+    let subject = strength::subject(&document)?;
+    size::answer(&subject, wanted, &|| std::ops::ControlFlow::Continue(()))
+}
+
+/// Every safety over the duty of a file, and its mass of planets' bores.
+fn safeties(text: &str) -> Vec<[f64; 2]> {
+    let document = read(text);
+    let subject = strength::subject(&document).unwrap();
+    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    told.over_duty
+        .iter()
+        .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
+        .collect()
+}
+
+#[test]
+fn the_saved_file_has_the_safeties_that_were_found() {
+    for minimise in [Minimise::Mass, Minimise::Ring] {
+        let size = sized(&hoist(), &Wanted { minimise, ..wanted() }).unwrap();
+        assert_eq!(size.sets.len(), 2);
+        assert_eq!((size.not_sized[0].set.as_str(), size.not_sized[0].reason), ("C", Reason::NotSimple));
+        let text = size::saved(&read(&hoist()), &size).unwrap();
+        let found: Vec<[f64; 2]> = size
+            .sets
+            .iter()
+            .flat_map(|set| &set.found[0].over_duty)
+            .map(|one| [one.flank.safety, one.root.safety])
+            .collect();
+        let told = safeties(&text);
+        assert_eq!(told.len(), 8);
+        for (one, other) in found.iter().flatten().zip(told.iter().flatten()) {
+            assert!((one / other - 1.0).abs() < 1e-9, "{found:?} {told:?}");
+        }
+        assert!(told.iter().all(|[flank, root]| *flank >= 1.1 && *root >= 1.4));
+        // The file is whole: gears, duty, and the sets that have no size.
+        let document = read(&text);
+        let subject = strength::subject(&document).unwrap();
+        let gear = |name: &str| analyze::analysis(&subject.gearbox, name).unwrap().ratio().unwrap();
+        assert!((gear("low") - 4.5).abs() < 1e-12 && gear("high") > 1.0);
+        assert!(text.contains("# Set A: bearing 6") && text.contains("load_rating"), "{text}");
+        to_json(&size).unwrap();
+    }
+}
+
+/// In low set A alone carries: it gets heavier, and its saved file has the static safeties that were found.
+#[test]
+fn the_sizes_hold_against_the_overloads_of_the_file() {
+    let overload = "overload: [{ gear: low, torque: 800 N·m, required: { flank: 1.1, root: 1.5 } }]\n";
+    let [plain, text] = [hoist(), hoist() + overload];
+    let [without, size] = [&plain, &text].map(|text| sized(text, &wanted()).unwrap());
+    let [light, heavy] = [&without.sets[0], &size.sets[0]];
+    assert!(heavy.found[0].mass_kg > light.found[0].mass_kg && heavy.left_out.overload > 0);
+    assert_eq!(light.found[0].overload, None);
+    let saved = size::saved(&read(&text), &size).unwrap();
+    let document = read(&saved);
+    let subject = strength::subject(&document).unwrap();
+    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    for set in size.sets.iter().filter(|set| set.found[0].overload.is_some()) {
+        let own = told.overload.iter().filter(|one| one.set == set.set);
+        let least = own.flat_map(|one| {
+            [one.flank_safety.unwrap() / one.required.flank, one.root_safety.unwrap() / one.required.root]
+        });
+        let found = set.found[0].overload.unwrap();
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!(
+            least >= 1.0 && (found.value / found.required / least - 1.0).abs() < 1e-9,
+            "{least} {found:?}"
+        );
+    }
+    let loaded: Vec<&str> = told.overload.iter().map(|one| one.set.as_str()).collect();
+    assert_eq!(loaded, ["A"; 4]);
+    let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &wanted()).unwrap();
+    let [miss] = &out_of_reach.warnings[..] else { panic!("{:?}", out_of_reach.warnings) };
+    assert!(miss.message.contains("against the overload"), "{}", miss.message);
+    assert!(out_of_reach.sets[0].nearest_miss.as_ref().unwrap().governing.requirement.is_against_overload());
+    let wrong = sized(&text.replace("low, torque: 800", "crawl, torque: 800"), &wanted()).unwrap_err();
+    assert!(wrong.to_string().contains("crawl"), "{wrong}");
+}
+
+/// The bearings too: what differs is the planets' mass, here the teeth between tip and root circle, there a cylinder to the reference circle.
+#[test]
+fn the_saved_file_has_the_bearing_lives_that_were_found() {
+    let size = sized(&hoist(), &wanted()).unwrap();
+    let text = size::saved(&read(&hoist()), &size).unwrap();
+    let document = read(&text);
+    let subject = strength::subject(&document).unwrap();
+    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    assert_eq!(told.bearings.len(), 2);
+    for (bearing, set) in told.bearings.iter().zip(&size.sets) {
+        let found = set.found[0].bearing.as_ref().unwrap().life_s.unwrap();
+        assert!((bearing.basic_life_s.unwrap() / found - 1.0).abs() < 2e-3, "{bearing:?} {found}");
+        assert!(bearing.modified.is_none() && bearing.missing.is_empty());
+    }
+}
+
+/// Deviations are of gears of one size: they do not stand for factors where sizes are sought.
+#[test]
+fn with_an_accuracy_the_factors_are_asked_for() {
+    let factors = "{ K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
+    let accuracy = "{ K_A: 1.25, K_H_beta: 1.2 }, accuracy: { pitch_deviations: [6 µm, 6 µm, 8 µm], profile_deviations: [6 µm, 6 µm, 8 µm] }";
+    let error = sized(&hoist().replace(factors, accuracy), &wanted()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "no set can be sized: set A: strength.factors.K_v, strength.factors.K_H_alpha, strength.factors.K_F_alpha missing; \
+         set B: strength.factors.K_v, strength.factors.K_H_alpha, strength.factors.K_F_alpha missing; set C: no simple set"
+    );
+}
+
+#[test]
+fn counts_add_up_and_designs_are_in_order() {
+    let size = sized(&hoist(), &wanted()).unwrap();
+    for set in &size.sets {
+        let out = set.left_out;
+        let left_out = out.spacing
+            + out.planets_touch
+            + out.geometry
+            + out.width_ratio
+            + out.rim
+            + out.bearing_width
+            + out.not_calculable
+            + out.flank
+            + out.root
+            + out.overload
+            + out.bearing_life;
+        assert_eq!(left_out + set.not_reached + set.found.len() as u64, set.designs);
+        assert!(set.found.windows(2).all(|two| two[0].mass_kg <= two[1].mass_kg));
+        assert!(set.found.iter().all(|design| design.governing.value >= design.governing.required));
+    }
+    let best: f64 = size.sets.iter().map(|set| set.found[0].mass_kg).sum();
+    assert!((size.mass_kg.unwrap() - best).abs() < 1e-12);
+    // A set is sized as it would be alone: the other one's size changes nothing.
+    let other = hoist().replace("id: B, sun: motor", "id: B, module: 5 mm, face_width: 60 mm, sun: motor");
+    let held = sized(&other, &wanted()).unwrap();
+    assert_eq!(held.sets[0], size.sets[0]);
+    assert_eq!(held.sets[1].held, [HeldKey::Module, HeldKey::FaceWidth]);
+    assert!(held.sets[1].found.iter().all(|design| design.module_m == 0.005 && design.face_width_m == 0.06));
+}
+
+#[test]
+fn what_the_file_gives_is_held() {
+    let keys =
+        "planets: 3, planet_bore: 40 mm, load_rating: 60 kN, bearing_rolling: rollers, sun: motor, ring: R";
+    let size = sized(&hoist().replace("sun: motor, ring: R", keys), &wanted()).unwrap();
+    assert_eq!(size.sets[0].held, [HeldKey::Planets, HeldKey::LoadRating, HeldKey::PlanetBore]);
+    let bearing = size.sets[0].found[0].bearing.as_ref().unwrap();
+    assert_eq!((bearing.designation.as_ref(), bearing.outside_diameter_m), (None, Some(0.04)));
+    let solid = sized(&hoist(), &Wanted { bearings: vec![], ..wanted() }).unwrap();
+    let design = &solid.sets[0].found[0];
+    assert_eq!((design.bearing.as_ref(), design.planet_rim_m), (None, None));
+}
+
+#[test]
+fn a_set_without_a_size_has_a_nearest_miss_and_is_not_saved() {
+    let size = sized(&hoist().replace("root: 1.4", "root: 1400"), &wanted()).unwrap();
+    let miss = size.sets[0].nearest_miss.as_ref().unwrap();
+    assert_eq!(miss.governing.requirement, Requirement::Root);
+    assert_eq!((size.mass_kg, size.warnings.len()), (None, 2));
+    assert!(size.warnings[0].message.starts_with("set A: the nearest misses S_F = "));
+    let error = size::saved(&read(&hoist()), &size).unwrap_err();
+    assert!(error.is_nothing_found());
+    assert_eq!(error.to_string(), "set A has no size that meets the requirements");
+}
+
+#[test]
+fn a_search_of_nothing_and_files_without_a_duty_are_refused() {
+    let of = |text: &str, wanted: &Wanted| sized(text, wanted).unwrap_err().to_string();
+    let with = |change: &dyn Fn(&mut Wanted)| {
+        let mut wanted = wanted();
+        change(&mut wanted);
+        of(&hoist(), &wanted)
+    };
+    assert_eq!(with(&|wanted| wanted.modules.clear()), "no module to search; at least one is needed");
+    assert!(with(&|wanted| wanted.face_widths = mm(&[0.0])).starts_with("face width is 0 mm"));
+    assert!(with(&|wanted| wanted.planet_rim = -1.0).starts_with("least rim of the planets is -1 modules"));
+    assert!(with(&|wanted| wanted.tip_thickness = -1.0).contains("tip"));
+    let text = hoist();
+    let [from, to] = ["duty:", "brakes:"].map(|key| text.find(key).unwrap());
+    let no_duty = format!("{}{}", &text[..from], &text[to..]);
+    assert!(of(&no_duty, &wanted()).contains("`duty` is missing"), "{}", of(&no_duty, &wanted()));
+    let wrong = hoist().replace("id: A, sun", "id: A, module: -1 mm, sun");
+    assert!(of(&wrong, &wanted()).contains("module is -1 mm"), "{}", of(&wrong, &wanted()));
+    let none = hoist().replace("shaper: { teeth: 30 },", "");
+    assert_eq!(
+        of(&none, &wanted()),
+        "no set can be sized: set A: strength.shaper missing; set B: strength.shaper missing; set C: no simple set"
+    );
+}
