@@ -2,6 +2,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | `columns` | tables whose columns are declared once |
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
@@ -9,6 +10,7 @@
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
+pub(crate) mod columns;
 pub mod figure;
 pub mod quantities;
 pub mod report;

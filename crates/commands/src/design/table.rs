@@ -9,8 +9,9 @@ use crate::select::table::{percent, speeds_reached};
 use crate::size::answer::records::{Requirement, SizedDesign, SizedSet};
 use crate::size::table::{designs, left_out};
 use crate::strength::table::{Worn, over_duty};
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
-use crate::table::quantities::{column, words};
+use crate::table::quantities::words;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_units::Dimension;
@@ -111,36 +112,26 @@ fn stopped(design: &Design) -> Option<String> {
 
 /// Limits that would have to give, each with its gearbox.
 fn ways_out(ways: &[WayOut]) -> Records {
-    let row = |way: &WayOut| {
-        let off = largest_deviation(&way.speeds);
-        let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
-        vec![
-            text(options(way)),
-            text(format!("{}{reverses}", way.scheme)),
-            text(sets(&way.teeth)),
-            text(percent(off).replace('+', "")),
-            column(Dimension::Mass, way.teeth.mass_kg),
-        ]
-    };
-    Records {
-        name: "ways_out",
-        columns: vec![
-            Column::words("option", "option"),
-            Column::words("scheme", "scheme"),
-            Column::words("teeth", "teeth"),
-            Column::number("deviation", "deviation"),
-            Column::headed("mass", "kg", Dimension::Mass),
-        ],
-        rows: ways.iter().map(row).collect(),
-        views: vec![View {
-            note: "Each line is the result of the same search with this option. Deviation: the largest of a gear.".to_owned(),
-            ..View::new(
-                "Limits that would have to give, and the gearbox behind each",
-                &["option", "scheme", "teeth", "deviation", "mass"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("ways_out", ways.iter())
+        .words("option", "option", |way| text(options(way)))
+        .column(Column::words("scheme", "scheme"), |way| {
+            let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
+            text(format!("{}{reverses}", way.scheme))
+        })
+        .words("teeth", "teeth", |way| text(sets(&way.teeth)))
+        .column(Column::number("deviation", "deviation"), |way| {
+            let off = largest_deviation(&way.speeds);
+            text(percent(off).replace('+', ""))
+        })
+        .quantity("mass", "", Dimension::Mass, |way| way.teeth.mass_kg)
+        .view(
+            "Limits that would have to give, and the gearbox behind each",
+            "option scheme teeth deviation mass",
+        )
+        .note(
+            "Each line is the result of the same search with this option. Deviation: the largest of a gear.",
+        )
+        .records()
 }
 
 /// Speeds that a way out reaches.
@@ -317,15 +308,5 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
 }
 
 fn basis(keys: &[BasisKey]) -> Records {
-    Records {
-        name: "basis",
-        columns: vec![Column::words("key", "key"), Column::words("value", "value")],
-        rows: keys.iter().map(|key| vec![text(&key.key), text(&key.value)]).collect(),
-        views: vec![View {
-            note: "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated."
-                .to_owned(),
-            ..View::new("Assumed values; change with --basis, --factors, --life", &["key", "value"])
-        }],
-        is_answer: false,
-    }
+    Table::new("basis", keys.iter()).text("key", "key", |key| &key.key).text("value", "value", |key| &key.value).view("Assumed values; change with --basis, --factors, --life", "key value").note("As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.").records()
 }

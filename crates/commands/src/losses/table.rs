@@ -1,12 +1,11 @@
 //! Losses as tables.
 
-use crate::losses::answer::{
-    GearHeat, GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
-};
-use crate::table::figure::{Figure, multiple, text};
+use crate::losses::answer::{GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, NotCalculated};
+use crate::table::columns::Table;
+use crate::table::figure::{Figure, text};
 use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::report::{Column, Part, Records, Report, Row, Section, warned};
 use crate::table::units::rpm;
 use epicyclic_pictures::contours::Contours;
 use epicyclic_units::Dimension::{
@@ -54,101 +53,34 @@ fn facts(losses: &Losses) -> Section {
 }
 
 fn gears(all: &[GearLosses]) -> Records {
-    let row = |gear: &GearLosses| {
-        vec![
-            text(&gear.gear),
-            column(gear.output_speed_rad_s, AngularSpeed),
-            column(gear.input_torque_n_m, Torque),
-            column(gear.output_torque_n_m, Torque),
-            column(gear.input_power_w, Power),
-            column(gear.output_power_w, Power),
-            column(gear.mesh_loss_w, Power),
-            column(gear.drag_loss_w, Power),
-            column(gear.loss_w, Power),
-            multiple(gear.efficiency),
-        ]
-    };
-    Records {
-        name: "gears",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::headed("output_speed", "n out, rpm", AngularSpeed),
-            Column::headed("input_torque", "T in, N·m", Torque),
-            Column::headed("output_torque", "T out, N·m", Torque),
-            Column::headed("input_power", "P in, kW", Power),
-            Column::headed("output_power", "P out, kW", Power),
-            Column::headed("mesh_loss", "meshes, kW", Power),
-            Column::headed("drag_loss", "drags, kW", Power),
-            Column::headed("loss", "lost, kW", Power),
-            Column::number("efficiency", "η"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![
-            View::new(
-                "Balance of powers",
-                &["gear", "input_power", "output_power", "mesh_loss", "drag_loss", "loss", "efficiency"],
-            ),
-            View {
-                note: "From outside: an output that gives power has a torque against its speed.".to_owned(),
-                ..View::new("Torques and speeds", &["gear", "input_torque", "output_torque", "output_speed"])
-            },
-        ],
-        is_answer: true,
-    }
+    Table::new("gears", all.iter())
+        .text("gear", "gear", |gear| &gear.gear)
+        .quantity("output_speed", "n out", AngularSpeed, |gear| gear.output_speed_rad_s)
+        .quantity("input_torque", "T in", Torque, |gear| gear.input_torque_n_m)
+        .quantity("output_torque", "T out", Torque, |gear| gear.output_torque_n_m)
+        .quantity("input_power", "P in", Power, |gear| gear.input_power_w)
+        .quantity("output_power", "P out", Power, |gear| gear.output_power_w)
+        .quantity("mesh_loss", "meshes", Power, |gear| gear.mesh_loss_w)
+        .quantity("drag_loss", "drags", Power, |gear| gear.drag_loss_w)
+        .quantity("loss", "lost", Power, |gear| gear.loss_w)
+        .multiple("efficiency", "η", |gear| gear.efficiency)
+        .view("Balance of powers", "gear input_power output_power mesh_loss drag_loss loss efficiency")
+        .view("Torques and speeds", "gear input_torque output_torque output_speed")
+        .note("From outside: an output that gives power has a torque against its speed.")
+        .is_answer()
+        .records()
 }
 
 fn losses(all: &[Loss]) -> Records {
-    let row = |loss: &Loss| {
-        let kind = match loss.kind {
+    Table::new("losses", all.iter()).text("gear", "gear", |loss| &loss.gear).column(Column::words("kind", "kind"), |loss| { let kind = match loss.kind {
             LossKind::Mesh => "mesh",
             LossKind::Drag => "drag",
             LossKind::OpenElement => "open",
-        };
-        let [first, second] = &loss.between;
-        vec![
-            text(&loss.gear),
-            Figure::choice(loss.kind, kind),
-            text(&loss.of),
-            text(format!("{first}–{second}")),
-            if_any(loss.slip_rad_s, AngularSpeed),
-            if_any(loss.torque_n_m, Torque),
-            column(loss.loss_w, Power),
-            loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1)),
-        ]
-    };
-    Records {
-        name: "losses",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("kind", "kind"),
-            Column::words("of", "of"),
-            Column::words("between", "between"),
-            Column::headed("slip", "n, rpm", AngularSpeed),
-            Column::headed("torque", "M, N·m", Torque),
-            Column::headed("loss", "kW", Power),
-            Column::number("of_loss_percent", "%"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
-                   between them.".to_owned(),
-            ..View::new("Heat by its sources", &["gear", "kind", "of", "between", "slip", "torque", "loss", "of_loss_percent"])
-        }],
-        is_answer: false,
-    }
+        }; Figure::choice(loss.kind, kind) }).text("of", "of", |loss| &loss.of).column(Column::words("between", "between"), |loss| { let [first, second] = &loss.between; text(format!("{first}–{second}")) }).column(Column::headed("slip", "n, rpm", AngularSpeed), |loss| if_any(loss.slip_rad_s, AngularSpeed)).column(Column::headed("torque", "M, N·m", Torque), |loss| if_any(loss.torque_n_m, Torque)).quantity("loss", "", Power, |loss| loss.loss_w).number("of_loss_percent", "%", |loss| loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))).view("Heat by its sources", "gear kind of between slip torque loss of_loss_percent").note("mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
+                   between them.").records()
 }
 
 fn of_heat(heat: &Heat) -> Records {
-    let row = |gear: &GearHeat| {
-        vec![
-            text(&gear.gear),
-            column(gear.loss_w, Power),
-            column(gear.cooler_w, Power),
-            column(gear.housing_w, Power),
-            column(gear.rise_k, TemperatureDifference),
-            if_any(gear.thermal_torque_n_m, Torque),
-        ]
-    };
     let given = |name: &str, dimension, si: f64| format!("{name} {}", words(dimension, si, 6));
     let mut said = vec![given("conductance of the housing", ThermalConductance, heat.conductance_w_k)];
     if heat.cooler_w > 0.0 {
@@ -164,76 +96,53 @@ fn of_heat(heat: &Heat) -> Records {
     } else {
         ""
     };
-    Records {
-        name: "heat",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::headed("loss", "lost, kW", Power),
-            Column::headed("cooler", "cooler, kW", Power),
-            Column::headed("housing", "housing, kW", Power),
-            Column::headed("rise", "Δθ, K", TemperatureDifference),
-            Column::headed("thermal_torque", "T lim, N·m", Torque),
-        ],
-        rows: heat.gears.iter().map(row).collect(),
-        views: vec![View {
-            note: format!(
-                "Δθ: by how much the oil is warmer than the air once nothing changes any more, with {}.{limit}",
-                said.join(", ")
-            ),
-            ..View::new("Balance of heat", &shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("heat", heat.gears.iter())
+        .text("gear", "gear", |gear| &gear.gear)
+        .quantity("loss", "lost", Power, |gear| gear.loss_w)
+        .quantity("cooler", "cooler", Power, |gear| gear.cooler_w)
+        .quantity("housing", "housing", Power, |gear| gear.housing_w)
+        .quantity("rise", "Δθ", TemperatureDifference, |gear| gear.rise_k)
+        .column(Column::headed("thermal_torque", "T lim, N·m", Torque), |gear| {
+            if_any(gear.thermal_torque_n_m, Torque)
+        })
+        .view_of("Balance of heat", &shown)
+        .note(format!(
+            "Δθ: by how much the oil is warmer than the air once nothing changes any more, with {}.{limit}",
+            said.join(", ")
+        ))
+        .records()
 }
 
 fn not_calculated(all: &[NotCalculated]) -> Records {
-    Records {
-        name: "not_calculated",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("reason", "reason"),
-            Column::words("message", "why"),
-        ],
-        rows: all.iter().map(|one| vec![text(&one.gear), text(&one.reason), text(&one.message)]).collect(),
-        views: vec![View::new("Gears whose losses do not follow", &["gear", "message"])],
-        is_answer: false,
-    }
+    Table::new("not_calculated", all.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .text("reason", "reason", |one| &one.reason)
+        .text("message", "why", |one| &one.message)
+        .view("Gears whose losses do not follow", "gear message")
+        .records()
 }
 
 impl AsReport for LossMap {
     fn report(&self) -> Report {
-        let row = |place: &MapPlace| {
-            vec![
-                column(place.speed_rad_s, AngularSpeed),
-                column(place.torque_n_m, Torque),
-                if_any(place.output_torque_n_m, Torque),
-                if_any(place.mesh_loss_w, Power),
-                if_any(place.drag_loss_w, Power),
-                if_any(place.loss_w, Power),
-                multiple(place.efficiency),
-            ]
-        };
-        let records = Records {
-            name: "map",
-            columns: vec![
-                Column::headed("speed", "speed, rpm", AngularSpeed),
-                Column::headed("torque", "torque, N·m", Torque),
-                Column::headed("output_torque", "output, N·m", Torque),
-                Column::headed("mesh_loss", "meshes, kW", Power),
-                Column::headed("drag_loss", "drags, kW", Power),
-                Column::headed("loss", "lost, kW", Power),
-                Column::number("efficiency", "η"),
-            ],
-            rows: self.map.iter().map(row).collect(),
-            views: vec![View {
-                note: "Without η: none enters, or all that enters is lost.".to_owned(),
-                ..View::new(
-                    "Losses over speed and torque of the input",
-                    &["speed", "torque", "output_torque", "mesh_loss", "drag_loss", "loss", "efficiency"],
-                )
-            }],
-            is_answer: true,
-        };
+        let records = Table::new("map", self.map.iter())
+            .quantity("speed", "speed", AngularSpeed, |place| place.speed_rad_s)
+            .quantity("torque", "torque", Torque, |place| place.torque_n_m)
+            .column(Column::headed("output_torque", "output, N·m", Torque), |place| {
+                if_any(place.output_torque_n_m, Torque)
+            })
+            .column(Column::headed("mesh_loss", "meshes, kW", Power), |place| {
+                if_any(place.mesh_loss_w, Power)
+            })
+            .column(Column::headed("drag_loss", "drags, kW", Power), |place| if_any(place.drag_loss_w, Power))
+            .column(Column::headed("loss", "lost, kW", Power), |place| if_any(place.loss_w, Power))
+            .multiple("efficiency", "η", |place| place.efficiency)
+            .view(
+                "Losses over speed and torque of the input",
+                "speed torque output_torque mesh_loss drag_loss loss efficiency",
+            )
+            .note("Without η: none enters, or all that enters is lost.")
+            .is_answer()
+            .records();
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
             parts: vec![Part::Records(records)],

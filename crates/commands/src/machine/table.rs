@@ -3,6 +3,7 @@
 use crate::machine::answer::{
     ChainCutter, Cutting, Drum, Machine, MachineSpeeds, Machines, Regime, Rock, Rotor, Series, SpeedRange,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View};
@@ -180,27 +181,21 @@ fn in_rocks(rocks: &[Rock]) -> Records {
         heading: format!("{what}, {}", dimension.usual_unit().symbol),
         ..Column::quantity(name, dimension)
     };
-    let row = |rock: &Rock| {
-        vec![
-            Figure::Column { si: rock.force_n, dimension: Dimension::Force },
-            Figure::Column { si: rock.speed_m_s, dimension: Dimension::Speed },
-            Figure::Column { si: rock.feed_m_s, dimension: Dimension::Speed },
-        ]
-    };
-    Records {
-        name: "rocks",
-        columns: vec![
-            headed("force", Dimension::Force, "force"),
-            headed("speed", Dimension::Speed, "speed"),
-            headed("feed", Dimension::Speed, "feed"),
-        ],
-        rows: rocks.iter().map(row).collect(),
-        views: vec![View::new(
-            "In this rock and in others, at the same power and chip",
-            &["force", "speed", "feed"],
-        )],
-        is_answer: false,
-    }
+    Table::new("rocks", rocks.iter())
+        .column(headed("force", Dimension::Force, "force"), |rock| Figure::Column {
+            si: rock.force_n,
+            dimension: Dimension::Force,
+        })
+        .column(headed("speed", Dimension::Speed, "speed"), |rock| Figure::Column {
+            si: rock.speed_m_s,
+            dimension: Dimension::Speed,
+        })
+        .column(headed("feed", Dimension::Speed, "feed"), |rock| Figure::Column {
+            si: rock.feed_m_s,
+            dimension: Dimension::Speed,
+        })
+        .view("In this rock and in others, at the same power and chip", "force speed feed")
+        .records()
 }
 
 impl AsReport for Rotor {
@@ -231,19 +226,10 @@ impl AsReport for Rotor {
 fn discharges(rotor: &Rotor) -> Records {
     let angle =
         |rad: Option<f64>| rad.map_or(Figure::None, |si| Figure::Column { si, dimension: Dimension::Angle });
-    let rows = rotor
-        .discharges
-        .iter()
-        .map(|one| vec![angle(one.chute_rad), Figure::Multiple(one.discharge), Figure::YesNo(one.counts)]);
-    Records {
-        name: "discharges",
-        columns: vec![
-            Column::headed("chute", "chute at, deg", Dimension::Angle),
-            Column::number("discharge", "Ω"),
-            Column::words("counts", "counts"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new("Discharge parameter: the smaller counts", &["chute", "discharge", "counts"])],
-        is_answer: false,
-    }
+    Table::new("discharges", rotor.discharges.iter())
+        .column(Column::headed("chute", "chute at, deg", Dimension::Angle), |one| angle(one.chute_rad))
+        .multiple("discharge", "Ω", |one| one.discharge)
+        .words("counts", "counts", |one| Figure::YesNo(one.counts))
+        .view("Discharge parameter: the smaller counts", "chute discharge counts")
+        .records()
 }

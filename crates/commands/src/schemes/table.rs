@@ -2,6 +2,7 @@
 
 use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, Schemes};
 use crate::shared::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
@@ -113,36 +114,19 @@ fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
 }
 
 fn formulas(scheme: &Scheme) -> Records {
-    let rows = scheme.formulas.iter().map(|gear| {
-        vec![
-            text(gear.gear.name()),
-            text(gear.braked.map_or("-", |link| link.name())),
-            text(&gear.ratio_formula),
-            text(&gear.efficiency_formula),
-            Figure::Multiple(gear.least_ratio),
-            Figure::Multiple(gear.greatest_ratio),
-        ]
-    });
-    Records {
-        name: "formulas",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("braked", "braked"),
-            Column::words("ratio_formula", "i"),
-            Column::words("efficiency_formula", "η"),
-            Column::number("least_ratio", "from"),
-            Column::number("greatest_ratio", "to"),
-        ],
-        rows: rows.collect(),
-        views: vec![
-            View::new(
-                format!("Ratios, for {}", span(scheme.k)),
-                &["gear", "braked", "ratio_formula", "least_ratio", "greatest_ratio"],
-            ),
-            View::new("Efficiencies", &["gear", "efficiency_formula"]),
-        ],
-        is_answer: false,
-    }
+    Table::new("formulas", scheme.formulas.iter())
+        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .words("braked", "braked", |gear| text(gear.braked.map_or("-", |link| link.name())))
+        .text("ratio_formula", "i", |gear| &gear.ratio_formula)
+        .text("efficiency_formula", "η", |gear| &gear.efficiency_formula)
+        .multiple("least_ratio", "from", |gear| gear.least_ratio)
+        .multiple("greatest_ratio", "to", |gear| gear.greatest_ratio)
+        .view(
+            format!("Ratios, for {}", span(scheme.k)),
+            "gear braked ratio_formula least_ratio greatest_ratio",
+        )
+        .view("Efficiencies", "gear efficiency_formula")
+        .records()
 }
 
 fn parameters(of: &Parameters) -> Section {
@@ -158,51 +142,8 @@ fn parameters(of: &Parameters) -> Section {
 }
 
 fn gears(gears: &[Gear]) -> Records {
-    let row = |gear: &Gear| {
-        vec![
-            text(gear.gear.name()),
-            multiple(gear.ratio),
-            multiple(gear.efficiency),
-            multiple(gear.back_driving_efficiency),
-            multiple(gear.output_torque_of_input),
-            text(gear.engaged.name()),
-            multiple(gear.engaged_torque_of_input),
-            multiple(gear.circulating_of_input),
-        ]
-    };
-    Records {
-        name: "gears",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("ratio", "i"),
-            Column::number("efficiency", "η"),
-            Column::number("back_driving_efficiency", "η back"),
-            Column::number("output_torque_of_input", "T_B"),
-            Column::words("engaged", "engaged"),
-            Column::number("engaged_torque_of_input", "its T"),
-            Column::number("circulating_of_input", "circulating"),
-        ],
-        rows: gears.iter().map(row).collect(),
-        views: vec![View {
-            note: "Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
-                   brakes on T1, T2; L: direct-drive clutch between D and B."
-                .to_owned(),
-            ..View::new(
-                "Gears",
-                &[
-                    "gear",
-                    "ratio",
-                    "efficiency",
-                    "back_driving_efficiency",
-                    "output_torque_of_input",
-                    "engaged",
-                    "engaged_torque_of_input",
-                    "circulating_of_input",
-                ],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("gears", gears.iter()).words("gear", "gear", |gear| text(gear.gear.name())).multiple("ratio", "i", |gear| gear.ratio).multiple("efficiency", "η", |gear| gear.efficiency).multiple("back_driving_efficiency", "η back", |gear| gear.back_driving_efficiency).multiple("output_torque_of_input", "T_B", |gear| gear.output_torque_of_input).words("engaged", "engaged", |gear| text(gear.engaged.name())).multiple("engaged_torque_of_input", "its T", |gear| gear.engaged_torque_of_input).multiple("circulating_of_input", "circulating", |gear| gear.circulating_of_input).view("Gears", "gear ratio efficiency back_driving_efficiency output_torque_of_input engaged engaged_torque_of_input circulating_of_input").note("Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
+                   brakes on T1, T2; L: direct-drive clutch between D and B.").records()
 }
 
 /// What a line of the table of speeds says: its name, the member's link, and the speed.

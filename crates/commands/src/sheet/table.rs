@@ -6,6 +6,7 @@ use crate::sheet::answer::DataSheets;
 use crate::sheet::answer::records::{
     AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, View, warned};
@@ -53,33 +54,9 @@ pub(crate) fn for_page(sheets: &DataSheets) -> Vec<Report> {
 /// Backlash and stiffness at the output.
 fn at_output(all: &[AtOutput]) -> Records {
     let backlash = |limits: Option<Limits>, end: End| limits.map_or(Figure::None, |of| angle(end(of)));
-    let row = |one: &AtOutput| {
-        vec![
-            text(&one.gear),
-            backlash(one.backlash_rad, LOWER),
-            backlash(one.backlash_rad, UPPER),
-            one.stiffness_n_m.map_or(Figure::None, Figure::Number),
-            if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) },
-        ]
-    };
     let is_whole = all.iter().all(|one| one.missing.is_empty());
     let shown = ["gear", "least_backlash", "greatest_backlash", "stiffness", "missing"];
-    Records {
-        name: "at_output",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("least_backlash", "backlash, °"),
-            Column::number("greatest_backlash", "to, °"),
-            Column::number("stiffness", "N·m/rad"),
-            Column::words("missing", "missing"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "While the input is held: angle by which the output turns freely, with allowances and deviations; stiffness of the meshes alone, by ISO 6336-1 for steel gears.".to_owned(),
-            ..View::new("At the output", &shown[..if is_whole { 4 } else { 5 }])
-        }],
-        is_answer: false,
-    }
+    Table::new("at_output", all.iter()).text("gear", "gear", |one| &one.gear).number("least_backlash", "backlash, °", |one| backlash(one.backlash_rad, LOWER)).number("greatest_backlash", "to, °", |one| backlash(one.backlash_rad, UPPER)).number("stiffness", "N·m/rad", |one| one.stiffness_n_m.map_or(Figure::None, Figure::Number)).words("missing", "missing", |one| if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) }).view_of("At the output", &shown[..if is_whole { 4 } else { 5 }]).note("While the input is held: angle by which the output turns freely, with allowances and deviations; stiffness of the meshes alone, by ISO 6336-1 for steel gears.").records()
 }
 
 /// A line of a table: key, words, symbol, figures.
@@ -394,11 +371,9 @@ fn in_mesh(set: &SetSheet) -> Records {
 }
 
 fn left_out(all: &[LeftOut]) -> Records {
-    Records {
-        name: "left_out",
-        columns: vec![Column::words("set", "set"), Column::words("reason", "why")],
-        rows: all.iter().map(|one| vec![text(&one.set), text(one.why())]).collect(),
-        views: vec![View::new("Without data sheet", &["set", "reason"])],
-        is_answer: false,
-    }
+    Table::new("left_out", all.iter())
+        .text("set", "set", |one| &one.set)
+        .words("reason", "why", |one| text(one.why()))
+        .view("Without data sheet", "set reason")
+        .records()
 }

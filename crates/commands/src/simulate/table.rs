@@ -7,6 +7,7 @@ use crate::simulate::answer::{
     ChangeKind, ChangeRecord, ConverterResult, DragKind, DragResult, ElementKind, ElementResult, ShaftResult,
     ShiftResult, Simulation, State,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::{column, quantity};
 use crate::table::report::AsReport;
@@ -117,38 +118,28 @@ fn events(simulation: &Simulation) -> Records {
         let place = simulation.end.iter().position(|one| one.link == link);
         column(AngularSpeed, place.and_then(|place| speeds.get(place).copied()))
     };
-    let rows = simulation.events.iter().flat_map(|event| {
-        event.changes.iter().map(move |one| {
-            vec![
-                column(Time, Some(event.time_s)),
-                text(change(one)),
-                Figure::choice(one.kind, kind(one.kind)),
-                text(&one.id),
-                one.from.map_or(Figure::None, |from| Figure::choice(from, state(from))),
-                one.to.map_or(Figure::None, |to| Figure::choice(to, state(to))),
-                one.is_rising.map_or(Figure::None, Figure::YesNo),
-                speed(&event.speeds_rad_s, &simulation.input),
-                speed(&event.speeds_rad_s, &simulation.output),
-            ]
-        })
-    });
-    Records {
-        name: "events",
-        columns: vec![
-            Column::headed("time", "t, s", Time),
-            Column::words("change", "what changes").for_people(),
-            Column::words("kind", "kind"),
-            Column::words("id", "of"),
-            Column::words("from", "from"),
-            Column::words("to", "to"),
-            Column::words("is_rising", "upwards"),
-            Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
-            Column::headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new("Events", &["time", "change", "input_speed", "output_speed"])],
-        is_answer: false,
-    }
+    Table::new(
+        "events",
+        simulation.events.iter().flat_map(|event| event.changes.iter().map(move |one| (event, one))),
+    )
+    .quantity("time", "t", Time, |(event, _)| event.time_s)
+    .words("change", "what changes", |(_, one)| text(change(one)))
+    .for_people()
+    .words("kind", "kind", |(_, one)| Figure::choice(one.kind, kind(one.kind)))
+    .text("id", "of", |(_, one)| &one.id)
+    .words("from", "from", |(_, one)| one.from.map_or(Figure::None, |from| Figure::choice(from, state(from))))
+    .words("to", "to", |(_, one)| one.to.map_or(Figure::None, |to| Figure::choice(to, state(to))))
+    .words("is_rising", "upwards", |(_, one)| one.is_rising.map_or(Figure::None, Figure::YesNo))
+    .column(
+        Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
+        |(event, _)| speed(&event.speeds_rad_s, &simulation.input),
+    )
+    .column(
+        Column::headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
+        |(event, _)| speed(&event.speeds_rad_s, &simulation.output),
+    )
+    .view("Events", "time change input_speed output_speed")
+    .records()
 }
 
 fn per_cent(share: Option<f64>) -> Figure {
@@ -156,65 +147,7 @@ fn per_cent(share: Option<f64>) -> Figure {
 }
 
 fn of_shifts(all: &[ShiftResult]) -> Records {
-    let row = |shift: &ShiftResult| {
-        vec![
-            text(format!("{} → {}", shift.from, shift.to)),
-            column(Time, Some(shift.at_s)),
-            column(Time, shift.shift_time_s),
-            column(Time, shift.torque_phase_s),
-            column(Time, shift.inertia_phase_s),
-            column(Torque, Some(shift.output_torque_before_n_m)),
-            column(Torque, Some(shift.output_torque_least_n_m)),
-            column(Torque, Some(shift.output_torque_greatest_n_m)),
-            per_cent(shift.torque_hole),
-            per_cent(shift.torque_surge),
-            column(Energy, Some(shift.heat_j)),
-            column(Time, shift.locked_s),
-            Figure::Texts(shift.released.clone()),
-            Figure::Texts(shift.applied.clone()),
-        ]
-    };
-    Records {
-        name: "shifts",
-        columns: vec![
-            Column::words("shift", "shift"),
-            Column::headed("at", "at, s", Time),
-            Column::headed("shift_time", "takes, s", Time),
-            Column::headed("torque_phase", "torque phase", Time),
-            Column::headed("inertia_phase", "inertia phase", Time),
-            Column::headed("output_torque_before", "T before, N·m", Torque),
-            Column::headed("output_torque_least", "least", Torque),
-            Column::headed("output_torque_greatest", "greatest", Torque),
-            Column::number("torque_hole_percent", "hole, %"),
-            Column::number("torque_surge_percent", "surge, %"),
-            Column::headed("heat", "heat, J", Energy),
-            Column::headed("locked", "locked, s", Time),
-            Column::words("released", "released"),
-            Column::words("applied", "applied"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![
-            View::new(
-                "Shifts",
-                &["shift", "at", "shift_time", "torque_phase", "inertia_phase", "heat", "released", "applied"],
-            ),
-            View {
-                note: "T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.".to_owned(),
-                ..View::new(
-                    "Torque of the output while it shifts",
-                    &[
-                        "shift",
-                        "output_torque_before",
-                        "output_torque_least",
-                        "output_torque_greatest",
-                        "torque_hole_percent",
-                        "torque_surge_percent",
-                    ],
-                )
-            },
-        ],
-        is_answer: false,
-    }
+    Table::new("shifts", all.iter()).words("shift", "shift", |shift| text(format!("{} → {}", shift.from, shift.to))).quantity("at", "at", Time, |shift| shift.at_s).quantity("shift_time", "takes", Time, |shift| shift.shift_time_s).column(Column::headed("torque_phase", "torque phase", Time), |shift| column(Time, shift.torque_phase_s)).column(Column::headed("inertia_phase", "inertia phase", Time), |shift| column(Time, shift.inertia_phase_s)).quantity("output_torque_before", "T before", Torque, |shift| shift.output_torque_before_n_m).column(Column::headed("output_torque_least", "least", Torque), |shift| column(Torque, Some(shift.output_torque_least_n_m))).column(Column::headed("output_torque_greatest", "greatest", Torque), |shift| column(Torque, Some(shift.output_torque_greatest_n_m))).number("torque_hole_percent", "hole, %", |shift| per_cent(shift.torque_hole)).number("torque_surge_percent", "surge, %", |shift| per_cent(shift.torque_surge)).quantity("heat", "heat", Energy, |shift| shift.heat_j).quantity("locked", "locked", Time, |shift| shift.locked_s).words("released", "released", |shift| Figure::Texts(shift.released.clone())).words("applied", "applied", |shift| Figure::Texts(shift.applied.clone())).view("Shifts", "shift at shift_time torque_phase inertia_phase heat released applied").view("Torque of the output while it shifts", "shift output_torque_before output_torque_least output_torque_greatest torque_hole_percent torque_surge_percent").note("T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.").records()
 }
 
 fn kind_of(kind: ElementKind) -> &'static str {
@@ -229,22 +162,6 @@ fn kind_of(kind: ElementKind) -> &'static str {
 
 fn elements(all: &[ElementResult]) -> Records {
     let has = |of: fn(&ElementResult) -> Option<f64>| all.iter().any(|one| of(one).is_some());
-    let row = |one: &ElementResult| {
-        vec![
-            text(&one.id),
-            Figure::choice(one.kind, kind_of(one.kind)),
-            text(format!("{}–{}", one.links[0], one.links[1])),
-            Figure::choice(one.at_end, state(one.at_end)),
-            column(Time, Some(one.slip_time_s)),
-            column(Energy, Some(one.heat_j)),
-            column(Power, Some(one.peak_power_w)),
-            column(Torque, Some(one.peak_torque_n_m)),
-            column(EnergyPerArea, one.heat_per_area_j_m2),
-            column(PowerPerArea, one.peak_power_per_area_w_m2),
-            column(TemperatureDifference, one.peak_temperature_rise_k),
-            column(TemperatureDifference, one.end_temperature_rise_k),
-        ]
-    };
     let mut views = vec![View {
         note: "P, T: the greatest power of friction and torque. + and −: the first link is faster, slower."
             .to_owned(),
@@ -268,26 +185,23 @@ fn elements(all: &[ElementResult]) -> Records {
             )
         });
     }
-    Records {
-        name: "elements",
-        columns: vec![
-            Column::words("id", "element"),
-            Column::words("kind", "kind"),
-            Column::words("links", "between"),
-            Column::words("at_end", "at the end"),
-            Column::headed("slip_time", "slips, s", Time),
-            Column::headed("heat", "heat, J", Energy),
-            Column::headed("peak_power", "P, kW", Power),
-            Column::headed("peak_torque", "T, N·m", Torque),
-            Column::headed("heat_per_area", "J/mm²", EnergyPerArea),
-            Column::headed("peak_power_per_area", "W/mm²", PowerPerArea),
-            Column::headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
-            Column::headed("end_temperature_rise", "end, K", TemperatureDifference),
-        ],
-        rows: all.iter().map(row).collect(),
-        views,
-        is_answer: false,
-    }
+    Table::new("elements", all.iter())
+        .text("id", "element", |one| &one.id)
+        .words("kind", "kind", |one| Figure::choice(one.kind, kind_of(one.kind)))
+        .words("links", "between", |one| text(format!("{}–{}", one.links[0], one.links[1])))
+        .words("at_end", "at the end", |one| Figure::choice(one.at_end, state(one.at_end)))
+        .quantity("slip_time", "slips", Time, |one| one.slip_time_s)
+        .quantity("heat", "heat", Energy, |one| one.heat_j)
+        .quantity("peak_power", "P", Power, |one| one.peak_power_w)
+        .quantity("peak_torque", "T", Torque, |one| one.peak_torque_n_m)
+        .quantity("heat_per_area", "", EnergyPerArea, |one| one.heat_per_area_j_m2)
+        .quantity("peak_power_per_area", "", PowerPerArea, |one| one.peak_power_per_area_w_m2)
+        .quantity("peak_temperature_rise", "greatest", TemperatureDifference, |one| {
+            one.peak_temperature_rise_k
+        })
+        .quantity("end_temperature_rise", "end", TemperatureDifference, |one| one.end_temperature_rise_k)
+        .views(views)
+        .records()
 }
 
 fn drags(all: &[DragResult]) -> Records {
@@ -405,24 +319,12 @@ fn converters(all: &[ConverterResult]) -> Records {
 }
 
 fn end(simulation: &Simulation) -> Records {
-    let row = |one: &crate::simulate::answer::LinkAtEnd| {
-        vec![
-            text(&one.link),
-            column(AngularSpeed, Some(one.speed_rad_s)),
-            column(Dimension::AngularAcceleration, Some(one.acceleration_rad_s2)),
-        ]
-    };
-    Records {
-        name: "end",
-        columns: vec![
-            Column::words("link", "link"),
-            Column::headed("speed", "n, rpm", AngularSpeed),
-            Column::headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
-        ],
-        rows: simulation.end.iter().map(row).collect(),
-        views: vec![View::new("At the end", &["link", "speed", "acceleration"])],
-        is_answer: false,
-    }
+    Table::new("end", simulation.end.iter())
+        .text("link", "link", |one| &one.link)
+        .quantity("speed", "n", AngularSpeed, |one| one.speed_rad_s)
+        .quantity("acceleration", "", Dimension::AngularAcceleration, |one| one.acceleration_rad_s2)
+        .view("At the end", "link speed acceleration")
+        .records()
 }
 
 fn energies(simulation: &Simulation) -> Section {

@@ -5,6 +5,7 @@ use crate::size::answer::Size;
 use crate::size::answer::records::{
     HeldKey, LeftOut, Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::{column, optional, quantity, words};
 use crate::table::report::AsReport;
@@ -308,11 +309,9 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
 }
 
 fn not_sized(all: &[NotSized]) -> Records {
-    Records {
-        name: "not_sized",
-        columns: vec![Column::words("set", "set"), Column::words("reason", "why")],
-        rows: all.iter().map(|one| vec![text(&one.set), text(one.why())]).collect(),
-        views: vec![View::new("Not sized", &["set", "reason"])],
-        is_answer: false,
-    }
+    Table::new("not_sized", all.iter())
+        .text("set", "set", |one| &one.set)
+        .words("reason", "why", |one| text(one.why()))
+        .view("Not sized", "set reason")
+        .records()
 }

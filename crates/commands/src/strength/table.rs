@@ -10,6 +10,7 @@ use crate::strength::answer::records::{
     DutyStep, Factor, FactorOverDuty, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated,
     SharingBasis, ToothedGear, Wear,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::{optional, quantity};
 use crate::table::report::AsReport;
@@ -150,110 +151,18 @@ fn safety(value: Option<f64>) -> Figure {
 }
 
 fn duty(all: &[DutyStep]) -> Records {
-    let row = |one: &DutyStep| {
-        vec![
-            text(&one.gear),
-            Figure::Share(one.share),
-            column(one.torque_n_m, Dimension::Torque),
-            column(one.speed_rad_s, Dimension::AngularSpeed),
-        ]
-    };
-    Records {
-        name: "duty",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("share", "share of time"),
-            Column::headed("torque", "T, N·m", Dimension::Torque),
-            Column::headed("speed", "n, rpm", Dimension::AngularSpeed),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View::new(
-            "Duty: torque on the input and its speed",
-            &["gear", "share", "torque", "speed"],
-        )],
-        is_answer: false,
-    }
+    Table::new("duty", all.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .number("share", "share of time", |one| Figure::Share(one.share))
+        .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
+        .quantity("speed", "n", Dimension::AngularSpeed, |one| one.speed_rad_s)
+        .view("Duty: torque on the input and its speed", "gear share torque speed")
+        .records()
 }
 
 fn at_point(all: &[Rated]) -> Records {
     let stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
-    let row = |one: &Rated| {
-        vec![
-            text(&one.gear),
-            text(&one.set),
-            text(one.mesh.to_string()),
-            text(one.toothed_gear.to_string()),
-            text(&one.material),
-            safety(one.flank_safety),
-            safety(one.root_safety),
-            stress(one.contact_stress_pa),
-            stress(one.contact_limit_pa),
-            stress(one.root_stress_pa),
-            stress(one.root_limit_pa),
-            column(one.tangential_force_n, Dimension::Force),
-            column(one.mesh_torque_n_m, Dimension::Torque),
-            column(one.mesh_speed_rad_s, Dimension::AngularSpeed),
-            Figure::Number(one.cycles),
-            Figure::Number(one.cycles / MILLION),
-        ]
-    };
-    Records {
-        name: "at_point",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("set", "set"),
-            Column::words("mesh", "mesh"),
-            Column::words("toothed_gear", "of"),
-            Column::words("material", "material"),
-            Column::number("flank_safety", "S_H"),
-            Column::number("root_safety", "S_F"),
-            Column::headed("contact_stress", "σ_H", Dimension::Pressure),
-            Column::headed("contact_limit", "σ_HG", Dimension::Pressure),
-            Column::headed("root_stress", "σ_F", Dimension::Pressure),
-            Column::headed("root_limit", "σ_FG", Dimension::Pressure),
-            Column::headed("tangential_force", "F_t, N", Dimension::Force),
-            Column::headed("mesh_torque", "T, N·m", Dimension::Torque),
-            Column::headed("mesh_speed", "n, rpm", Dimension::AngularSpeed),
-            Column::number("cycles", "N_L"),
-            Column::number("million_cycles", "N_L, 10⁶").for_people(),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![
-            View::new(
-                "Safeties of flanks and roots, stresses and limits in MPa",
-                &[
-                    "gear",
-                    "set",
-                    "mesh",
-                    "toothed_gear",
-                    "flank_safety",
-                    "root_safety",
-                    "contact_stress",
-                    "contact_limit",
-                    "root_stress",
-                    "root_limit",
-                ],
-            ),
-            View {
-                note: "F_t: of one mesh, without losses. n: of its first gear relative to the carrier."
-                    .to_owned(),
-                ..View::new(
-                    "Materials and loads",
-                    &[
-                        "gear",
-                        "set",
-                        "mesh",
-                        "toothed_gear",
-                        "material",
-                        "tangential_force",
-                        "mesh_speed",
-                        "million_cycles",
-                    ],
-                )
-            },
-        ],
-        is_answer: false,
-    }
+    Table::new("at_point", all.iter()).text("gear", "gear", |one| &one.gear).text("set", "set", |one| &one.set).words("mesh", "mesh", |one| text(one.mesh.to_string())).words("toothed_gear", "of", |one| text(one.toothed_gear.to_string())).text("material", "material", |one| &one.material).number("flank_safety", "S_H", |one| safety(one.flank_safety)).number("root_safety", "S_F", |one| safety(one.root_safety)).column(Column::headed("contact_stress", "σ_H", Dimension::Pressure), |one| stress(one.contact_stress_pa)).column(Column::headed("contact_limit", "σ_HG", Dimension::Pressure), |one| stress(one.contact_limit_pa)).column(Column::headed("root_stress", "σ_F", Dimension::Pressure), |one| stress(one.root_stress_pa)).column(Column::headed("root_limit", "σ_FG", Dimension::Pressure), |one| stress(one.root_limit_pa)).quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n).quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m).quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s).number("cycles", "N_L", |one| Figure::Number(one.cycles)).number("million_cycles", "N_L, 10⁶", |one| Figure::Number(one.cycles / MILLION)).for_people().view("Safeties of flanks and roots, stresses and limits in MPa", "gear set mesh toothed_gear flank_safety root_safety contact_stress contact_limit root_stress root_limit").view("Materials and loads", "gear set mesh toothed_gear material tangential_force mesh_speed million_cycles").note("F_t: of one mesh, without losses. n: of its first gear relative to the carrier.").records()
 }
 
 /// A row for each factor of two gears, and two where they have it by different formulas or only one of them has it: of the factor that names it,
@@ -470,62 +379,37 @@ fn overload(all: &[Overloaded]) -> Records {
 
 /// How planets share the load where the file does not give it.
 fn load_sharing(all: &[LoadSharing]) -> Records {
-    let row = |one: &LoadSharing| {
-        let words = match one.basis {
+    Table::new("load_sharing", all.iter()).text("set", "set", |one| &one.set).number("planets", "planets", |one| Figure::Count(one.planets)).number("mesh_load_factor", "K_γ", |one| Figure::Printed(one.mesh_load_factor, 3)).column(Column::words("basis", "since"), |one| { let words = match one.basis {
             SharingBasis::Floating => "a member floats",
             SharingBasis::Rigid => "no member floats",
             SharingBasis::Assumed => "a floating member is assumed",
-        };
-        let basis = Figure::choice(one.basis, words);
-        vec![text(&one.set), Figure::Count(one.planets), Figure::Printed(one.mesh_load_factor, 3), basis]
-    };
-    Records {
-        name: "load_sharing",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::number("planets", "planets"),
-            Column::number("mesh_load_factor", "K_γ"),
-            Column::words("basis", "since"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself."
-                .to_owned(),
-            ..View::new("Load sharing of the planets", &["set", "planets", "mesh_load_factor", "basis"])
-        }],
-        is_answer: false,
-    }
+        }; let basis = Figure::choice(one.basis, words); basis }).view("Load sharing of the planets", "set planets mesh_load_factor basis").note("K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself.").records()
 }
 
 fn not_rated(all: &[NotRated]) -> Records {
-    let row = |one: &NotRated| {
-        let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
-        let words = |word: Option<String>| word.map_or(Figure::None, text);
-        vec![
-            text(&one.set),
-            gears,
-            words(one.mesh.map(|mesh| mesh.to_string())),
-            words(one.toothed_gear.map(|gear| gear.to_string())),
-            words(one.place.map(|place| place.to_string())),
-            text(one.why()),
-        ]
-    };
     let part = ["mesh", "toothed_gear", "place"];
     let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
     let shown: Vec<&'static str> =
         ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
-    Records {
-        name: "not_rated",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gears", "gears"),
-            Column::words("mesh", "mesh"),
-            Column::words("toothed_gear", "of"),
-            Column::words("place", "part"),
-            Column::words("reason", "why"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View::new("Not rated", &shown)],
-        is_answer: false,
-    }
+    Table::new("not_rated", all.iter())
+        .text("set", "set", |one| &one.set)
+        .column(Column::words("gears", "gears"), |one| {
+            let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
+            gears
+        })
+        .column(Column::words("mesh", "mesh"), |one| {
+            let words = |word: Option<String>| word.map_or(Figure::None, text);
+            words(one.mesh.map(|mesh| mesh.to_string()))
+        })
+        .column(Column::words("toothed_gear", "of"), |one| {
+            let words = |word: Option<String>| word.map_or(Figure::None, text);
+            words(one.toothed_gear.map(|gear| gear.to_string()))
+        })
+        .column(Column::words("place", "part"), |one| {
+            let words = |word: Option<String>| word.map_or(Figure::None, text);
+            words(one.place.map(|place| place.to_string()))
+        })
+        .words("reason", "why", |one| text(one.why()))
+        .view_of("Not rated", &shown)
+        .records()
 }

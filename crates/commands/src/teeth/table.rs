@@ -6,10 +6,11 @@ pub(crate) mod shifted;
 use crate::shared::records::Motion;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::shared::tooth_checks::table as tooth_checks;
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text, View};
-use crate::teeth::answer::{Teeth, ToothNumbers, USUAL_PLANET_GAP};
+use crate::teeth::answer::{Teeth, USUAL_PLANET_GAP};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::{significant, trimmed};
 
@@ -98,53 +99,35 @@ fn sets(teeth: &Teeth) -> Records {
             &["sun", "planet", "ring", "planets", "spacing", "planet_angles", "imbalance"],
         ));
     }
-    Records {
-        name: "tooth_numbers",
-        columns: vec![
-            Column::number("sun", "sun"),
-            Column::number("planet", "planet"),
-            Column::number("ring", "ring"),
-            Column::number("planets", "planets"),
-            Column::number("ratio", "ratio"),
-            Column::number("exact_ratio", "exact"),
-            Column::number("ratio_error", "error"),
-            Column::number("error", "error, %").for_people(),
-            Column::number("most_planets", "most"),
-            Column::words("undercut_sun", "undercut sun"),
-            Column::words("undercut_planet", "undercut planet"),
-            Column::words("undercut", "undercut").for_people(),
-            Column::words("equal_spacing", "equal"),
-            Column::words("spacing", "spacing").for_people(),
-            Column::number("planet_gap_in_modules", "gap"),
-            Column::quantity("planet_angles", Dimension::Angle),
-            Column::number("imbalance", "imbalance"),
-        ],
-        rows: teeth.tooth_numbers.iter().map(row).collect(),
-        views,
-        is_answer: true,
-    }
-}
-
-fn row(set: &ToothNumbers) -> Vec<Figure> {
-    vec![
-        Figure::Count(set.sun),
-        Figure::Count(set.planet),
-        Figure::Count(set.ring),
-        Figure::Count(set.planets),
-        Figure::Number(set.ratio),
-        Figure::Text(set.exact_ratio.to_string()),
-        Figure::Number(set.ratio_error),
-        Figure::Text(percent(set.ratio_error)),
-        Figure::Count(set.most_planets),
-        Figure::YesNo(set.undercut_sun),
-        Figure::YesNo(set.undercut_planet),
-        Figure::Text(undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")])),
-        Figure::YesNo(set.equal_spacing),
-        Figure::Text(spacing(set.equal_spacing).to_owned()),
-        Figure::Printed(set.planet_gap_in_modules, 3),
-        Figure::List { si: set.planet_angles_rad.clone(), dimension: Dimension::Angle },
-        Figure::Number(set.imbalance),
-    ]
+    Table::new("tooth_numbers", teeth.tooth_numbers.iter())
+        .number("sun", "sun", |set| Figure::Count(set.sun))
+        .number("planet", "planet", |set| Figure::Count(set.planet))
+        .number("ring", "ring", |set| Figure::Count(set.ring))
+        .number("planets", "planets", |set| Figure::Count(set.planets))
+        .number("ratio", "ratio", |set| Figure::Number(set.ratio))
+        .number("exact_ratio", "exact", |set| Figure::Text(set.exact_ratio.to_string()))
+        .number("ratio_error", "error", |set| Figure::Number(set.ratio_error))
+        .number("error", "error, %", |set| Figure::Text(percent(set.ratio_error)))
+        .for_people()
+        .number("most_planets", "most", |set| Figure::Count(set.most_planets))
+        .words("undercut_sun", "undercut sun", |set| Figure::YesNo(set.undercut_sun))
+        .words("undercut_planet", "undercut planet", |set| Figure::YesNo(set.undercut_planet))
+        .words("undercut", "undercut", |set| {
+            Figure::Text(undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")]))
+        })
+        .for_people()
+        .words("equal_spacing", "equal", |set| Figure::YesNo(set.equal_spacing))
+        .words("spacing", "spacing", |set| Figure::Text(spacing(set.equal_spacing).to_owned()))
+        .for_people()
+        .number("planet_gap_in_modules", "gap", |set| Figure::Printed(set.planet_gap_in_modules, 3))
+        .column(Column::quantity("planet_angles", Dimension::Angle), |set| Figure::List {
+            si: set.planet_angles_rad.clone(),
+            dimension: Dimension::Angle,
+        })
+        .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
+        .views(views)
+        .is_answer()
+        .records()
 }
 
 fn spacing(is_equal: bool) -> &'static str {

@@ -2,6 +2,7 @@
 
 mod train;
 
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, count, text};
 use crate::table::quantities::{column, optional, quantity, words};
 use crate::table::report::AsReport;
@@ -299,41 +300,18 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
 }
 
 fn resonances(all: &[Resonance]) -> Records {
-    let row = |one: &Resonance| {
-        vec![
-            text(&one.set),
-            text(&one.gear),
-            column(AngularSpeed, Some(one.input_speed_rad_s)),
-            Figure::choice(one.source, source(one.source)),
-            count(one.harmonic),
-            count(one.mode),
-            Figure::choice(one.kind, kind(one.kind)),
-            hertz(one.frequency_hz),
-        ]
-    };
-    Records {
-        name: "resonances",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gear", "gear"),
-            Column::headed("input_speed", "n in, rpm", AngularSpeed),
-            Column::words("source", "excited by"),
-            Column::number("harmonic", "harm."),
-            Column::number("mode", "mode"),
-            Column::words("kind", "kind"),
-            Column::headed("frequency", "f, Hz", Frequency),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "Speeds of the input at which what excites has the frequency of a mode that it can excite."
-                .to_owned(),
-            ..View::new(
-                "Resonances",
-                &["set", "gear", "input_speed", "source", "harmonic", "mode", "kind", "frequency"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("resonances", all.iter())
+        .text("set", "set", |one| &one.set)
+        .text("gear", "gear", |one| &one.gear)
+        .quantity("input_speed", "n in", AngularSpeed, |one| one.input_speed_rad_s)
+        .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
+        .number("harmonic", "harm.", |one| count(one.harmonic))
+        .number("mode", "mode", |one| count(one.mode))
+        .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
+        .column(Column::headed("frequency", "f, Hz", Frequency), |one| hertz(one.frequency_hz))
+        .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
+        .note("Speeds of the input at which what excites has the frequency of a mode that it can excite.")
+        .records()
 }
 
 fn responses(all: &[Response]) -> Records {
@@ -341,112 +319,31 @@ fn responses(all: &[Response]) -> Records {
         set.harmonics.iter().flat_map(move |one| {
             let meshes =
                 [("sun", one.sun_error_m, one.greatest_sun), ("ring", one.ring_error_m, one.greatest_ring)];
-            meshes.map(|(mesh, error, greatest)| {
-                vec![
-                    text(&set.set),
-                    text(&set.gear),
-                    text(mesh),
-                    count(one.harmonic),
-                    quantity(Length, error),
-                    column(AngularSpeed, Some(greatest.input_speed_rad_s)),
-                    hertz(greatest.frequency_hz),
-                    column(Force, Some(greatest.force_n)),
-                    column(Torque, Some(greatest.parts_below_sun_torque_n_m)),
-                    Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" }),
-                ]
-            })
+            meshes.map(|(mesh, error, greatest)| (set, one, mesh, error, greatest))
         })
     });
-    Records {
-        name: "responses",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gear", "gear"),
-            Column::words("mesh", "mesh"),
-            Column::number("harmonic", "harm."),
-            Column::headed("error", "e", Length),
-            Column::headed("input_speed", "n in, rpm", AngularSpeed),
-            Column::headed("frequency", "f, Hz", Frequency),
-            Column::headed("force", "F, N", Force),
-            Column::headed("parts_below_sun_torque", "T sun, N·m", Torque),
-            Column::words("gyroscopic", "gyro"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
-                   below which the flanks part there, and this is no longer so."
-                .to_owned(),
-            ..View::new(
-                "Forces by the transmission error",
-                &["set", "gear", "mesh", "harmonic", "error", "input_speed", "frequency", "force", "parts_below_sun_torque", "gyroscopic"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("responses", rows).text("set", "set", |(set, _, _, _, _)| &set.set).text("gear", "gear", |(set, _, _, _, _)| &set.gear).words("mesh", "mesh", |(_, _, mesh, _, _)| text(*mesh)).number("harmonic", "harm.", |(_, one, _, _, _)| count(one.harmonic)).column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error)).quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s).column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| hertz(greatest.frequency_hz)).quantity("force", "F", Force, |(_, _, _, _, greatest)| greatest.force_n).quantity("parts_below_sun_torque", "T sun", Torque, |(_, _, _, _, greatest)| greatest.parts_below_sun_torque_n_m).words("gyroscopic", "gyro", |(set, _, _, _, _)| Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" })).view("Forces by the transmission error", "set gear mesh harmonic error input_speed frequency force parts_below_sun_torque gyroscopic").note("The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
+                   below which the flanks part there, and this is no longer so.").records()
 }
 
 fn orders(all: &[Order]) -> Records {
-    let row = |one: &Order| {
-        vec![
-            text(&one.set),
-            text(&one.gear),
-            Figure::choice(one.source, source(one.source)),
-            count(one.harmonic),
-            Figure::Multiple(one.of_input),
-            one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))),
-        ]
-    };
-    Records {
-        name: "orders",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gear", "gear"),
-            Column::words("source", "excited by"),
-            Column::number("harmonic", "harm."),
-            Column::number("of_input", "order"),
-            Column::words("excites", "excites"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "Order: frequency over that of a turn of the input, in axes on the carrier.".to_owned(),
-            ..View::new("Orders", &["set", "gear", "source", "harmonic", "of_input", "excites"])
-        }],
-        is_answer: false,
-    }
+    Table::new("orders", all.iter())
+        .text("set", "set", |one| &one.set)
+        .text("gear", "gear", |one| &one.gear)
+        .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
+        .number("harmonic", "harm.", |one| count(one.harmonic))
+        .multiple("of_input", "order", |one| one.of_input)
+        .words("excites", "excites", |one| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))))
+        .view("Orders", "set gear source harmonic of_input excites")
+        .note("Order: frequency over that of a turn of the input, in axes on the carrier.")
+        .records()
 }
 
 fn bodies(sets: &[SetModes]) -> Records {
-    let rows = sets.iter().flat_map(|set| {
-        set.bodies.iter().map(move |body| {
-            vec![
-                text(&set.set),
-                Figure::Texts(set.gears.clone()),
-                Figure::choice(body.body, member(body.body)),
-                column(Mass, body.mass_kg),
-                optional(Inertia, body.inertia_kg_m2),
-                column(Length, Some(body.radius_m)),
-            ]
-        })
-    });
-    Records {
-        name: "bodies",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gears", "gears"),
-            Column::words("body", "body"),
-            Column::headed("mass", "m, kg", Mass),
-            Column::headed("inertia", "I", Inertia),
-            Column::headed("radius", "r, mm", Length),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Without a mass the centre is held, without an inertia the rotation. r: base radius, of the carrier the radius of the planets' \
-                   circle."
-                .to_owned(),
-            ..View::new("Bodies", &["set", "gears", "body", "mass", "inertia", "radius"])
-        }],
-        is_answer: false,
-    }
+    Table::new("bodies", sets.iter().flat_map(|set| {
+        set.bodies.iter().map(move |body| (set, body))
+    })).text("set", "set", |(set, _)| &set.set).words("gears", "gears", |(set, _)| Figure::Texts(set.gears.clone())).words("body", "body", |(_, body)| Figure::choice(body.body, member(body.body))).quantity("mass", "m", Mass, |(_, body)| body.mass_kg).column(Column::headed("inertia", "I", Inertia), |(_, body)| optional(Inertia, body.inertia_kg_m2)).quantity("radius", "r", Length, |(_, body)| body.radius_m).view("Bodies", "set gears body mass inertia radius").note("Without a mass the centre is held, without an inertia the rotation. r: base radius, of the carrier the radius of the planets' \
+                   circle.").records()
 }
 
 fn springs(sets: &[SetModes]) -> Records {
@@ -488,30 +385,19 @@ fn springs(sets: &[SetModes]) -> Records {
 }
 
 fn not_calculated(all: &[NotCalculated]) -> Records {
-    let row = |one: &NotCalculated| {
-        let what = match one.what {
-            What::Modes => "modes",
-            What::Resonances => "resonances",
-            What::Torsional => "torsional modes",
-            What::Coupled => "coupled modes",
-        };
-        vec![
-            text(&one.set),
-            one.gear.as_ref().map_or(text("all"), text),
-            Figure::choice(one.what, what),
-            text(one.why()),
-        ]
-    };
-    Records {
-        name: "not_calculated",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gear", "gear"),
-            Column::words("what", "what"),
-            Column::words("reason", "why"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View::new("Not calculated", &["set", "gear", "what", "reason"])],
-        is_answer: false,
-    }
+    Table::new("not_calculated", all.iter())
+        .text("set", "set", |one| &one.set)
+        .words("gear", "gear", |one| one.gear.as_ref().map_or(text("all"), text))
+        .column(Column::words("what", "what"), |one| {
+            let what = match one.what {
+                What::Modes => "modes",
+                What::Resonances => "resonances",
+                What::Torsional => "torsional modes",
+                What::Coupled => "coupled modes",
+            };
+            Figure::choice(one.what, what)
+        })
+        .words("reason", "why", |one| text(one.why()))
+        .view("Not calculated", "set gear what reason")
+        .records()
 }

@@ -9,6 +9,7 @@ use crate::analyze::answer::step_losses::{MeshSteps, StepLosses};
 use crate::analyze::answer::step_torques::{MemberTorque, StepTorques, TorqueFrom};
 use crate::analyze::answer::warnings::state_in_words;
 use crate::shared::records::Fraction;
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text};
@@ -113,33 +114,24 @@ fn spare(gear: &Gear) -> Option<String> {
 }
 
 fn gears(gears: &[Gear]) -> Records {
-    let row = |gear: &Gear| {
-        let formula = gear.formula.as_ref();
-        vec![
-            text(&gear.facts.gear),
-            Figure::Texts(gear.facts.engaged.clone()),
-            state(gear.facts.state),
-            multiple(gear.facts.ratio),
-            text(formula.map_or_else(String::new, |formula| formula.text.clone())),
-            multiple(formula.and_then(|formula| formula.value)),
-            exact(formula.and_then(|formula| formula.exact_value)),
-        ]
-    };
-    Records {
-        name: "gears",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("engaged", "engaged"),
-            Column::words("state", "state"),
-            Column::number("ratio", "i"),
-            Column::words("formula", "formula"),
-            Column::number("value", "value"),
-            Column::number("exact_value", "exact"),
-        ],
-        rows: gears.iter().map(row).collect(),
-        views: vec![],
-        is_answer: false,
-    }
+    Table::new("gears", gears.iter())
+        .text("gear", "gear", |gear| &gear.facts.gear)
+        .words("engaged", "engaged", |gear| Figure::Texts(gear.facts.engaged.clone()))
+        .words("state", "state", |gear| state(gear.facts.state))
+        .multiple("ratio", "i", |gear| gear.facts.ratio)
+        .column(Column::words("formula", "formula"), |gear| {
+            let formula = gear.formula.as_ref();
+            text(formula.map_or_else(String::new, |formula| formula.text.clone()))
+        })
+        .column(Column::number("value", "value"), |gear| {
+            let formula = gear.formula.as_ref();
+            multiple(formula.and_then(|formula| formula.value))
+        })
+        .column(Column::number("exact_value", "exact"), |gear| {
+            let formula = gear.formula.as_ref();
+            exact(formula.and_then(|formula| formula.exact_value))
+        })
+        .records()
 }
 
 /// What a symbol is: `k₁ of P1: i₀ = −k₁ from sun to ring; k₁ = z_ring/z_sun = 96/48 = 2`.
@@ -155,34 +147,16 @@ fn symbol(symbol: &Symbol) -> String {
 }
 
 fn symbols(symbols: &[Symbol]) -> Records {
-    let row = |symbol: &Symbol| {
-        vec![
-            text(&symbol.symbol),
-            text(&symbol.set),
-            text(&symbol.first),
-            text(&symbol.second),
-            yes_no(Some(symbol.is_negative)),
-            text(in_teeth(symbol)),
-            multiple(symbol.value),
-            exact(symbol.exact_value),
-        ]
-    };
-    Records {
-        name: "symbols",
-        columns: vec![
-            Column::words("symbol", "symbol"),
-            Column::words("set", "set"),
-            Column::words("first", "1"),
-            Column::words("second", "2"),
-            Column::words("is_negative", "negative"),
-            Column::words("in_teeth", "in teeth"),
-            Column::number("value", "value"),
-            Column::number("exact_value", "exact"),
-        ],
-        rows: symbols.iter().map(row).collect(),
-        views: vec![],
-        is_answer: false,
-    }
+    Table::new("symbols", symbols.iter())
+        .text("symbol", "symbol", |symbol| &symbol.symbol)
+        .text("set", "set", |symbol| &symbol.set)
+        .text("first", "1", |symbol| &symbol.first)
+        .text("second", "2", |symbol| &symbol.second)
+        .words("is_negative", "negative", |symbol| yes_no(Some(symbol.is_negative)))
+        .words("in_teeth", "in teeth", |symbol| text(in_teeth(symbol)))
+        .multiple("value", "value", |symbol| symbol.value)
+        .number("exact_value", "exact", |symbol| exact(symbol.exact_value))
+        .records()
 }
 
 /// `z_ring/z_sun = 96/48`.
@@ -440,47 +414,22 @@ fn of_losses(losses: &StepLosses) -> Vec<String> {
 
 /// The solved equations, for programs.
 fn substitutions(gear: &Gear, steps: &Steps) -> Records {
-    let row = |one: &Substitution| {
-        vec![
-            text(&gear.facts.gear),
-            text(&one.unknown),
-            text(&one.set),
-            text(&one.symbol),
-            text(speeds(&one.terms)),
-            text(speeds(&one.equals)),
-        ]
-    };
-    Records {
-        name: "substitutions",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("unknown", "unknown"),
-            Column::words("set", "set"),
-            Column::words("symbol", "symbol"),
-            Column::words("terms", "terms"),
-            Column::words("equals", "equals"),
-        ],
-        rows: steps.substitutions.iter().map(row).collect(),
-        views: vec![],
-        is_answer: false,
-    }
+    Table::new("substitutions", steps.substitutions.iter())
+        .text("gear", "gear", |_one| &gear.facts.gear)
+        .text("unknown", "unknown", |one| &one.unknown)
+        .text("set", "set", |one| &one.set)
+        .text("symbol", "symbol", |one| &one.symbol)
+        .words("terms", "terms", |one| text(speeds(&one.terms)))
+        .words("equals", "equals", |one| text(speeds(&one.equals)))
+        .records()
 }
 
 /// The torques of the members, for programs.
 fn member_torques(gear: &Gear, steps: &Steps) -> Records {
-    let row = |one: &MemberTorque| {
-        vec![text(&gear.facts.gear), text(&one.set), text(&one.member), multiple(Some(one.torque_of_input))]
-    };
-    Records {
-        name: "torques",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("set", "set"),
-            Column::words("member", "member"),
-            Column::number("torque_of_input", "T"),
-        ],
-        rows: steps.torques.iter().flat_map(|torques| &torques.members).map(row).collect(),
-        views: vec![],
-        is_answer: false,
-    }
+    Table::new("torques", steps.torques.iter().flat_map(|torques| &torques.members))
+        .text("gear", "gear", |_one| &gear.facts.gear)
+        .text("set", "set", |one| &one.set)
+        .text("member", "member", |one| &one.member)
+        .multiple("torque_of_input", "T", |one| Some(one.torque_of_input))
+        .records()
 }

@@ -3,15 +3,16 @@
 use super::overview::printed;
 use super::planet_bearings;
 use super::shared::{
-    column, engaged, exact, joins, kind, kind_in_words, one_way_clutches, quantity, self_locking, state,
+    engaged, exact, joins, kind, kind_in_words, one_way_clutches, quantity, self_locking, state,
 };
 use crate::analyze::answer::gear::{
-    Link, Member, Mesh, OneGear, Pattern, Planet, Powers, PowersOfEntering, RollingPower, Set, ShiftElement,
-    Terminal, Torques, TorquesAtLoad, TorquesOfInput,
+    Link, Mesh, OneGear, Pattern, Powers, PowersOfEntering, RollingPower, Set, Terminal, Torques,
+    TorquesAtLoad, TorquesOfInput,
 };
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::report::{Column, Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
 
 const CASES: &[(&str, &str)] =
@@ -100,30 +101,15 @@ fn links(one: &OneGear) -> Records {
     if one.links.iter().any(|link| link.power_w.is_some()) {
         shown.push("power");
     }
-    let row = |link: &Link| {
-        vec![
-            text(&link.link),
-            text(made_of(link)),
-            multiple(link.speed_of_input),
-            column(link.speed_rad_s, Dimension::AngularSpeed),
-            multiple(link.power_of_entering),
-            column(link.power_w, Dimension::Power),
-        ]
-    };
-    Records {
-        name: "links",
-        columns: vec![
-            Column::words("link", "link"),
-            Column::words("members", "members"),
-            Column::number("speed_of_input", "ω/ω_in"),
-            Column::quantity("speed", Dimension::AngularSpeed),
-            Column::number("power_of_entering", "power"),
-            Column::quantity("power", Dimension::Power),
-        ],
-        rows: one.links.iter().map(row).collect(),
-        views: vec![View::new("Links: speed, and power through each over what enters", &shown)],
-        is_answer: false,
-    }
+    Table::new("links", one.links.iter())
+        .text("link", "link", |link| &link.link)
+        .words("members", "members", |link| text(made_of(link)))
+        .multiple("speed_of_input", "ω/ω_in", |link| link.speed_of_input)
+        .quantity("speed", "", Dimension::AngularSpeed, |link| link.speed_rad_s)
+        .multiple("power_of_entering", "power", |link| link.power_of_entering)
+        .quantity("power", "", Dimension::Power, |link| link.power_w)
+        .view_of("Links: speed, and power through each over what enters", &shown)
+        .records()
 }
 
 /// What a link is made of: `input, sun P1, ring P2`.
@@ -135,16 +121,6 @@ fn made_of(link: &Link) -> String {
 }
 
 fn planets(one: &OneGear) -> Records {
-    let row = |planet: &Planet| {
-        vec![
-            text(&planet.set),
-            text(&planet.planet),
-            multiple(planet.relative_speed_of_input),
-            column(planet.relative_speed_rad_s, Dimension::AngularSpeed),
-            multiple(planet.speed_of_input),
-            column(planet.speed_rad_s, Dimension::AngularSpeed),
-        ]
-    };
     let shown: &[&'static str] = if one.operating_point.speed_rad_s.is_some() {
         &["set", "planet", "relative_speed_of_input", "relative_speed", "speed_of_input", "speed"]
     } else {
@@ -158,36 +134,21 @@ fn planets(one: &OneGear) -> Records {
         1 => format!("Planet teeth are missing, and with them speeds: set {}.", without[0]),
         _ => format!("Planet teeth are missing, and with them speeds: sets {}.", without.join(", ")),
     };
-    Records {
-        name: "planets",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::number("relative_speed_of_input", "relative to the carrier"),
-            Column::quantity("relative_speed", Dimension::AngularSpeed),
-            Column::number("speed_of_input", "planet speed"),
-            Column::quantity("speed", Dimension::AngularSpeed),
-        ],
-        rows: one.planets.iter().map(row).collect(),
-        views: vec![View { note: missing, ..View::new("Speeds of planets over the input's", shown) }],
-        is_answer: false,
-    }
+    Table::new("planets", one.planets.iter())
+        .text("set", "set", |planet| &planet.set)
+        .text("planet", "planet", |planet| &planet.planet)
+        .multiple("relative_speed_of_input", "relative to the carrier", |planet| {
+            planet.relative_speed_of_input
+        })
+        .quantity("relative_speed", "", Dimension::AngularSpeed, |planet| planet.relative_speed_rad_s)
+        .multiple("speed_of_input", "planet speed", |planet| planet.speed_of_input)
+        .quantity("speed", "", Dimension::AngularSpeed, |planet| planet.speed_rad_s)
+        .view_of("Speeds of planets over the input's", shown)
+        .note(missing)
+        .records()
 }
 
 fn shift_elements(one: &OneGear) -> Records {
-    let row = |element: &ShiftElement| {
-        vec![
-            text(&element.element.shift_element),
-            kind(element.element.kind),
-            joins(&element.element.links),
-            engaged(element.does.engaged),
-            multiple(element.does.slip_of_input),
-            column(element.does.slip_rad_s, Dimension::AngularSpeed),
-            multiple(element.does.ideal_torque_of_input),
-            multiple(element.does.torque_of_input),
-            column(element.does.torque_n_m, Dimension::Torque),
-        ]
-    };
     let mut shown = vec!["shift_element", "joins", "engaged", "slip_of_input"];
     shown.extend(one.operating_point.speed_rad_s.map(|_| "slip"));
     if one.torques.is_some() {
@@ -202,23 +163,19 @@ fn shift_elements(one: &OneGear) -> Records {
     } else {
         "Slip: speed of the first link less that of the second."
     };
-    Records {
-        name: "shift_elements",
-        columns: vec![
-            Column::words("shift_element", "element"),
-            Column::words("kind", "kind"),
-            Column::words("joins", "joins"),
-            Column::words("engaged", "is"),
-            Column::number("slip_of_input", "slip"),
-            Column::quantity("slip", Dimension::AngularSpeed),
-            Column::number("ideal_torque_of_input", "ideal T"),
-            Column::number("torque_of_input", "T"),
-            Column::quantity("torque", Dimension::Torque),
-        ],
-        rows: one.shift_elements.iter().map(row).collect(),
-        views: vec![View { note: note.to_owned(), ..View::new("Shift elements", &shown) }],
-        is_answer: false,
-    }
+    Table::new("shift_elements", one.shift_elements.iter())
+        .text("shift_element", "element", |element| &element.element.shift_element)
+        .words("kind", "kind", |element| kind(element.element.kind))
+        .words("joins", "joins", |element| joins(&element.element.links))
+        .words("engaged", "is", |element| engaged(element.does.engaged))
+        .multiple("slip_of_input", "slip", |element| element.does.slip_of_input)
+        .quantity("slip", "", Dimension::AngularSpeed, |element| element.does.slip_rad_s)
+        .multiple("ideal_torque_of_input", "ideal T", |element| element.does.ideal_torque_of_input)
+        .multiple("torque_of_input", "T", |element| element.does.torque_of_input)
+        .quantity("torque", "", Dimension::Torque, |element| element.does.torque_n_m)
+        .view_of("Shift elements", &shown)
+        .note(note.to_owned())
+        .records()
 }
 
 fn at_load(one: &OneGear) -> Option<&TorquesAtLoad> {
@@ -251,19 +208,6 @@ fn torques(torques: &Torques, is_held: bool) -> Section {
 }
 
 fn sets(sets: &[Set]) -> Records {
-    let row = |set: &Set| {
-        vec![
-            text(&set.set),
-            Figure::choice(set.kind, kind_in_words(set.kind)),
-            multiple(set.basic_ratio),
-            exact(set.exact_ratio),
-            multiple(set.efficiency),
-            set.rolling_power_runs.map_or(Figure::None, runs),
-            text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")),
-            multiple(set.rolling_power_of_entering),
-            multiple(set.loss_of_entering),
-        ]
-    };
     let shown = [
         "set",
         "kind",
@@ -273,29 +217,9 @@ fn sets(sets: &[Set]) -> Records {
         "rolling_power_of_entering",
         "loss_of_entering",
     ];
-    Records {
-        name: "sets",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("kind", "kind"),
-            Column::number("basic_ratio", "i₀"),
-            Column::number("exact_ratio", "exact"),
-            Column::number("efficiency", "η₀"),
-            Column::words("rolling_power_runs", "rolling power runs"),
-            Column::words("kreines_exponents", "x"),
-            Column::number("rolling_power_of_entering", "rolling"),
-            Column::number("loss_of_entering", "loss"),
-        ],
-        rows: sets.iter().map(row).collect(),
-        views: vec![View {
-            note: "Rolling power: through the meshes, seen from the carrier, over what enters; from the first central \
+    Table::new("sets", sets.iter()).text("set", "set", |set| &set.set).words("kind", "kind", |set| Figure::choice(set.kind, kind_in_words(set.kind))).multiple("basic_ratio", "i₀", |set| set.basic_ratio).number("exact_ratio", "exact", |set| exact(set.exact_ratio)).multiple("efficiency", "η₀", |set| set.efficiency).words("rolling_power_runs", "rolling power runs", |set| set.rolling_power_runs.map_or(Figure::None, runs)).words("kreines_exponents", "x", |set| text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))).multiple("rolling_power_of_entering", "rolling", |set| set.rolling_power_of_entering).multiple("loss_of_entering", "loss", |set| set.loss_of_entering).view_of("Planet sets", &shown).note("Rolling power: through the meshes, seen from the carrier, over what enters; from the first central \
                    gear to the second. i₀, η₀: basic ratio, and efficiency with the carrier fixed, of sets with two \
-                   central gears."
-                .to_owned(),
-            ..View::new("Planet sets", &shown)
-        }],
-        is_answer: false,
-    }
+                   central gears.").records()
 }
 
 fn runs(direction: RollingPower) -> Figure {
@@ -309,18 +233,6 @@ fn runs(direction: RollingPower) -> Figure {
 
 /// Torques and powers of every member of every set.
 fn members(one: &OneGear) -> Records {
-    let row = |member: &Member| {
-        vec![
-            text(&member.set),
-            text(&member.member),
-            text(&member.link),
-            multiple(member.ideal_torque_of_input),
-            multiple(member.torque_of_input),
-            column(member.torque_n_m, Dimension::Torque),
-            multiple(member.power_of_entering),
-            multiple(member.circulating_of_entering),
-        ]
-    };
     let mut shown = vec!["set", "member", "link", "ideal_torque_of_input"];
     if one.has_losses {
         shown.push("torque_of_input");
@@ -333,61 +245,38 @@ fn members(one: &OneGear) -> Records {
     if circulating.is_some_and(|powers| powers.circulating > 0.0) {
         shown.push("circulating_of_entering");
     }
-    Records {
-        name: "members",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("member", "member"),
-            Column::words("link", "link"),
-            Column::number("ideal_torque_of_input", "ideal T"),
-            Column::number("torque_of_input", "T"),
-            Column::quantity("torque", Dimension::Torque),
-            Column::number("power_of_entering", "power"),
-            Column::number("circulating_of_entering", "circulating"),
-        ],
-        rows: one.members.iter().map(row).collect(),
-        views: vec![View {
-            note: "T: over the input's torque, without losses and with. Power: over what enters the gear; positive \
-                   where it enters the set."
-                .to_owned(),
-            ..View::new("Members of the sets", &shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("members", one.members.iter())
+        .text("set", "set", |member| &member.set)
+        .text("member", "member", |member| &member.member)
+        .text("link", "link", |member| &member.link)
+        .multiple("ideal_torque_of_input", "ideal T", |member| member.ideal_torque_of_input)
+        .multiple("torque_of_input", "T", |member| member.torque_of_input)
+        .quantity("torque", "", Dimension::Torque, |member| member.torque_n_m)
+        .multiple("power_of_entering", "power", |member| member.power_of_entering)
+        .multiple("circulating_of_entering", "circulating", |member| member.circulating_of_entering)
+        .view_of("Members of the sets", &shown)
+        .note(
+            "T: over the input's torque, without losses and with. Power: over what enters the gear; positive \
+                   where it enters the set.",
+        )
+        .records()
 }
 
 /// Power through every mesh.
 fn meshes(meshes: &[Mesh]) -> Records {
-    let row = |mesh: &Mesh| {
-        vec![
-            text(&mesh.set),
-            text(&mesh.from),
-            text(&mesh.to),
-            Figure::Multiple(mesh.efficiency),
-            multiple(mesh.enters_of_entering),
-            multiple(mesh.leaves_of_entering),
-        ]
-    };
-    Records {
-        name: "meshes",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("from", "from"),
-            Column::words("to", "to"),
-            Column::number("efficiency", "η"),
-            Column::number("enters_of_entering", "enters"),
-            Column::number("leaves_of_entering", "leaves"),
-        ],
-        rows: meshes.iter().map(row).collect(),
-        views: vec![View {
-            note: "In the direction of the power.".to_owned(),
-            ..View::new(
-                "Power through the meshes over what enters the gear, seen from the carriers",
-                &["set", "from", "to", "efficiency", "enters_of_entering", "leaves_of_entering"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("meshes", meshes.iter())
+        .text("set", "set", |mesh| &mesh.set)
+        .text("from", "from", |mesh| &mesh.from)
+        .text("to", "to", |mesh| &mesh.to)
+        .multiple("efficiency", "η", |mesh| mesh.efficiency)
+        .multiple("enters_of_entering", "enters", |mesh| mesh.enters_of_entering)
+        .multiple("leaves_of_entering", "leaves", |mesh| mesh.leaves_of_entering)
+        .view(
+            "Power through the meshes over what enters the gear, seen from the carriers",
+            "set from to efficiency enters_of_entering leaves_of_entering",
+        )
+        .note("In the direction of the power.")
+        .records()
 }
 
 fn powers(powers: &Powers) -> Section {
@@ -438,27 +327,18 @@ fn patterns(patterns: &[Pattern]) -> Records {
         1 => "+",
         _ => "-",
     };
-    let row = |pattern: &Pattern| {
-        let sets = pattern.sets.iter();
-        let sets = sets.map(|set| format!("{} {}", set.set, set.signs.iter().map(mark).collect::<String>()));
-        vec![
-            text(sets.collect::<Vec<_>>().join(", ")),
-            Figure::Multiple(pattern.efficiency),
-            Figure::YesNo(pattern.chosen),
-        ]
-    };
-    Records {
-        name: "patterns",
-        columns: vec![
-            Column::words("signs", "sets"),
-            Column::number("efficiency", "η"),
-            Column::words("chosen", "chosen"),
-        ],
-        rows: patterns.iter().map(row).collect(),
-        views: vec![View::new(
+    Table::new("patterns", patterns.iter())
+        .column(Column::words("signs", "sets"), |pattern| {
+            let sets = pattern.sets.iter();
+            let sets =
+                sets.map(|set| format!("{} {}", set.set, set.signs.iter().map(mark).collect::<String>()));
+            text(sets.collect::<Vec<_>>().join(", "))
+        })
+        .multiple("efficiency", "η", |pattern| pattern.efficiency)
+        .words("chosen", "chosen", |pattern| Figure::YesNo(pattern.chosen))
+        .view(
             "Self-consistent sign patterns of the losses (+: from the first gear to the others)",
-            &["signs", "efficiency", "chosen"],
-        )],
-        is_answer: false,
-    }
+            "signs efficiency chosen",
+        )
+        .records()
 }

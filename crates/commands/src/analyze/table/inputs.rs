@@ -2,7 +2,8 @@
 
 use super::shared::{column, count, engaged, joins, kind, quantity};
 use crate::analyze::answer::inputs::map::{Map, MapEntry, SpeedMap};
-use crate::analyze::answer::inputs::{Inputs, Link, Member, Mesh, Planet, Powers, ShiftElement, Terminal};
+use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers, Terminal};
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
 use crate::table::report::{
@@ -57,64 +58,31 @@ fn facts(inputs: &Inputs) -> Section {
 }
 
 fn links(inputs: &Inputs) -> Records {
-    let row = |link: &Link| {
-        vec![
-            text(&link.link),
-            column(link.speed_rad_s, Dimension::AngularSpeed),
-            Figure::YesNo(link.given),
-            column(link.power_w, Dimension::Power),
-        ]
-    };
     let mut shown = vec!["link", "speed", "given"];
     shown.extend(inputs.powers.as_ref().map(|_| "power"));
-    Records {
-        name: "links",
-        columns: vec![
-            Column::words("link", "link"),
-            Column::quantity("speed", Dimension::AngularSpeed),
-            Column::words("given", "given"),
-            Column::quantity("power", Dimension::Power),
-        ],
-        rows: inputs.links.iter().map(row).collect(),
-        views: vec![View::new("Links: speed, and power through each", &shown)],
-        is_answer: true,
-    }
+    Table::new("links", inputs.links.iter())
+        .text("link", "link", |link| &link.link)
+        .quantity("speed", "", Dimension::AngularSpeed, |link| link.speed_rad_s)
+        .words("given", "given", |link| Figure::YesNo(link.given))
+        .quantity("power", "", Dimension::Power, |link| link.power_w)
+        .view_of("Links: speed, and power through each", &shown)
+        .is_answer()
+        .records()
 }
 
 fn planets(planets: &[Planet]) -> Records {
-    let row = |planet: &Planet| {
-        vec![
-            text(&planet.set),
-            text(&planet.planet),
-            column(planet.relative_speed_rad_s, Dimension::AngularSpeed),
-            column(planet.speed_rad_s, Dimension::AngularSpeed),
-        ]
-    };
-    Records {
-        name: "planets",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::headed("relative_speed", "relative to the carrier, rpm", Dimension::AngularSpeed),
-            Column::headed("speed", "planet speed, rpm", Dimension::AngularSpeed),
-        ],
-        rows: planets.iter().map(row).collect(),
-        views: vec![View::new("Speeds of planets", &["set", "planet", "relative_speed", "speed"])],
-        is_answer: false,
-    }
+    Table::new("planets", planets.iter())
+        .text("set", "set", |planet| &planet.set)
+        .text("planet", "planet", |planet| &planet.planet)
+        .quantity("relative_speed", "relative to the carrier", Dimension::AngularSpeed, |planet| {
+            planet.relative_speed_rad_s
+        })
+        .quantity("speed", "planet speed", Dimension::AngularSpeed, |planet| planet.speed_rad_s)
+        .view("Speeds of planets", "set planet relative_speed speed")
+        .records()
 }
 
 fn shift_elements(inputs: &Inputs) -> Records {
-    let row = |element: &ShiftElement| {
-        vec![
-            text(&element.shift_element),
-            kind(element.kind),
-            joins(&element.links),
-            engaged(element.engaged),
-            column(element.slip_rad_s, Dimension::AngularSpeed),
-            column(element.torque_n_m, Dimension::Torque),
-        ]
-    };
     let mut shown = vec!["shift_element", "joins", "engaged", "slip"];
     shown.extend(inputs.powers.as_ref().map(|_| "torque"));
     let note = if inputs.powers.is_some() {
@@ -122,20 +90,16 @@ fn shift_elements(inputs: &Inputs) -> Records {
     } else {
         "Slip: speed of the first link less that of the second."
     };
-    Records {
-        name: "shift_elements",
-        columns: vec![
-            Column::words("shift_element", "element"),
-            Column::words("kind", "kind"),
-            Column::words("joins", "joins"),
-            Column::words("engaged", "is"),
-            Column::headed("slip", "slip, rpm", Dimension::AngularSpeed),
-            Column::headed("torque", "torque, N·m", Dimension::Torque),
-        ],
-        rows: inputs.shift_elements.iter().map(row).collect(),
-        views: vec![View { note: note.to_owned(), ..View::new("Shift elements", &shown) }],
-        is_answer: false,
-    }
+    Table::new("shift_elements", inputs.shift_elements.iter())
+        .text("shift_element", "element", |element| &element.shift_element)
+        .words("kind", "kind", |element| kind(element.kind))
+        .words("joins", "joins", |element| joins(&element.links))
+        .words("engaged", "is", |element| engaged(element.engaged))
+        .quantity("slip", "slip", Dimension::AngularSpeed, |element| element.slip_rad_s)
+        .quantity("torque", "torque", Dimension::Torque, |element| element.torque_n_m)
+        .view_of("Shift elements", &shown)
+        .note(note.to_owned())
+        .records()
 }
 
 fn terminals(inputs: &Inputs) -> Records {
@@ -162,61 +126,27 @@ fn terminals(inputs: &Inputs) -> Records {
 }
 
 fn members(members: &[Member]) -> Records {
-    let row = |member: &Member| {
-        vec![
-            text(&member.set),
-            text(&member.member),
-            text(&member.link),
-            column(Some(member.torque_n_m), Dimension::Torque),
-            column(member.power_w, Dimension::Power),
-        ]
-    };
-    Records {
-        name: "members",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("member", "member"),
-            Column::words("link", "link"),
-            Column::quantity("torque", Dimension::Torque),
-            Column::quantity("power", Dimension::Power),
-        ],
-        rows: members.iter().map(row).collect(),
-        views: vec![View {
-            note: "Power positive where it enters the set.".to_owned(),
-            ..View::new("Members of the sets", &["set", "member", "link", "torque", "power"])
-        }],
-        is_answer: false,
-    }
+    Table::new("members", members.iter())
+        .text("set", "set", |member| &member.set)
+        .text("member", "member", |member| &member.member)
+        .text("link", "link", |member| &member.link)
+        .quantity("torque", "", Dimension::Torque, |member| member.torque_n_m)
+        .quantity("power", "", Dimension::Power, |member| member.power_w)
+        .view("Members of the sets", "set member link torque power")
+        .note("Power positive where it enters the set.")
+        .records()
 }
 
 fn meshes(meshes: &[Mesh]) -> Records {
-    let row = |mesh: &Mesh| {
-        vec![
-            text(&mesh.set),
-            text(&mesh.from),
-            text(&mesh.to),
-            Figure::Multiple(mesh.efficiency),
-            column(mesh.enters_w, Dimension::Power),
-            column(mesh.leaves_w, Dimension::Power),
-        ]
-    };
-    Records {
-        name: "meshes",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("from", "from"),
-            Column::words("to", "to"),
-            Column::number("efficiency", "η"),
-            Column::headed("enters", "enters, kW", Dimension::Power),
-            Column::headed("leaves", "leaves, kW", Dimension::Power),
-        ],
-        rows: meshes.iter().map(row).collect(),
-        views: vec![View::new(
-            "Power through the meshes, seen from the carriers",
-            &["set", "from", "to", "efficiency", "enters", "leaves"],
-        )],
-        is_answer: false,
-    }
+    Table::new("meshes", meshes.iter())
+        .text("set", "set", |mesh| &mesh.set)
+        .text("from", "from", |mesh| &mesh.from)
+        .text("to", "to", |mesh| &mesh.to)
+        .multiple("efficiency", "η", |mesh| mesh.efficiency)
+        .quantity("enters", "enters", Dimension::Power, |mesh| mesh.enters_w)
+        .quantity("leaves", "leaves", Dimension::Power, |mesh| mesh.leaves_w)
+        .view("Power through the meshes, seen from the carriers", "set from to efficiency enters leaves")
+        .records()
 }
 
 fn powers(powers: &Powers) -> Section {

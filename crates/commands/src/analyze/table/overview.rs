@@ -2,12 +2,13 @@
 
 use super::shared::{column, exact, joins, kind, one_way_clutches, self_locking, state, yes_no};
 use super::{planet_bearings, sets, shifts};
-use crate::analyze::answer::elements::{self, InGear, SlipAndTorque};
+use crate::analyze::answer::elements::{InGear, SlipAndTorque};
 use crate::analyze::answer::overview::{Gear, Overview};
 use crate::analyze::answer::planets::{self, LargestForce};
 use crate::analyze::answer::progression::Progression;
 use crate::analyze::answer::records::{GearFacts, Published, State};
 use crate::analyze::answer::warnings::state_in_words;
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
@@ -279,41 +280,39 @@ fn shift_elements(overview: &Overview) -> Records {
     shown.extend(["torque_gear", "slip_of_input"]);
     shown.extend(overview.operating_point.speed_rad_s.map(|_| "slip"));
     shown.push("slip_gear");
-    let row = |one: &elements::OverGears| {
-        let (torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-        let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-        vec![
-            text(&one.element.shift_element),
-            kind(one.element.kind),
-            joins(&one.element.links),
-            multiple(torque.map(|torque| torque.torque_of_input)),
-            column(torque.and_then(|torque| torque.torque_n_m), Dimension::Torque),
-            gear(torque.map(|torque| &torque.gear)),
-            multiple(slip.map(|slip| slip.slip_of_input)),
-            column(slip.and_then(|slip| slip.slip_rad_s), Dimension::AngularSpeed),
-            gear(slip.map(|slip| &slip.gear)),
-        ]
-    };
-    Records {
-        name: "shift_elements",
-        columns: vec![
-            Column::words("shift_element", "element"),
-            Column::words("kind", "kind"),
-            Column::words("joins", "joins"),
-            Column::number("torque_of_input", "T"),
-            Column::quantity("torque", Dimension::Torque),
-            Column::words("torque_gear", "in gear"),
-            Column::number("slip_of_input", "slip"),
-            Column::quantity("slip", Dimension::AngularSpeed),
-            Column::words("slip_gear", "in gear"),
-        ],
-        rows: overview.shift_elements.iter().map(row).collect(),
-        views: vec![View {
-            note: "T, slip: over the input's torque, with losses, and its speed.".to_owned(),
-            ..View::new("Shift elements: largest torque and slip", &shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("shift_elements", overview.shift_elements.iter())
+        .text("shift_element", "element", |one| &one.element.shift_element)
+        .words("kind", "kind", |one| kind(one.element.kind))
+        .words("joins", "joins", |one| joins(&one.element.links))
+        .column(Column::number("torque_of_input", "T"), |one| {
+            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            multiple(torque.map(|torque| torque.torque_of_input))
+        })
+        .column(Column::quantity("torque", Dimension::Torque), |one| {
+            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            column(torque.and_then(|torque| torque.torque_n_m), Dimension::Torque)
+        })
+        .column(Column::words("torque_gear", "in gear"), |one| {
+            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+            gear(torque.map(|torque| &torque.gear))
+        })
+        .column(Column::number("slip_of_input", "slip"), |one| {
+            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            multiple(slip.map(|slip| slip.slip_of_input))
+        })
+        .column(Column::quantity("slip", Dimension::AngularSpeed), |one| {
+            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            column(slip.and_then(|slip| slip.slip_rad_s), Dimension::AngularSpeed)
+        })
+        .column(Column::words("slip_gear", "in gear"), |one| {
+            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+            let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+            gear(slip.map(|slip| &slip.gear))
+        })
+        .view_of("Shift elements: largest torque and slip", &shown)
+        .note("T, slip: over the input's torque, with losses, and its speed.")
+        .records()
 }
 
 /// One of the forces that are told.
@@ -342,41 +341,47 @@ fn planets(overview: &Overview) -> Option<Records> {
     if let Some((force, _)) = known {
         shown.extend([force, "force_gear"]);
     }
-    let row = |one: &planets::OverGears| {
-        let (speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-        let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-        vec![
-            text(&one.set),
-            text(&one.planet),
-            multiple(speed.map(|speed| speed.relative_speed_of_input)),
-            column(speed.and_then(|speed| speed.relative_speed_rad_s), Dimension::AngularSpeed),
-            gear(speed.map(|speed| &speed.gear)),
-            column(force.and_then(|force| force.force_n), Dimension::Force),
-            column(force.and_then(|force| force.tangential_force_n), Dimension::Force),
-            multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m)),
-            gear(force.map(|force| &force.gear)),
-        ]
-    };
-    Some(Records {
-        name: "planets",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::number("relative_speed_of_input", "speed"),
-            Column::quantity("relative_speed", Dimension::AngularSpeed),
-            Column::words("speed_gear", "in gear"),
-            Column::headed("force", "force, N", Dimension::Force),
-            Column::headed("tangential_force", "tangential force, N", Dimension::Force),
-            Column::number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m"),
-            Column::words("force_gear", "in gear"),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "Speed: relative to the carrier, over the input's.".to_owned(),
-            ..View::new("Planets: largest speed, and force on the bearing where it follows", &shown)
-        }],
-        is_answer: false,
-    })
+    Some(
+        Table::new("planets", all.iter())
+            .text("set", "set", |one| &one.set)
+            .text("planet", "planet", |one| &one.planet)
+            .column(Column::number("relative_speed_of_input", "speed"), |one| {
+                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                multiple(speed.map(|speed| speed.relative_speed_of_input))
+            })
+            .column(Column::quantity("relative_speed", Dimension::AngularSpeed), |one| {
+                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                column(speed.and_then(|speed| speed.relative_speed_rad_s), Dimension::AngularSpeed)
+            })
+            .column(Column::words("speed_gear", "in gear"), |one| {
+                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+                gear(speed.map(|speed| &speed.gear))
+            })
+            .column(Column::headed("force", "force, N", Dimension::Force), |one| {
+                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                column(force.and_then(|force| force.force_n), Dimension::Force)
+            })
+            .column(Column::headed("tangential_force", "tangential force, N", Dimension::Force), |one| {
+                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                column(force.and_then(|force| force.tangential_force_n), Dimension::Force)
+            })
+            .column(
+                Column::number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m"),
+                |one| {
+                    let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                    multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m))
+                },
+            )
+            .column(Column::words("force_gear", "in gear"), |one| {
+                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+                gear(force.map(|force| &force.gear))
+            })
+            .view_of("Planets: largest speed, and force on the bearing where it follows", &shown)
+            .note("Speed: relative to the carrier, over the input's.")
+            .records(),
+    )
 }
 
 fn columns() -> Vec<Column> {

@@ -2,8 +2,9 @@
 
 use super::shared::{exact, kind_in_words};
 use crate::analyze::answer::sets::{Fit, SetFacts, TeethOf};
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::report::{Column, Records, View};
+use crate::table::columns::Table;
+use crate::table::figure::{Figure, text};
+use crate::table::report::Records;
 use epicyclic_units::format::trimmed;
 
 /// Digits of a number of teeth, which may have half a tooth.
@@ -19,34 +20,18 @@ pub(crate) fn records(sets: &[SetFacts]) -> Records {
         shown.push("efficiency");
     }
     shown.extend(["planets", "fit"]);
-    let row = |set: &SetFacts| {
-        vec![
-            text(&set.set),
-            Figure::choice(set.kind, kind_in_words(set.kind)),
-            text(gears(&set.gears)),
-            multiple(set.basic_ratio),
-            exact(set.exact_ratio),
-            multiple(set.efficiency),
-            set.planets.map_or(Figure::None, Figure::Count),
-            text(fit(set.assembly, set.clearance)),
-        ]
-    };
-    Records {
-        name: "sets",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("kind", "kind"),
-            Column::words("gears", "teeth"),
-            Column::number("basic_ratio", "i₀"),
-            Column::number("exact_ratio", "exact"),
-            Column::number("efficiency", "η₀"),
-            Column::number("planets", "planets"),
-            Column::words("fit", "fit"),
-        ],
-        rows: sets.iter().map(row).collect(),
-        views: vec![View { note: note(sets), ..View::new("Planet sets", &shown) }],
-        is_answer: false,
-    }
+    Table::new("sets", sets.iter())
+        .text("set", "set", |set| &set.set)
+        .words("kind", "kind", |set| Figure::choice(set.kind, kind_in_words(set.kind)))
+        .words("gears", "teeth", |set| text(gears(&set.gears)))
+        .multiple("basic_ratio", "i₀", |set| set.basic_ratio)
+        .number("exact_ratio", "exact", |set| exact(set.exact_ratio))
+        .multiple("efficiency", "η₀", |set| set.efficiency)
+        .number("planets", "planets", |set| set.planets.map_or(Figure::None, Figure::Count))
+        .words("fit", "fit", |set| text(fit(set.assembly, set.clearance)))
+        .view_of("Planet sets", &shown)
+        .note(note(sets))
+        .records()
 }
 
 /// `sun 48, ring 96, planet 24`; what has no teeth is left out.

@@ -2,8 +2,9 @@
 
 use crate::analyze::answer::records::{Duty, Kind, OneWayClutch, SelfLocking, ShiftElementKind, State};
 use crate::shared::records::Fraction;
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::report::{Column, Records, View};
+use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
 /// A quantity below a heading with its unit.
@@ -108,35 +109,18 @@ fn duty(duty: Option<Duty>) -> Figure {
 
 /// What the one-way clutches do, in all gears or in one.
 pub(super) fn one_way_clutches(clutches: &[OneWayClutch], of_one_gear: bool) -> Records {
-    let row = |one: &OneWayClutch| {
-        vec![
-            Figure::Text(one.gear.clone()),
-            Figure::Text(one.clutch.clone()),
-            Figure::YesNo(one.relied_on),
-            duty(one.drive),
-            duty(one.coast),
-            yes_no(one.engine_braking),
-        ]
-    };
     let mut shown = vec!["gear", "clutch", "relied_on", "drive", "coast", "engine_braking"];
     if of_one_gear {
         shown.remove(0);
     }
-    Records {
-        name: "one_way_clutches",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("clutch", "clutch"),
-            Column::words("relied_on", "relied on"),
-            Column::words("drive", "on drive"),
-            Column::words("coast", "on coast"),
-            Column::words("engine_braking", "engine braking"),
-        ],
-        rows: clutches.iter().map(row).collect(),
-        views: vec![View {
-            note: "Engine braking: of gears that rely on a one-way clutch.".to_owned(),
-            ..View::new("One-way clutches", &shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("one_way_clutches", clutches.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .text("clutch", "clutch", |one| &one.clutch)
+        .words("relied_on", "relied on", |one| Figure::YesNo(one.relied_on))
+        .words("drive", "on drive", |one| duty(one.drive))
+        .words("coast", "on coast", |one| duty(one.coast))
+        .words("engine_braking", "engine braking", |one| yes_no(one.engine_braking))
+        .view_of("One-way clutches", &shown)
+        .note("Engine braking: of gears that rely on a one-way clutch.")
+        .records()
 }

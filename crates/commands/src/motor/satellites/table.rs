@@ -1,6 +1,7 @@
 //! The satellites that a hydromotor's stator and rotor admit, as tables.
 
 use crate::motor::satellites::answer::{MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout};
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::{column, words};
 use crate::table::report::AsReport;
@@ -71,20 +72,6 @@ fn motors(answer: &MotorSatellites) -> Records {
         let ends = motor.family.first().zip(motor.family.last());
         ends.map_or([None, None], |(first, last)| [Some(first.from_m), last.to_m])
     };
-    let rows = answer.motors.iter().map(|motor| {
-        let [from, to] = of_family(motor);
-        vec![
-            Figure::Count(motor.satellite_teeth),
-            column(Length, from),
-            column(Length, to),
-            column(Length, Some(motor.l_m)),
-            column(Length, Some(motor.a_m)),
-            column(Area, Some(motor.least_chamber_m2)),
-            column(Area, Some(motor.displacement_per_width_m2)),
-            Figure::Share(motor.ripple),
-            Figure::Text(teeth(motor)),
-        ]
-    });
     let columns = [
         "satellite_teeth",
         "from",
@@ -96,28 +83,8 @@ fn motors(answer: &MotorSatellites) -> Records {
         "ripple",
         "teeth",
     ];
-    Records {
-        name: "motors",
-        columns: vec![
-            Column::number("satellite_teeth", "Z_s"),
-            Column::headed("from", "l from", Length),
-            Column::headed("to", "to, mm", Length),
-            Column::headed("l", "l, mm", Length),
-            Column::headed("a", "a, mm", Length),
-            Column::headed("least_chamber", "A_min, mm²", Area),
-            Column::headed("displacement_per_width", "q/b, mm²", Area),
-            Column::number("ripple", "δ"),
-            Column::words("teeth", "teeth"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
-                   displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break."
-                .to_owned(),
-            ..View::new("Motors, each in the middle of its family", &columns)
-        }],
-        is_answer: false,
-    }
+    Table::new("motors", answer.motors.iter()).number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth)).column(Column::headed("from", "l from", Length), |motor| { let [from, _to] = of_family(motor); column(Length, from) }).column(Column::headed("to", "to, mm", Length), |motor| { let [_from, to] = of_family(motor); column(Length, to) }).quantity("l", "l", Length, |motor| motor.l_m).quantity("a", "a", Length, |motor| motor.a_m).quantity("least_chamber", "A_min", Area, |motor| motor.least_chamber_m2).quantity("displacement_per_width", "q/b", Area, |motor| motor.displacement_per_width_m2).number("ripple", "δ", |motor| Figure::Share(motor.ripple)).words("teeth", "teeth", |motor| Figure::Text(teeth(motor))).view_of("Motors, each in the middle of its family", &columns).note("Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
+                   displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.").records()
 }
 
 fn without(without: &[SatellitesWithout]) -> Records {

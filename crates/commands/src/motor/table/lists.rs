@@ -2,6 +2,7 @@
 
 use crate::motor::answer::{Between, LimitKind, Wheel};
 use crate::motor::answer::{ChamberState, Clearance, Motor, Side, Subject, ToothLimit, ToothPart, Verdict};
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::{column, words};
 use crate::table::report::{Column, Records, View};
@@ -28,29 +29,13 @@ pub(crate) const fn subject(subject: Subject) -> &'static str {
 }
 
 pub(crate) fn checks(motor: &Motor) -> Records {
-    let rows = motor.checks.iter().map(|check| {
-        vec![
-            Figure::answer(subject(check.check), check.check.words()),
-            column(Length, Some(check.value_m)),
-            column(Length, Some(check.limit_m)),
-            verdict(check.verdict),
-        ]
-    });
-    Records {
-        name: "checks",
-        columns: vec![
-            Column::words("check", "centrode"),
-            Column::headed("value", "value, mm", Length),
-            Column::headed("limit", "above, mm", Length),
-            Column::words("verdict", "verdict"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new(
-            "Curvatures and distances against satellites and tooth heights",
-            &["check", "value", "limit", "verdict"],
-        )],
-        is_answer: false,
-    }
+    Table::new("checks", motor.checks.iter())
+        .words("check", "centrode", |check| Figure::answer(subject(check.check), check.check.words()))
+        .quantity("value", "value", Length, |check| check.value_m)
+        .quantity("limit", "above", Length, |check| check.limit_m)
+        .words("verdict", "verdict", |check| verdict(check.verdict))
+        .view("Curvatures and distances against satellites and tooth heights", "check value limit verdict")
+        .records()
 }
 
 pub(crate) fn limits(limits: &[ToothLimit]) -> Records {
@@ -75,35 +60,16 @@ pub(crate) fn limits(limits: &[ToothLimit]) -> Records {
         Side::AtLeast => "at_least",
         Side::AtMost => "at_most",
     };
-    let rows = limits.iter().map(|limit| {
-        vec![
-            Figure::answer(wheel(limit.wheel), limit.wheel.words()),
-            Figure::answer(kind(limit.limit), limit.limit.words()),
-            column(Length, Some(limit.value_m)),
-            Figure::answer(side(limit.side), limit.side.words()),
-            column(Length, Some(limit.bound_m)),
-            verdict(limit.verdict),
-            column(Length, limit.at_arc_m),
-        ]
-    });
-    Records {
-        name: "tooth_limits",
-        columns: vec![
-            Column::words("wheel", "teeth of"),
-            Column::words("limit", "limit"),
-            Column::headed("value", "mm", Length),
-            Column::words("side", ""),
-            Column::headed("bound", "mm", Length),
-            Column::words("verdict", "verdict"),
-            Column::headed("at_arc", "at arc, mm", Length),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new(
-            "Limits of the teeth",
-            &["wheel", "limit", "value", "side", "bound", "verdict"],
-        )],
-        is_answer: false,
-    }
+    Table::new("tooth_limits", limits.iter())
+        .words("wheel", "teeth of", |limit| Figure::answer(wheel(limit.wheel), limit.wheel.words()))
+        .words("limit", "limit", |limit| Figure::answer(kind(limit.limit), limit.limit.words()))
+        .quantity("value", "", Length, |limit| limit.value_m)
+        .words("side", "", |limit| Figure::answer(side(limit.side), limit.side.words()))
+        .quantity("bound", "", Length, |limit| limit.bound_m)
+        .words("verdict", "verdict", |limit| verdict(limit.verdict))
+        .quantity("at_arc", "at arc", Length, |limit| limit.at_arc_m)
+        .view("Limits of the teeth", "wheel limit value side bound verdict")
+        .records()
 }
 
 pub(crate) fn clearances(clearances: &[Clearance]) -> Records {
@@ -120,38 +86,22 @@ pub(crate) fn clearances(clearances: &[Clearance]) -> Records {
         Some(ToothPart::Fillet) => Figure::answer("fillet", "fillet"),
         Some(ToothPart::Root) => Figure::answer("root", "root"),
     };
-    let rows = clearances.iter().map(|clearance| {
-        vec![
-            Figure::answer(between(clearance.between), clearance.between.words()),
-            column(Length, Some(clearance.clearance_m)),
-            Figure::Multiple(clearance.clearance_in_modules),
-            part(clearance.part),
-            column(Angle, clearance.rotation_rad),
-            column(Length, clearance.x_m),
-            column(Length, clearance.y_m),
-        ]
-    });
-    Records {
-        name: "clearances",
-        columns: vec![
-            Column::words("between", "between"),
-            Column::headed("clearance", "least, mm", Length),
-            Column::number("clearance_in_modules", "modules"),
-            Column::words("part", "at the wheel's"),
-            Column::headed("rotation", "rotor at, deg", Angle),
-            Column::headed("x", "x, mm", Length),
-            Column::headed("y", "y, mm", Length),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Flanks in mesh keep their distance all along.".to_owned(),
-            ..View::new(
-                "Clearances of the teeth over a revolution, satellites amid their backlash",
-                &["between", "clearance", "clearance_in_modules", "part", "rotation"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("clearances", clearances.iter())
+        .words("between", "between", |clearance| {
+            Figure::answer(between(clearance.between), clearance.between.words())
+        })
+        .quantity("clearance", "least", Length, |clearance| clearance.clearance_m)
+        .multiple("clearance_in_modules", "modules", |clearance| clearance.clearance_in_modules)
+        .words("part", "at the wheel's", |clearance| part(clearance.part))
+        .quantity("rotation", "rotor at", Angle, |clearance| clearance.rotation_rad)
+        .quantity("x", "x", Length, |clearance| clearance.x_m)
+        .quantity("y", "y", Length, |clearance| clearance.y_m)
+        .view(
+            "Clearances of the teeth over a revolution, satellites amid their backlash",
+            "between clearance clearance_in_modules part rotation",
+        )
+        .note("Flanks in mesh keep their distance all along.")
+        .records()
 }
 
 pub(crate) fn chambers(motor: &Motor) -> Records {
@@ -160,34 +110,22 @@ pub(crate) fn chambers(motor: &Motor) -> Records {
         ChamberState::Emptying => Figure::answer("emptying", "empties, low pressure"),
         ChamberState::ChangingOver => Figure::answer("changing_over", "changes over"),
     };
-    let rows = motor.chambers.iter().map(|chamber| {
-        vec![
-            Figure::Count(chamber.chamber),
-            column(Area, Some(chamber.area_m2)),
-            column(Area, Some(chamber.growth_per_radian_m2)),
-            state(chamber.state),
-        ]
-    });
-    Records {
-        name: "chambers",
-        columns: vec![
-            Column::number("chamber", "chamber"),
-            Column::headed("area", "area, mm²", Area),
-            Column::headed("growth_per_radian", "growth, mm²/rad", Area),
-            Column::words("state", "state"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
-                   counter-clockwise."
-                .to_owned(),
-            ..View::new(
-                format!("Chambers, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
-                &["chamber", "area", "growth_per_radian", "state"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("chambers", motor.chambers.iter())
+        .number("chamber", "chamber", |chamber| Figure::Count(chamber.chamber))
+        .quantity("area", "area", Area, |chamber| chamber.area_m2)
+        .column(Column::headed("growth_per_radian", "growth, mm²/rad", Area), |chamber| {
+            column(Area, Some(chamber.growth_per_radian_m2))
+        })
+        .words("state", "state", |chamber| state(chamber.state))
+        .view(
+            format!("Chambers, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
+            "chamber area growth_per_radian state",
+        )
+        .note(
+            "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
+                   counter-clockwise.",
+        )
+        .records()
 }
 
 pub(crate) fn satellites(motor: &Motor) -> Records {

@@ -5,9 +5,10 @@ use crate::motor::answer::{
     AllowedPressure, Efficiency, Extreme, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port,
     Push,
 };
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::{column, remarked};
-use crate::table::report::{Column, Part, Records, Row, Section, Text, View};
+use crate::table::report::{Column, Part, Records, Row, Section, Text};
 use epicyclic_units::Dimension::{
     Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
@@ -75,66 +76,12 @@ pub(crate) fn flanks(flanks: &Flanks) -> Vec<Part> {
 }
 
 fn contact(flanks: &Flanks) -> Records {
-    let row = |one: &crate::motor::answer::ContactStresses| {
-        vec![
-            Figure::answer(one.wheel.words(), one.wheel.words()),
-            push(one.by),
-            column(Pressure, Some(one.at_pitch_point_pa)),
-            column(Pressure, one.alone_pa),
-            column(Length, one.alone_offset_m),
-            column(Pressure, one.on_path_pa),
-            column(Length, one.on_path_offset_m),
-        ]
-    };
-    Records {
-        name: "contact_stresses",
-        columns: vec![
-            Column::words("wheel", "flanks of"),
-            Column::words("by", "by a"),
-            Column::headed("at_pitch_point", "pitch point", Pressure),
-            Column::headed("alone", "one pair", Pressure),
-            Column::headed("alone_offset", "at e, mm", Length),
-            Column::headed("on_path", "anywhere", Pressure),
-            Column::headed("on_path_offset", "at e, mm", Length),
-        ],
-        rows: flanks.contact.iter().map(row).collect(),
-        views: vec![View {
-            note: "Greatest over the revolution. One pair: where no other pair of flanks shares the load; anywhere: all load on one pair, a bound. e: from the pitch point towards the \
-                   satellite's base circle. Reported, not certified."
-                .to_owned(),
-            ..View::new(
-                "Contact stress of Hertz, MPa",
-                &["wheel", "by", "at_pitch_point", "alone", "alone_offset", "on_path", "on_path_offset"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("contact_stresses", flanks.contact.iter()).words("wheel", "flanks of", |one| Figure::answer(one.wheel.words(), one.wheel.words())).words("by", "by a", |one| push(one.by)).column(Column::headed("at_pitch_point", "pitch point", Pressure), |one| column(Pressure, Some(one.at_pitch_point_pa))).column(Column::headed("alone", "one pair", Pressure), |one| column(Pressure, one.alone_pa)).quantity("alone_offset", "at e", Length, |one| one.alone_offset_m).column(Column::headed("on_path", "anywhere", Pressure), |one| column(Pressure, one.on_path_pa)).quantity("on_path_offset", "at e", Length, |one| one.on_path_offset_m).view("Contact stress of Hertz, MPa", "wheel by at_pitch_point alone alone_offset on_path on_path_offset").note("Greatest over the revolution. One pair: where no other pair of flanks shares the load; anywhere: all load on one pair, a bound. e: from the pitch point towards the \
+                   satellite's base circle. Reported, not certified.").records()
 }
 
 fn roots(flanks: &Flanks) -> Records {
-    let row = |one: &crate::motor::answer::RootStresses| {
-        vec![
-            Figure::answer(one.wheel.words(), one.wheel.words()),
-            column(Pressure, one.alone_pa),
-            column(Pressure, one.on_path_pa),
-            column(Length, one.thickness_m),
-        ]
-    };
-    Records {
-        name: "root_stresses",
-        columns: vec![
-            Column::words("wheel", "roots of"),
-            Column::headed("alone", "one pair", Pressure),
-            Column::headed("on_path", "anywhere", Pressure),
-            Column::headed("thickness", "section, mm", Length),
-        ],
-        rows: flanks.roots.iter().map(row).collect(),
-        views: vec![View {
-            note: "Nominal bending after Lewis in the worst section of the generated tooth, without the notch; for stator and rotor a comparison of shapes.".to_owned(),
-            ..View::new("Bending at the roots, MPa", &["wheel", "alone", "on_path", "thickness"])
-        }],
-        is_answer: false,
-    }
+    Table::new("root_stresses", flanks.roots.iter()).words("wheel", "roots of", |one| Figure::answer(one.wheel.words(), one.wheel.words())).column(Column::headed("alone", "one pair", Pressure), |one| column(Pressure, one.alone_pa)).column(Column::headed("on_path", "anywhere", Pressure), |one| column(Pressure, one.on_path_pa)).quantity("thickness", "section", Length, |one| one.thickness_m).view("Bending at the roots, MPa", "wheel alone on_path thickness").note("Nominal bending after Lewis in the worst section of the generated tooth, without the notch; for stator and rotor a comparison of shapes.").records()
 }
 
 fn allowed_rows(allowed: &AllowedPressure) -> Vec<Row> {
@@ -227,75 +174,38 @@ const fn open_to(open: OpenTo) -> [&'static str; 2] {
 }
 
 fn cycle(ports: &MadePorts) -> Records {
-    let row = |state: &crate::motor::answer::PortState| {
-        let closed = ports
+    Table::new("port_states", ports.states.iter()).quantity("from", "from", Angle, |state| state.from_rad).quantity("to", "to", Angle, |state| state.to_rad).column(Column::words("open_to", "open to"), |state| { let [name, words] = open_to(state.open_to); Figure::answer(name, words) }).column(Column::words("extreme", "about the"), |state| { let closed = ports
             .closed
             .iter()
-            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-        let [name, words] = open_to(state.open_to);
-        vec![
-            column(Angle, Some(state.from_rad)),
-            column(Angle, Some(state.to_rad)),
-            Figure::answer(name, words),
-            closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
+            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
                 Extreme::Greatest => Figure::answer("greatest", "greatest"),
                 Extreme::Least => Figure::answer("least", "least"),
-            }),
-            column(Angle, closed.map(|one| one.before_rad)),
-            column(Angle, closed.map(|one| one.after_rad)),
-            column(Pressure, closed.and_then(|one| one.change_pa)),
-        ]
-    };
-    Records {
-        name: "port_states",
-        columns: vec![
-            Column::headed("from", "from, deg", Angle),
-            Column::headed("to", "to, deg", Angle),
-            Column::words("open_to", "open to"),
-            Column::words("extreme", "about the"),
-            Column::headed("before", "before", Angle),
-            Column::headed("after", "after", Angle),
-            Column::headed("change", "changes, MPa", Pressure),
-        ],
-        rows: ports.states.iter().map(row).collect(),
-        views: vec![View {
-            note: "Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.".to_owned(),
-            ..View::new(
-                "Cycle of a chamber at its ports",
-                &["from", "to", "open_to", "extreme", "before", "after", "change"],
-            )
-        }],
-        is_answer: false,
-    }
+            }) }).column(Column::headed("before", "before", Angle), |state| { let closed = ports
+            .closed
+            .iter()
+            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Angle, closed.map(|one| one.before_rad)) }).column(Column::headed("after", "after", Angle), |state| { let closed = ports
+            .closed
+            .iter()
+            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Angle, closed.map(|one| one.after_rad)) }).column(Column::headed("change", "changes, MPa", Pressure), |state| { let closed = ports
+            .closed
+            .iter()
+            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Pressure, closed.and_then(|one| one.change_pa)) }).view("Cycle of a chamber at its ports", "from to open_to extreme before after change").note("Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.").records()
 }
 
 fn throttling(ports: &MadePorts) -> Records {
-    let row = |one: &crate::motor::answer::Throttling| {
-        let [name, words] = open_to(one.ports);
-        vec![
-            Figure::answer(name, words),
-            column(Area, Some(one.smallest_opening_m2)),
-            column(Pressure, Some(one.drop_pa)),
-            column(Pressure, Some(one.greatest_drop_pa)),
-            column(Power, Some(one.power_w)),
-        ]
-    };
-    Records {
-        name: "throttling",
-        columns: vec![
-            Column::words("ports", "ports of"),
-            Column::headed("smallest_opening", "least opening, mm²", Area),
-            Column::headed("drop", "drop there, MPa", Pressure),
-            Column::headed("greatest_drop", "greatest", Pressure),
-            Column::headed("power", "power, kW", Power),
-        ],
-        rows: ports.throttling.iter().map(row).collect(),
-        views: vec![View::new(
-            "Throttling by the ports",
-            &["ports", "smallest_opening", "drop", "greatest_drop", "power"],
-        )],
-        is_answer: false,
-    }
+    Table::new("throttling", ports.throttling.iter())
+        .column(Column::words("ports", "ports of"), |one| {
+            let [name, words] = open_to(one.ports);
+            Figure::answer(name, words)
+        })
+        .quantity("smallest_opening", "least opening", Area, |one| one.smallest_opening_m2)
+        .quantity("drop", "drop there", Pressure, |one| one.drop_pa)
+        .column(Column::headed("greatest_drop", "greatest", Pressure), |one| {
+            column(Pressure, Some(one.greatest_drop_pa))
+        })
+        .quantity("power", "power", Power, |one| one.power_w)
+        .view("Throttling by the ports", "ports smallest_opening drop greatest_drop power")
+        .records()
 }
 
 /// Leaks, friction, efficiencies.

@@ -2,8 +2,9 @@
 
 use super::{joined, name, words};
 use crate::schemes::table::speed_lines;
-use crate::select::answer::candidate::{BrakedGear, Candidate, GearOperation};
+use crate::select::answer::candidate::{BrakedGear, Candidate};
 use crate::shared::catalogue::ShiftElement;
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::quantities::column;
 use crate::table::report::{Column, Part, Records, Report, Text, View};
@@ -101,33 +102,18 @@ fn speeds(one: &Candidate) -> Records {
 }
 
 fn direct_drive_clutches(one: &Candidate) -> Records {
-    let rows = one.direct_drive_clutches.iter().map(|clutch| {
-        vec![
-            text(joined(clutch)),
-            Figure::Multiple(clutch.torque_of_input),
-            multiple(clutch.slips_of_input.first().copied()),
-            multiple(clutch.slips_of_input.get(1).copied()),
-            Figure::YesNo(clutch.drawable),
-            Figure::YesNo(clutch.chosen),
-        ]
-    });
-    Records {
-        name: "direct_drive_clutches",
-        columns: vec![
-            Column::words("joins", "joins"),
-            Column::number("torque", "T"),
-            Column::number("slip_1", "slip in 1"),
-            Column::number("slip_2", "slip in 2"),
-            Column::words("drawable", "drawable"),
-            Column::words("chosen", "chosen"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new(
+    Table::new("direct_drive_clutches", one.direct_drive_clutches.iter())
+        .words("joins", "joins", |clutch| text(joined(clutch)))
+        .multiple("torque", "T", |clutch| clutch.torque_of_input)
+        .multiple("slip_1", "slip in 1", |clutch| clutch.slips_of_input.first().copied())
+        .multiple("slip_2", "slip in 2", |clutch| clutch.slips_of_input.get(1).copied())
+        .words("drawable", "drawable", |clutch| Figure::YesNo(clutch.drawable))
+        .words("chosen", "chosen", |clutch| Figure::YesNo(clutch.chosen))
+        .view_of(
             heading("options for the direct-drive clutch", one),
             &those(one, &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"], "slip_2"),
-        )],
-        is_answer: false,
-    }
+        )
+        .records()
 }
 
 fn engagement_table(one: &Candidate) -> Records {
@@ -168,23 +154,6 @@ fn figure(si: Option<f64>, dimension: Dimension) -> Figure {
 fn of_gears(one: &Candidate) -> Records {
     let turns = one.operation.iter().any(|gear| gear.output_speed_rad_s.is_some());
     let is_loaded = one.operation.iter().any(|gear| gear.input_torque_n_m.is_some());
-    let row = |gear: &GearOperation| {
-        let torque = |n_m| figure(n_m, Dimension::Torque);
-        let power = |w| figure(w, Dimension::Power);
-        vec![
-            text(gear.gear.name()),
-            figure(gear.output_speed_rad_s, Dimension::AngularSpeed),
-            torque(gear.input_torque_n_m),
-            torque(gear.output_torque_n_m),
-            torque(gear.k1_torque_n_m),
-            torque(gear.k2_torque_n_m),
-            torque(gear.direct_drive_clutch_torque_n_m),
-            power(gear.entering_w),
-            power(gear.leaving_w),
-            power(gear.loss_w),
-            power(gear.circulating_w),
-        ]
-    };
     let mut views = vec![];
     if turns {
         let mut shown = vec!["gear", "output_speed"];
@@ -214,25 +183,49 @@ fn of_gears(one: &Candidate) -> Records {
             ..View::new(heading("torques of shafts, brakes and direct-drive clutch, N·m", one), &shown)
         });
     }
-    Records {
-        name: "operation",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::headed("output_speed", "output", Dimension::AngularSpeed),
-            Column::headed("input_torque", "input", Dimension::Torque),
-            Column::headed("output_torque", "output", Dimension::Torque),
-            Column::headed("k1_torque", "K1", Dimension::Torque),
-            Column::headed("k2_torque", "K2", Dimension::Torque),
-            Column::headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque),
-            Column::headed("entering", "enters", Dimension::Power),
-            Column::headed("leaving", "leaves", Dimension::Power),
-            Column::headed("loss", "lost", Dimension::Power),
-            Column::headed("circulating", "circulates", Dimension::Power),
-        ],
-        rows: one.operation.iter().map(row).collect(),
-        views,
-        is_answer: false,
-    }
+    Table::new("operation", one.operation.iter())
+        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .column(Column::headed("output_speed", "output", Dimension::AngularSpeed), |gear| {
+            figure(gear.output_speed_rad_s, Dimension::AngularSpeed)
+        })
+        .column(Column::headed("input_torque", "input", Dimension::Torque), |gear| {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            torque(gear.input_torque_n_m)
+        })
+        .column(Column::headed("output_torque", "output", Dimension::Torque), |gear| {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            torque(gear.output_torque_n_m)
+        })
+        .column(Column::headed("k1_torque", "K1", Dimension::Torque), |gear| {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            torque(gear.k1_torque_n_m)
+        })
+        .column(Column::headed("k2_torque", "K2", Dimension::Torque), |gear| {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            torque(gear.k2_torque_n_m)
+        })
+        .column(Column::headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque), |gear| {
+            let torque = |n_m| figure(n_m, Dimension::Torque);
+            torque(gear.direct_drive_clutch_torque_n_m)
+        })
+        .column(Column::headed("entering", "enters", Dimension::Power), |gear| {
+            let power = |w| figure(w, Dimension::Power);
+            power(gear.entering_w)
+        })
+        .column(Column::headed("leaving", "leaves", Dimension::Power), |gear| {
+            let power = |w| figure(w, Dimension::Power);
+            power(gear.leaving_w)
+        })
+        .column(Column::headed("loss", "lost", Dimension::Power), |gear| {
+            let power = |w| figure(w, Dimension::Power);
+            power(gear.loss_w)
+        })
+        .column(Column::headed("circulating", "circulates", Dimension::Power), |gear| {
+            let power = |w| figure(w, Dimension::Power);
+            power(gear.circulating_w)
+        })
+        .views(views)
+        .records()
 }
 
 fn of_members(one: &Candidate) -> Records {

@@ -1,28 +1,22 @@
 //! The transmissions of a file, as a table.
 
-use crate::shared::transmissions::answer::{Transmission, Transmissions};
-use crate::table::figure::{Figure, text};
+use crate::shared::transmissions::answer::Transmissions;
+use crate::table::columns::Table;
+use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View};
+use crate::table::report::{Part, Report, Text};
 
 impl AsReport for Transmissions {
     fn report(&self) -> Report {
         let count = |count: usize| Figure::Count(u32::try_from(count).unwrap_or(u32::MAX));
-        let row = |one: &Transmission| {
-            vec![text(&one.name), count(one.sets), count(one.shift_elements), count(one.gears)]
-        };
-        let records = Records {
-            name: "transmissions",
-            columns: vec![
-                Column::words("name", "name"),
-                Column::number("sets", "sets"),
-                Column::number("shift_elements", "shift elements"),
-                Column::number("gears", "gears"),
-            ],
-            rows: self.transmissions.iter().map(row).collect(),
-            views: vec![View::new("Transmissions", &["name", "sets", "shift_elements", "gears"])],
-            is_answer: true,
-        };
+        let records = Table::new("transmissions", self.transmissions.iter())
+            .text("name", "name", |one| &one.name)
+            .number("sets", "sets", |one| count(one.sets))
+            .number("shift_elements", "shift elements", |one| count(one.shift_elements))
+            .number("gears", "gears", |one| count(one.gears))
+            .view("Transmissions", "name sets shift_elements gears")
+            .is_answer()
+            .records();
         let hint = Text::paragraph("--transmission chooses one, by its name or a part of it.");
         Report { title: None, parts: vec![Part::Records(records), Part::Text(hint)], warnings: None }
     }

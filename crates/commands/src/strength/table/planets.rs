@@ -1,68 +1,26 @@
 //! Planets: axial forces of helical teeth, bearings.
 
 use crate::strength::answer::records::{AxialForce, BearingOverDuty};
+use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
-use crate::table::quantities::{column, optional};
+use crate::table::quantities::optional;
 use crate::table::report::{Column, Records, View};
 use crate::table::units::hours;
 use epicyclic_units::Dimension;
 
 pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
-    let row = |one: &AxialForce| {
-        vec![
-            text(&one.set),
-            text(&one.gear),
-            one.step.map_or(Figure::None, Figure::Count),
-            column(Dimension::Force, Some(one.axial_force_n)),
-            column(Dimension::Torque, Some(one.tilting_moment_n_m)),
-        ]
-    };
     let of_steps = all.iter().any(|one| one.step.is_some());
     let shown: &[&'static str] = if of_steps {
         &["set", "step", "gear", "axial_force", "tilting_moment"]
     } else {
         &["set", "gear", "axial_force", "tilting_moment"]
     };
-    Records {
-        name: "axial_forces",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gear", "gear"),
-            Column::number("step", "step"),
-            Column::headed("axial_force", "F_a, N", Dimension::Force),
-            Column::headed("tilting_moment", "M, N·m", Dimension::Torque),
-        ],
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
-                   no rating of planet bearings has it."
-                .to_owned(),
-            ..View::new("Axial forces of helical teeth", shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("axial_forces", all.iter()).text("set", "set", |one| &one.set).text("gear", "gear", |one| &one.gear).number("step", "step", |one| one.step.map_or(Figure::None, Figure::Count)).quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n).quantity("tilting_moment", "M", Dimension::Torque, |one| one.tilting_moment_n_m).view_of("Axial forces of helical teeth", shown).note("F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
+                   no rating of planet bearings has it.").records()
 }
 
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     let time = |si: Option<f64>| optional(Dimension::Time, si);
-    let row = |one: &BearingOverDuty| {
-        let modified = one.modified.and_then(|modified| modified.life_s);
-        let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
-        vec![
-            text(&one.set),
-            text(&one.planet),
-            text(if one.rollers { "rollers" } else { "balls" }),
-            column(Dimension::Force, Some(one.load_rating_n)),
-            one.load_sharing.map_or(Figure::None, |factor| Figure::Printed(factor, 2)),
-            column(Dimension::Force, one.greatest_force_n),
-            one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3)),
-            time(one.basic_life_s),
-            in_hours(one.basic_life_s),
-            one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability)),
-            time(modified),
-            in_hours(modified),
-        ]
-    };
     let views = vec![View {
         note: "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated."
             .to_owned(),
@@ -82,26 +40,40 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             ],
         )
     }];
-    Records {
-        name: "bearings",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::words("rolling", "of"),
-            Column::headed("load_rating", "C, N", Dimension::Force),
-            Column::number("load_sharing", "K_γ"),
-            Column::headed("greatest_force", "F, N", Dimension::Force),
-            Column::number("static_safety", "f_s"),
-            Column::quantity("basic_life", Dimension::Time),
-            Column::number("basic_hours", "L_10, h").for_people(),
-            Column::number("reliability", "of"),
-            Column::quantity("modified_life", Dimension::Time),
-            Column::number("modified_hours", "L_nm, h").for_people(),
-        ],
-        rows: all.iter().map(row).collect(),
-        views,
-        is_answer: false,
-    }
+    Table::new("bearings", all.iter())
+        .text("set", "set", |one| &one.set)
+        .text("planet", "planet", |one| &one.planet)
+        .words("rolling", "of", |one| text(if one.rollers { "rollers" } else { "balls" }))
+        .quantity("load_rating", "C", Dimension::Force, |one| one.load_rating_n)
+        .number("load_sharing", "K_γ", |one| {
+            one.load_sharing.map_or(Figure::None, |factor| Figure::Printed(factor, 2))
+        })
+        .quantity("greatest_force", "F", Dimension::Force, |one| one.greatest_force_n)
+        .number("static_safety", "f_s", |one| {
+            one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3))
+        })
+        .column(Column::quantity("basic_life", Dimension::Time), |one| time(one.basic_life_s))
+        .column(Column::number("basic_hours", "L_10, h"), |one| {
+            let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
+            in_hours(one.basic_life_s)
+        })
+        .for_people()
+        .column(Column::number("reliability", "of"), |one| {
+            let _modified = one.modified.and_then(|modified| modified.life_s);
+            one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability))
+        })
+        .column(Column::quantity("modified_life", Dimension::Time), |one| {
+            let modified = one.modified.and_then(|modified| modified.life_s);
+            time(modified)
+        })
+        .column(Column::number("modified_hours", "L_nm, h"), |one| {
+            let modified = one.modified.and_then(|modified| modified.life_s);
+            let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
+            in_hours(modified)
+        })
+        .for_people()
+        .views(views)
+        .records()
 }
 
 /// What is missing for a bearing, or why nothing follows; none where nothing is.
@@ -124,38 +96,23 @@ pub(super) fn bearings_missing(all: &[BearingOverDuty]) -> Option<Records> {
 
 pub(super) fn bearing_steps(all: &[BearingOverDuty]) -> Records {
     let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
-    let rows = all.iter().filter(|one| one.modified.is_some()).flat_map(|one| {
-        one.steps.iter().map(|step| {
-            vec![
-                text(&one.set),
-                text(&one.planet),
-                text(&step.gear),
-                column(Dimension::Force, Some(step.force_n)),
-                column(Dimension::AngularSpeed, Some(step.speed_rad_s)),
-                number(step.viscosity_ratio),
-                number(step.modification),
-            ]
-        })
-    });
-    Records {
-        name: "bearing_steps",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::words("gear", "gear"),
-            Column::headed("force", "F, N", Dimension::Force),
-            Column::headed("speed", "n, rpm", Dimension::AngularSpeed),
-            Column::number("viscosity_ratio", "κ"),
-            Column::number("modification", "a_ISO"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "n: of the planet on its pin. κ: viscosity of the oil over the one needed.".to_owned(),
-            ..View::new(
-                "Planet bearings in the steps of the duty",
-                &["set", "planet", "gear", "force", "speed", "viscosity_ratio", "modification"],
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new(
+        "bearing_steps",
+        all.iter()
+            .filter(|one| one.modified.is_some())
+            .flat_map(|one| one.steps.iter().map(move |step| (one, step))),
+    )
+    .text("set", "set", |(one, _)| &one.set)
+    .text("planet", "planet", |(one, _)| &one.planet)
+    .text("gear", "gear", |(_, step)| &step.gear)
+    .quantity("force", "F", Dimension::Force, |(_, step)| step.force_n)
+    .quantity("speed", "n", Dimension::AngularSpeed, |(_, step)| step.speed_rad_s)
+    .number("viscosity_ratio", "κ", |(_, step)| number(step.viscosity_ratio))
+    .number("modification", "a_ISO", |(_, step)| number(step.modification))
+    .view(
+        "Planet bearings in the steps of the duty",
+        "set planet gear force speed viscosity_ratio modification",
+    )
+    .note("n: of the planet on its pin. κ: viscosity of the oil over the one needed.")
+    .records()
 }

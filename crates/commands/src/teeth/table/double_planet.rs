@@ -1,10 +1,11 @@
 //! Double-planet sets for a ratio, as tables.
 
 use super::{count, left_out, parts, percent, title, undercut};
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Records, Report, View};
-use crate::teeth::answer::double_planet::{DoublePlanetNumbers, DoublePlanetTeeth};
+use crate::teeth::answer::double_planet::DoublePlanetTeeth;
 use epicyclic_units::Dimension;
 
 impl AsReport for DoublePlanetTeeth {
@@ -37,56 +38,41 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
             &["sun", "inner_planet", "outer_planet", "ring", "pairs", "pair_angles", "imbalance"],
         ));
     }
-    Records {
-        name: "tooth_numbers",
-        columns: vec![
-            Column::number("sun", "sun"),
-            Column::number("inner_planet", "inner"),
-            Column::number("outer_planet", "outer"),
-            Column::number("ring", "ring"),
-            Column::number("pairs", "pairs"),
-            Column::number("ratio", "ratio"),
-            Column::number("exact_ratio", "exact"),
-            Column::number("ratio_error", "error"),
-            Column::number("error", "error, %").for_people(),
-            Column::number("choices", "choices"),
-            Column::words("undercut_sun", "undercut sun"),
-            Column::words("undercut_inner_planet", "undercut inner planet"),
-            Column::words("undercut_outer_planet", "undercut outer planet"),
-            Column::words("undercut", "undercut").for_people(),
-            Column::words("equal_spacing", "equal"),
-            Column::quantity("pair_angles", Dimension::Angle),
-            Column::number("imbalance", "imbalance"),
-        ],
-        rows: teeth.tooth_numbers.iter().map(row).collect(),
-        views,
-        is_answer: true,
-    }
-}
-
-fn row(set: &DoublePlanetNumbers) -> Vec<Figure> {
-    let gears = [
-        (set.undercut_sun, "sun"),
-        (set.undercut_inner_planet, "inner"),
-        (set.undercut_outer_planet, "outer"),
-    ];
-    vec![
-        Figure::Count(set.sun),
-        Figure::Count(set.inner_planet),
-        Figure::Count(set.outer_planet),
-        Figure::Count(set.ring),
-        Figure::Count(set.pairs),
-        Figure::Number(set.ratio),
-        Figure::Text(set.exact_ratio.to_string()),
-        Figure::Number(set.ratio_error),
-        Figure::Text(percent(set.ratio_error)),
-        Figure::Count(u32::try_from(set.choices).unwrap_or(u32::MAX)),
-        Figure::YesNo(set.undercut_sun),
-        Figure::YesNo(set.undercut_inner_planet),
-        Figure::YesNo(set.undercut_outer_planet),
-        Figure::Text(undercut(&gears)),
-        Figure::YesNo(set.equal_spacing),
-        Figure::List { si: set.pair_angles_rad.clone(), dimension: Dimension::Angle },
-        Figure::Number(set.imbalance),
-    ]
+    Table::new("tooth_numbers", teeth.tooth_numbers.iter())
+        .number("sun", "sun", |set| Figure::Count(set.sun))
+        .number("inner_planet", "inner", |set| Figure::Count(set.inner_planet))
+        .number("outer_planet", "outer", |set| Figure::Count(set.outer_planet))
+        .number("ring", "ring", |set| Figure::Count(set.ring))
+        .number("pairs", "pairs", |set| Figure::Count(set.pairs))
+        .number("ratio", "ratio", |set| Figure::Number(set.ratio))
+        .number("exact_ratio", "exact", |set| Figure::Text(set.exact_ratio.to_string()))
+        .number("ratio_error", "error", |set| Figure::Number(set.ratio_error))
+        .number("error", "error, %", |set| Figure::Text(percent(set.ratio_error)))
+        .for_people()
+        .number("choices", "choices", |set| Figure::Count(u32::try_from(set.choices).unwrap_or(u32::MAX)))
+        .words("undercut_sun", "undercut sun", |set| Figure::YesNo(set.undercut_sun))
+        .words("undercut_inner_planet", "undercut inner planet", |set| {
+            Figure::YesNo(set.undercut_inner_planet)
+        })
+        .words("undercut_outer_planet", "undercut outer planet", |set| {
+            Figure::YesNo(set.undercut_outer_planet)
+        })
+        .column(Column::words("undercut", "undercut"), |set| {
+            let gears = [
+                (set.undercut_sun, "sun"),
+                (set.undercut_inner_planet, "inner"),
+                (set.undercut_outer_planet, "outer"),
+            ];
+            Figure::Text(undercut(&gears))
+        })
+        .for_people()
+        .words("equal_spacing", "equal", |set| Figure::YesNo(set.equal_spacing))
+        .column(Column::quantity("pair_angles", Dimension::Angle), |set| Figure::List {
+            si: set.pair_angles_rad.clone(),
+            dimension: Dimension::Angle,
+        })
+        .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
+        .views(views)
+        .is_answer()
+        .records()
 }

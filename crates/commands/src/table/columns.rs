@@ -1,0 +1,130 @@
+//! Tables whose columns are declared once: key, heading, what it measures, and where a row has it.
+//!
+//! ```text
+//! Table::new("gears", &losses.gears)
+//!     .text("gear", "gear", |gear| &gear.gear)
+//!     .quantity("loss", "lost", Power, |gear| gear.loss_w)
+//!     .view("Losses", "gear loss")
+//!     .records()
+//! ```
+//!
+//! Key and unit of drawings name a column in CSV, `loss_kw`; heading and unit head it in a table, `lost, kW`.
+
+use crate::table::figure::{Figure, multiple};
+use crate::table::quantities;
+use crate::table::report::{Column, Records, View};
+use epicyclic_units::Dimension;
+
+/// A table of rows, to which columns are added.
+pub(crate) struct Table<Row> {
+    rows: Vec<Row>,
+    records: Records,
+}
+
+impl<Row> Table<Row> {
+    /// Without columns.
+    pub(crate) fn new(name: &'static str, rows: impl IntoIterator<Item = Row>) -> Self {
+        let rows: Vec<Row> = rows.into_iter().collect();
+        let cells = rows.iter().map(|_| vec![]).collect();
+        let records = Records { name, columns: vec![], rows: cells, views: vec![], is_answer: false };
+        Self { rows, records }
+    }
+
+    /// A column, and what a row has in it.
+    pub(crate) fn column(mut self, column: Column, cell: impl Fn(&Row) -> Figure) -> Self {
+        self.records.columns.push(column);
+        for (cells, row) in self.records.rows.iter_mut().zip(&self.rows) {
+            cells.push(cell(row));
+        }
+        self
+    }
+
+    /// A column of names.
+    pub(crate) fn text(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> &str) -> Self {
+        self.words(key, heading, |row| Figure::Text(of(row).to_owned()))
+    }
+
+    /// A column of words, and of anything else that stands to the left.
+    pub(crate) fn words(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
+        self.column(Column::words(key, heading), of)
+    }
+
+    /// A column of numbers, which stand to the right.
+    pub(crate) fn number(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
+        self.column(Column::number(key, heading), of)
+    }
+
+    /// A column of multiples, efficiencies and ratios.
+    pub(crate) fn multiple<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        self.number(key, heading, |row| multiple(of(row).into()))
+    }
+
+    /// A column of quantities in SI units, shown in those of drawings, which the heading names.
+    pub(crate) fn quantity<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        dimension: Dimension,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        let unit = dimension.usual_unit().symbol;
+        let heading = if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") };
+        let cell = |row: &Row| quantities::column(dimension, of(row).into());
+        self.column(Column::headed(key, heading, dimension), cell)
+    }
+
+    /// The last column stands in tables alone: it says for people what others say for programs.
+    pub(crate) fn for_people(mut self) -> Self {
+        if let Some(last) = self.records.columns.last_mut() {
+            last.is_for_people = true;
+        }
+        self
+    }
+
+    /// Shows some columns, by their keys in order.
+    pub(crate) fn view(self, title: impl Into<String>, keys: &'static str) -> Self {
+        let keys: Vec<&'static str> = keys.split(' ').collect();
+        self.view_of(title, &keys)
+    }
+
+    /// The same with keys that depend on the rows.
+    pub(crate) fn view_of(mut self, title: impl Into<String>, keys: &[&'static str]) -> Self {
+        self.records.views.push(View::new(title, keys));
+        self
+    }
+
+    /// These views.
+    pub(crate) fn views(mut self, views: Vec<View>) -> Self {
+        self.records.views = views;
+        self
+    }
+
+    /// A note below the last view.
+    pub(crate) fn note(mut self, note: impl Into<String>) -> Self {
+        if let Some(last) = self.records.views.last_mut() {
+            last.note = note.into();
+        }
+        self
+    }
+
+    /// This list is the answer: CSV has one line for each of its rows.
+    pub(crate) fn is_answer(self) -> Self {
+        self.is_answer_if(true)
+    }
+
+    /// The same where it is so.
+    pub(crate) fn is_answer_if(mut self, is_answer: bool) -> Self {
+        self.records.is_answer = is_answer;
+        self
+    }
+
+    /// The table.
+    pub(crate) fn records(self) -> Records {
+        self.records
+    }
+}
