@@ -1,10 +1,10 @@
 //! What a run finds: samples, events, energies.
 
-use crate::dense::dot;
 use crate::field::Field;
 use crate::pattern::Way;
 use crate::shaft::Contact;
 use crate::units::{angle, angular_acceleration, angular_velocity, energy, joules, power, time, torque};
+use epicyclic_numerics::values::dot;
 use uom::si::f64::{Angle, AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
 
 /// What an element does.

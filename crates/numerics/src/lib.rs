@@ -3,7 +3,9 @@
 //! | module | content |
 //! |---|---|
 //! | [`front`] | non-dominated designs: the Pareto front of any number of costs |
-//! | [`values`] | the larger and the smaller of two numbers |
+//! | [`linear`] | dense linear equations, triangles of a matrix, independent rows |
+//! | [`values`] | products, largest sizes, the larger and the smaller of two numbers |
 
 pub mod front;
+pub mod linear;
 pub mod values;
