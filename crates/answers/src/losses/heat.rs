@@ -15,6 +15,7 @@ use crate::gearbox::Subject;
 use crate::number::plain;
 use crate::tolerance::THERMAL;
 use crate::{Error, analyze};
+use epicyclic_numerics::roots::bisected_while;
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
@@ -159,13 +160,7 @@ fn thermal_torque(
             }
         }
     }
-    while (hot - cool).abs() > THERMAL * hot.abs() {
-        let middle = f64::midpoint(cool, hot);
-        if is_cool(middle) {
-            cool = middle;
-        } else {
-            hot = middle;
-        }
-    }
+    let is_wide = |_, [cool, hot]: [f64; 2]| (hot - cool).abs() > THERMAL * hot.abs();
+    let [cool, _] = bisected_while([cool, hot], is_wide, is_cool);
     Ok(Some(plain(cool)))
 }
