@@ -293,8 +293,8 @@ impl Field<'_> {
             }
         }
         let speeds = &self.model.mechanism.speeds;
-        let scale = (0..speeds.rows())
-            .fold(0.0_f64, |most, body| most.max(dot(speeds.row(body), &self.accelerations).abs()));
+        let scale =
+            largest_absolute((0..speeds.rows()).map(|body| dot(speeds.row(body), &self.accelerations)));
         let starts = |way: Way, row: &[f64], is_loosed: bool| {
             if way.sign() == 0.0 {
                 return 0.0;

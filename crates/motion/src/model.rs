@@ -374,7 +374,7 @@ impl Model {
             let sign = dot(&one.slip, slip).signum();
             let apart = one.slip.iter().zip(slip).map(|(one, other)| one - sign * other);
             let are_one = one.places == places || one.places == [places[1], places[0]];
-            (are_one && apart.fold(0.0, |most: f64, one| most.max(one.abs())) <= RANK * size).then_some(sign)
+            (are_one && largest_absolute(apart) <= RANK * size).then_some(sign)
         };
         let is_dog = |one: &Element| matches!(one.kind, Kind::Dog { .. });
         let beside = self.elements.iter().position(|one| is_dog(one) && sign_of(one).is_some());

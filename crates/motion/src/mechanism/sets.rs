@@ -81,9 +81,8 @@ impl Mechanism {
             let parts = Parts::new(set, planet_inertias)?;
             let rolling: Vec<f64> =
                 (0..self.freedoms()).map(|q| self.factor(first, q) - self.factor(carrier, q)).collect();
-            let size = (0..self.freedoms())
-                .flat_map(|q| [self.factor(first, q), self.factor(carrier, q)])
-                .fold(0.0, |most: f64, factor| most.max(factor.abs()));
+            let factors = (0..self.freedoms()).flat_map(|q| [self.factor(first, q), self.factor(carrier, q)]);
+            let size = largest_absolute(factors);
             let can_roll = largest_absolute(&rolling) > RANK * size;
             let rows = self.add_bodies(&parts, &rolling, carrier);
             let from = self.meshes.len();
