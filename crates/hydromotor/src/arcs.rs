@@ -50,9 +50,9 @@ use uom::si::f64::{Angle, Length};
 use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::real::Real;
-use crate::roots::bracketed;
 use crate::units::{angle, finite_angle, length, positive_modules};
 use crate::{Error, units};
+use epicyclic_numerics::roots::bracketed;
 
 /// System (1) in units of the module, solved for two distances; generic, so that its derivatives come with it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -64,9 +64,11 @@ use crate::arcs::{Arcs, StatorArcs, half_length};
 use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::real::{Dual, Real};
-use crate::roots::{bracketed, quadrature};
 use crate::tolerance::{CLOSES, EDGE_ANGLE, WITHIN};
 use crate::units::{angle, length, millimetres, positive_modules};
+use epicyclic_numerics::extremes::{Sections, golden_while};
+use epicyclic_numerics::quadrature::quadrature;
+use epicyclic_numerics::roots::bracketed;
 
 /// `(l² − R₁²)·J(K₁, M₁, x)` on arc 1, `t = tan(x/2)`.
 pub(crate) fn trough_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
@@ -565,29 +567,11 @@ impl Kernel {
 }
 
 /// Where a function that falls and then rises is least, or below 0: by golden section.
-fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let (mut left, mut right) = (high - golden * (high - low), low + golden * (high - low));
-    let (mut f_left, mut f_right) = (f(left), f(right));
-    for _ in 0..40 {
-        if f_left < 0.0 || f_right < 0.0 {
-            break;
-        }
-        if f_left < f_right {
-            (high, right, f_right) = (right, left, f_left);
-            left = high - golden * (high - low);
-            f_left = f(left);
-        } else {
-            (low, left, f_left) = (left, right, f_right);
-            right = low + golden * (high - low);
-            f_right = f(right);
-        }
-    }
-    let inner = if f_left < f_right { (left, f_left) } else { (right, f_right) };
-    [(low, f(low)), (high, f(high))]
-        .into_iter()
-        .fold(inner, |best, end| if end.1 < best.1 { end } else { best })
-        .0
+fn lowest(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let is_below_0 = |found: &Sections| found.inner.iter().any(|(_, value)| *value < 0.0);
+    let found = golden_while([low, high], |made, found| made < 40 && !is_below_0(found), &f);
+    let ends = found.ends.map(|end| (end, f(end)));
+    ends.into_iter().fold(found.least(), |best, end| if end.1 < best.1 { end } else { best }).0
 }
 
 #[cfg(test)]

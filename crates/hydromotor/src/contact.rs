@@ -188,72 +188,6 @@ pub(crate) fn greatest_curvatures(contacts: impl Iterator<Item = Contact>) -> [f
     })
 }
 
-/// The argument between 0 and `end` at which a growing function has a value: Newton's method kept within a bracket.
-///
-/// `f` returns value and slope.
-pub(crate) fn inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let (mut low, mut high) = (0.0, end);
-    let mut x = start.clamp(low, high);
-    let mut last = f64::INFINITY;
-    for _ in 0..100 {
-        let (y, slope) = f(x);
-        let error = y - value;
-        if error == 0.0 {
-            return x;
-        }
-        if error < 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let mut next = x - error / slope;
-        // Halve where Newton leaves the bracket or is slow.
-        if !(next >= low && next <= high) || error.abs() > 0.5 * last {
-            next = 0.5 * (low + high);
-        }
-        last = error.abs();
-        if (next - x).abs() <= 2.0 * f64::EPSILON * end {
-            return next;
-        }
-        x = next;
-    }
-    x
-}
-
-/// As [`inverse`], of a function that returns value, slope and second derivative: Halley's method kept within a bracket.
-pub(crate) fn smooth_inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> [f64; 3]) -> f64 {
-    let (mut low, mut high) = (0.0, end);
-    let mut x = start.clamp(low, high);
-    let mut last = f64::INFINITY;
-    for _ in 0..100 {
-        let [y, slope, bend] = f(x);
-        let error = y - value;
-        if error == 0.0 {
-            return x;
-        }
-        if error < 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = error / slope;
-        let curved = 0.5 * newton * bend / slope;
-        let mut next = x - newton / (1.0 - curved);
-        let sound = next >= low && next <= high && error.abs() <= 0.5 * last;
-        if !sound {
-            next = 0.5 * (low + high);
-        }
-        last = error.abs();
-        let step = (next - x).abs();
-        // Thrice as many digits with each step: what is left is of the order of step · curved².
-        if step <= 2.0 * f64::EPSILON * end || (sound && curved.abs() < 1e-5 && step < 1e-5 * end) {
-            return next;
-        }
-        x = next;
-    }
-    x
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -263,19 +197,5 @@ mod tests {
         // Stator of radius 30, satellite of 5: a rotor of radius 20.
         assert!((conjugate_curvature(5.0, 1.0, 30.0, 1.0 / 30.0, 20.0) - 0.05).abs() < 1e-16);
         assert!((conjugate_curvature(-5.0, 1.0, 20.0, 0.05, 30.0) - 1.0 / 30.0).abs() < 1e-16);
-    }
-
-    #[test]
-    fn growing_functions_are_inverted() {
-        let cube = |x: f64| (x * x * x, 3.0 * x * x);
-        assert!((inverse(8.0, 3.0, 0.0, cube) - 2.0).abs() < 1e-15);
-        assert!((inverse(0.0, 3.0, 1.0, cube)).abs() < 1e-4);
-        assert!((inverse(27.0, 3.0, 1.0, cube) - 3.0).abs() < 1e-15);
-        let bent = |x: f64| [x * x * x, 3.0 * x * x, 6.0 * x];
-        for start in [0.0, 0.1, 1.9, 3.0] {
-            assert!((smooth_inverse(8.0, 3.0, start, bent) - 2.0).abs() < 1e-15);
-            assert!((smooth_inverse(0.0, 3.0, start, bent)).abs() < 1e-4);
-            assert!((smooth_inverse(27.0, 3.0, start, bent) - 3.0).abs() < 1e-15);
-        }
     }
 }

@@ -35,11 +35,13 @@ use std::f64::consts::PI;
 
 use crate::Error;
 use crate::arcs::half_length;
-use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
+use crate::contact::{By, Conjugate, Contact, conjugate_curvature};
 use crate::numbers::MotorNumbers;
-use crate::roots::{bracketed, few_quadratures, golden, quadrature, quadratures};
 use crate::tolerance::{BESIDE_ROOT, LAST_STEP, WITHIN};
 use crate::units::degrees;
+use epicyclic_numerics::extremes::golden;
+use epicyclic_numerics::quadrature::{few_quadratures, quadrature, quadratures};
+use epicyclic_numerics::roots::{bracketed, inverse};
 
 const PANELS: u32 = 48;
 

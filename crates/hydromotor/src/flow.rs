@@ -253,8 +253,8 @@ fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (
 mod tests {
     use super::*;
     use crate::centrode::tests::any_motor;
-    use crate::roots::quadrature;
     use crate::units::angle;
+    use epicyclic_numerics::quadrature::quadrature;
     use proptest::prelude::*;
     use uom::si::area::square_meter;
     use uom::si::length::meter;

@@ -39,11 +39,11 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::leakage::EndGaps;
 use crate::motor::Motor;
 use crate::quantity::Quantity;
-use crate::roots::quadrature;
 use crate::units::{
     angle, finite_angle, metres, micrometres, newtons, positive_pascals, positive_viscosity, radians,
     ranging, speed_from_zero, torque_of_newton_metres,
 };
+use epicyclic_numerics::quadrature::quadrature;
 use std::f64::consts::{PI, TAU};
 
 /// The greatest coefficient of friction that is taken.

@@ -145,8 +145,8 @@ mod tests {
     use crate::closure::tests::any_motor;
     use crate::closure::{Family, closure, is_smooth};
     use crate::quantity::Quantity;
-    use crate::roots::quadrature;
     use crate::units::radians;
+    use epicyclic_numerics::quadrature::quadrature;
     use proptest::prelude::*;
     use uom::si::length::millimeter;
 

@@ -80,7 +80,6 @@ pub mod ports;
 pub mod profile;
 pub mod quantity;
 mod real;
-mod roots;
 pub mod satellites;
 pub mod search;
 pub mod second_harmonic;

@@ -13,8 +13,8 @@ use uom::si::f64::{Angle, Length};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
-use crate::roots::golden;
 use crate::units::{angle, finite_angle};
+use epicyclic_numerics::extremes::golden;
 
 /// A point of the stator's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -36,8 +36,9 @@ use crate::cosine::{Cosine, Law, Numbers};
 use crate::machine;
 use crate::numbers::MotorNumbers;
 use crate::quantity::Quantity;
-use crate::roots::{bracketed, golden};
 use crate::units::{degrees, length};
+use epicyclic_numerics::extremes::golden;
+use epicyclic_numerics::roots::bracketed;
 
 /// The law of a rotor with a second harmonic, or without.
 #[derive(Debug, Clone, Copy, PartialEq)]

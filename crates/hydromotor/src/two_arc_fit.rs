@@ -19,6 +19,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use epicyclic_numerics::linear::fixed_solution;
 use uom::si::f64::{Angle, Curvature, Length};
 
 use crate::contact::{By, Conjugate};
@@ -294,14 +295,14 @@ fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
         }
     }
     equations[3] = [1.0, 1.0, 1.0, 1.0, 1.0];
-    let mut signs = solved(equations)?.map(f64::signum);
+    let mut signs = fixed_solution(equations, SINGULAR)?.map(f64::signum);
     for _ in 0..200 {
         // Level: sign·(row·step + distance) = E.
         let level = std::array::from_fn(|i| {
             let ([x, y, z, distance], sign) = (rows[basis[i]], signs[i]);
             [sign * x, sign * y, sign * z, -1.0, -sign * distance]
         });
-        let [x, y, z, height] = solved(level)?;
+        let [x, y, z, height] = fixed_solution(level, SINGULAR)?;
         if height < 0.0 {
             // The combination may as well have the opposite signs.
             signs = signs.map(|sign: f64| -sign);
@@ -318,10 +319,11 @@ fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
         // The new row replaces the one whose weight vanishes first.
         let column = |row: usize, sign: f64, i: usize| if i < 3 { sign * rows[row][i] } else { 1.0 };
         let weighed = |right: [f64; 4]| {
-            solved(std::array::from_fn(|i| {
+            let row = |i: usize| {
                 let of = |j: usize| column(basis[j], signs[j], i);
                 [of(0), of(1), of(2), of(3), right[i]]
-            }))
+            };
+            fixed_solution::<4, 5>(std::array::from_fn(row), SINGULAR)
         };
         let weights = weighed([0.0, 0.0, 0.0, 1.0])?;
         let sign = most.signum();
@@ -335,35 +337,12 @@ fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
     None
 }
 
-/// The solution of four linear equations, right side last; `None` where they are singular.
-fn solved(mut rows: [[f64; 5]; 4]) -> Option<[f64; 4]> {
-    for i in 0..4 {
-        let pivot = (i..4).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs()))?;
-        rows.swap(i, pivot);
-        let lead = rows[i];
-        if lead[i].abs() <= SINGULAR || lead[i].is_nan() {
-            return None;
-        }
-        for row in rows.iter_mut().skip(i + 1) {
-            let factor = row[i] / lead[i];
-            for (value, above) in row.iter_mut().zip(lead) {
-                *value -= factor * above;
-            }
-        }
-    }
-    let mut solution = [0.0; 4];
-    for i in (0..4).rev() {
-        let known: f64 = (i + 1..4).map(|j| rows[i][j] * solution[j]).sum();
-        solution[i] = (rows[i][4] - known) / rows[i][i];
-    }
-    Some(solution)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::MotorNumbers;
     use crate::centrode::tests::any_motor;
+    use epicyclic_numerics::values::largest_absolute;
     use proptest::prelude::*;
     use uom::si::length::meter;
 
@@ -394,7 +373,7 @@ mod tests {
                 let [x, y, z] = linear_best(&rows).unwrap();
                 let left: Vec<f64> =
                     rows.iter().map(|row| row[0] * x + row[1] * y + row[2] * z + row[3]).collect();
-                let most = left.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+                let most = largest_absolute(&left);
                 let mut turns: Vec<f64> = left
                     .iter()
                     .filter(|value| value.abs() > most * (1.0 - 1e-6))

@@ -21,9 +21,8 @@
 
 use crate::arcs::Arcs;
 use crate::closure::{crest_term, trough_term};
-use crate::contact::{
-    By, Conjugate, Contact, conjugate_curvature, greatest_curvatures, inverse, smooth_inverse,
-};
+use crate::contact::{By, Conjugate, Contact, conjugate_curvature, greatest_curvatures};
+use epicyclic_numerics::roots::{inverse, smooth_inverse};
 
 /// What two arcs roll on the rotor in a half-lobe, of a closed motor as of arcs that do not close.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,6 +13,7 @@
 //! carrier whose sets have pins at different heights has a web between them.
 
 use super::layout::{GAP, Layout, PLANET, Point, Segment, SetStack, ShaftEnd, shapes};
+use epicyclic_numerics::roots::bisected;
 use epicyclic_train::LinkId;
 
 /// Least distance of two lines.
@@ -138,12 +139,8 @@ impl Layout {
             found = heights.solve(scale);
         }
         found?;
-        let (mut low, mut high) = (0.0, scale);
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if heights.solve(middle).is_ok() { high = middle } else { low = middle }
-        }
-        let scale = high.max(chosen(high));
+        let [least, _] = bisected([scale, 0.0], HALVINGS, |scale| heights.solve(scale).is_ok());
+        let scale = least.max(chosen(least));
         let places = heights.solve(scale)?;
         Ok((heights.layout(&places), scale))
     }

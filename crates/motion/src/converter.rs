@@ -18,9 +18,9 @@
 
 use crate::Error;
 use crate::course::finite;
-use crate::dense::dot;
 use crate::mechanism::Place;
 use crate::tolerance::RANK;
+use epicyclic_numerics::values::dot;
 
 /// The characteristic of a torque converter.
 #[derive(Debug, Clone, PartialEq)]

@@ -21,11 +21,12 @@
 //! direction does. An element that has exceeded its capacity then *yields*: it carries its capacity without slip, and mesh friction the rest. Where stuck elements make a set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
 
 use crate::Error;
-use crate::dense::{dot, independent, largest};
 use crate::field::{Field, Trigger, push};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, System, Way};
 use crate::tolerance::{ACCELERATION, MOST_AT_REST, MOST_LOSSY_MESHES, PATTERN, RANK, SLIP};
+use epicyclic_numerics::linear::independent;
+use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_train::GROUND;
 use rustc_hash::FxHashMap;
 
@@ -208,7 +209,7 @@ impl Field<'_> {
             Some((_, way)) => vec![*way],
             None if firm.contains(&place) => vec![Way::Stuck],
             // Its links never turn against each other.
-            None if largest(&self.model.elements[place].slip) <= RANK => vec![Way::Stuck],
+            None if largest_absolute(&self.model.elements[place].slip) <= RANK => vec![Way::Stuck],
             None if matches!(self.model.elements[place].kind, Kind::OneWay) => vec![Way::Stuck, Way::Forward],
             None => vec![Way::Stuck, Way::Forward, Way::Backward],
         };
@@ -230,7 +231,7 @@ impl Field<'_> {
         let stuck: Vec<usize> = candidate.stuck().collect();
         let slips = stuck.iter().map(|&place| self.model.elements[place].slip.as_slice());
         let rolling = sets.iter().map(|&set| self.model.mechanism.sets[set].rolling.as_slice());
-        let found = independent(&slips.chain(rolling).collect::<Vec<_>>());
+        let found = independent(&slips.chain(rolling).collect::<Vec<_>>(), RANK);
         let leaders: Vec<usize> = found
             .kept
             .iter()
@@ -292,8 +293,8 @@ impl Field<'_> {
             }
         }
         let speeds = &self.model.mechanism.speeds;
-        let scale = (0..speeds.rows)
-            .fold(0.0_f64, |most, body| most.max(dot(speeds.row(body), &self.accelerations).abs()));
+        let scale =
+            largest_absolute((0..speeds.rows()).map(|body| dot(speeds.row(body), &self.accelerations)));
         let starts = |way: Way, row: &[f64], is_loosed: bool| {
             if way.sign() == 0.0 {
                 return 0.0;
@@ -432,7 +433,7 @@ impl Field<'_> {
             for &(place, torque) in &split {
                 push(&mut nodes, self.model.elements[stuck[place]].places, torque);
             }
-            let scale = largest(&nodes);
+            let scale = largest_absolute(&nodes);
             let loaded =
                 lossy.iter().find(|&&mesh| dot(meshes.row(mesh), &nodes).abs() > ACCELERATION * scale);
             if let Some(&mesh) = loaded {
@@ -454,7 +455,7 @@ impl Field<'_> {
             stuck.iter().map(|&place| self.model.elements[place].slip.as_slice()).collect();
         let stuck_sets: Vec<usize> =
             (0..self.pattern.sets.len()).filter(|&set| self.pattern.sets[set] == Way::Stuck).collect();
-        let independent = independent(&rows);
+        let independent = independent(&rows, RANK);
         let with = |part: &dyn Fn(usize) -> f64| {
             System::determinant_with(self.model, &stuck, &independent, &stuck_sets, part)
         };
@@ -523,8 +524,8 @@ fn product(options: &[Vec<Way>]) -> Vec<Vec<Way>> {
 /// The largest speed of any body.
 pub(crate) fn largest_speed(field: &Field, y: &[f64]) -> f64 {
     let speeds = &field.model.mechanism.speeds;
-    let mut most = largest(&y[..field.parts.work]);
-    for body in 0..speeds.rows {
+    let mut most = largest_absolute(&y[..field.parts.work]);
+    for body in 0..speeds.rows() {
         most = most.max(dot(speeds.row(body), y).abs());
     }
     most

@@ -22,12 +22,12 @@ pub(crate) use triggers::Trigger;
 
 use crate::converter::Drive;
 use crate::course::Piece;
-use crate::dense::{dot, largest};
 use crate::model::{Element, Kind, Model};
 use crate::pattern::{Pattern, System, Way};
 use crate::shaft::Flank;
 use crate::split::{Share, even, torques};
 use crate::table;
+use epicyclic_numerics::values::{dot, largest_absolute};
 
 /// Places of the parts of the state.
 #[derive(Debug, Clone, Copy)]
@@ -329,7 +329,7 @@ impl<'m> Field<'m> {
     /// Torques of the stuck elements.
     fn react(&mut self, t: f64) {
         let kept = self.system.independent.kept.len();
-        self.reactions.resize(self.system.reactions.rows, 0.0);
+        self.reactions.resize(self.system.reactions.rows(), 0.0);
         self.system.reactions.times_into(&self.nodes, &mut self.reactions);
         let others = self.system.independent.others.len();
         if others > 0 {
@@ -372,7 +372,7 @@ impl<'m> Field<'m> {
     pub(crate) fn largest_torque(&self) -> f64 {
         [&self.nodes, &self.meshes, &self.reactions, &self.elements]
             .into_iter()
-            .fold(0.0, |most, values| most.max(largest(values)))
+            .fold(0.0, |most, values| most.max(largest_absolute(values)))
     }
 }
 

@@ -77,7 +77,6 @@
 mod converter;
 mod course;
 mod decide;
-mod dense;
 mod drag;
 mod error;
 mod field;

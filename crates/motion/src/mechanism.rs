@@ -40,9 +40,11 @@ mod coordinates;
 mod sets;
 
 use crate::Error;
-use crate::dense::{Matrix, Split, independent};
+use crate::tolerance::{PIVOT, RANK};
 use crate::units::{inertia, kg_m2};
 use epicyclic_dynamics::gearbox::Masses;
+use epicyclic_numerics::linear::{Matrix, Triangles, independent};
+use epicyclic_numerics::values::dot;
 use epicyclic_train::groups::Groups;
 use epicyclic_train::{GROUND, Gearbox, LinkId};
 use uom::si::f64::MomentOfInertia;
@@ -231,8 +233,8 @@ impl Mechanism {
             return Err(Error::NoInertia { links: vec![name.to_owned()], missing: 1 });
         }
         let (row, column) = (self.nodes, self.freedoms());
-        let mut speeds = Matrix::zeros(self.speeds.rows + 1, column + 1);
-        for body in 0..self.speeds.rows {
+        let mut speeds = Matrix::zeros(self.speeds.rows() + 1, column + 1);
+        for body in 0..self.speeds.rows() {
             // Planets follow the nodes.
             let moved = body + usize::from(body >= row);
             speeds.row_mut(moved)[..column].copy_from_slice(self.speeds.row(body));
@@ -272,7 +274,7 @@ impl Mechanism {
     #[must_use]
     pub fn mass_matrix(&self) -> Vec<Vec<MomentOfInertia>> {
         let matrix = self.masses();
-        (0..matrix.rows).map(|row| matrix.row(row).iter().map(|&entry| inertia(entry)).collect()).collect()
+        (0..matrix.rows()).map(|row| matrix.row(row).iter().map(|&entry| inertia(entry)).collect()).collect()
     }
 
     /// Speeds of a link over those of the coordinates; all 0 of one piece with the housing.
@@ -292,8 +294,8 @@ impl Mechanism {
     /// [`Error::Unknown`]; [`Error::NoFreedom`] of a link that cannot move.
     pub fn equivalent_inertia(&self, link: &str) -> Result<MomentOfInertia, Error> {
         let factors = self.speed_factors(link)?;
-        let split = Split::new(self.masses()).ok_or(Error::NoFreedom)?;
-        let mobility = crate::dense::dot(&factors, &split.solve(&factors));
+        let triangles = Triangles::new(self.masses(), PIVOT).ok_or(Error::NoFreedom)?;
+        let mobility = dot(&factors, &triangles.solution(&factors));
         if mobility > 0.0 { Ok(inertia(1.0 / mobility)) } else { Err(Error::NoFreedom) }
     }
 
@@ -335,7 +337,7 @@ impl Mechanism {
     /// `½·Σ J·ω²` over all bodies.
     pub(crate) fn kinetic_energy(&self, coordinates: &[f64]) -> f64 {
         let of = |(body, inertia): (usize, &f64)| {
-            let speed = crate::dense::dot(self.speeds.row(body), coordinates);
+            let speed = dot(self.speeds.row(body), coordinates);
             0.5 * inertia * speed * speed
         };
         self.inertias.iter().enumerate().map(of).sum()
@@ -359,17 +361,17 @@ impl Mechanism {
         }
         let heavy = self.inertias.iter().enumerate().filter(|(_, inertia)| **inertia > 0.0);
         let rows: Vec<&[f64]> = heavy.map(|(body, _)| self.speeds.row(body)).collect();
-        let known = independent(&rows).kept.len();
+        let known = independent(&rows, RANK).kept.len();
         if known == n {
             // Inertias so far apart that rounding leaves nothing of the lesser ones are none either.
-            return match Split::new(self.masses()) {
-                Some(split) if split.determinant > 0.0 => Ok(()),
+            return match Triangles::new(self.masses(), PIVOT) {
+                Some(triangles) if triangles.determinant() > 0.0 => Ok(()),
                 _ => Err(Error::NoInertia { links: self.lightest(), missing: 1 }),
             };
         }
         let adds = |node: &usize| {
             let with: Vec<&[f64]> = rows.iter().copied().chain([self.speeds.row(*node)]).collect();
-            independent(&with).kept.len() > known
+            independent(&with, RANK).kept.len() > known
         };
         let links = (0..self.nodes).filter(adds).map(|node| self.node_name(node).to_owned()).collect();
         Err(Error::NoInertia { links, missing: n - known })

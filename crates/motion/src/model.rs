@@ -3,7 +3,6 @@
 use crate::Error;
 use crate::converter::{Converter, Coupling};
 use crate::course::Course;
-use crate::dense::{dot, largest};
 use crate::drag::{Curve, Drag};
 use crate::mechanism::{Mechanism, Place, not_negative};
 use crate::shaft::{Joint, Shaft};
@@ -11,6 +10,7 @@ use crate::table;
 use crate::tolerance::RANK;
 use crate::torque_law::{Law, TorqueLaw};
 use crate::units::{rad_per_s, seconds};
+use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_train::GROUND;
 use epicyclic_train::drag::DragCurve;
 use uom::si::f64::{AngularVelocity, Time, Torque};
@@ -345,7 +345,7 @@ impl Model {
         let slip: Vec<f64> = first.iter().zip(&second).map(|(one, other)| one - other).collect();
         let curve = Curve::new(curve);
         let mut carrier = None;
-        if curve.dry > 0.0 && largest(&slip) > RANK {
+        if curve.dry > 0.0 && largest_absolute(&slip) > RANK {
             carrier = Some(self.carrier(name, places, &slip));
         }
         if let Some((place, _)) = carrier {
@@ -369,12 +369,12 @@ impl Model {
     /// What carries dry friction of this slip, and the sign of its own where this is above 0: friction or a one-way clutch that has it already,
     /// else an element for it.
     fn carrier(&mut self, name: &str, places: [Place; 2], slip: &[f64]) -> (usize, f64) {
-        let size = largest(slip);
+        let size = largest_absolute(slip);
         let sign_of = |one: &Element| {
             let sign = dot(&one.slip, slip).signum();
             let apart = one.slip.iter().zip(slip).map(|(one, other)| one - sign * other);
             let are_one = one.places == places || one.places == [places[1], places[0]];
-            (are_one && apart.fold(0.0, |most: f64, one| most.max(one.abs())) <= RANK * size).then_some(sign)
+            (are_one && largest_absolute(apart) <= RANK * size).then_some(sign)
         };
         let is_dog = |one: &Element| matches!(one.kind, Kind::Dog { .. });
         let beside = self.elements.iter().position(|one| is_dog(one) && sign_of(one).is_some());
@@ -412,7 +412,7 @@ impl Model {
         let (places, [first, second]) = self.between(name, links)?;
         let mut slip: Vec<f64> = first.iter().zip(&second).map(|(one, other)| one - other).collect();
         // Links that the sets hold together: what is left is the rounding of their speeds.
-        if largest(&slip) <= RANK * largest(&first).max(largest(&second)) {
+        if largest_absolute(&slip) <= RANK * largest_absolute(&first).max(largest_absolute(&second)) {
             slip.fill(0.0);
         }
         self.insert(Element { name: name.to_owned(), places, slip, kind, dry: 0.0, beside: None });

@@ -11,10 +11,11 @@
 //! M. S. Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2).
 
 use crate::converter::Drive;
-use crate::dense::{Independent, Matrix, Split, independent};
 use crate::mechanism::Mechanism;
 use crate::model::{Element, Model};
 use crate::shaft::Flank;
+use crate::tolerance::{PIVOT, RANK};
+use epicyclic_numerics::linear::{Independent, Matrix, Triangles, independent};
 
 /// What an element or the rolling of a set does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -134,13 +135,13 @@ impl System {
         let mechanism = &model.mechanism;
         let stuck: Vec<usize> = pattern.stuck().collect();
         let rows: Vec<&[f64]> = stuck.iter().map(|&place| model.elements[place].slip.as_slice()).collect();
-        let independent = independent(&rows);
+        let independent = independent(&rows, RANK);
         let kept: Vec<&Element> =
             independent.kept.iter().map(|&place| &model.elements[stuck[place]]).collect();
         let stuck_sets: Vec<usize> =
             (0..pattern.sets.len()).filter(|&set| pattern.sets[set] == Way::Stuck).collect();
         let matrix = left(mechanism, |mesh| pattern.part(mechanism, mesh), &kept, &stuck_sets);
-        let split = Split::new(matrix)?;
+        let triangles = Triangles::new(matrix, PIVOT)?;
         let (n, nodes, meshes) = (mechanism.freedoms(), mechanism.nodes, mechanism.meshes.len());
         let size = mechanism.inertias.len() + kept.len() + stuck_sets.len();
         let mut made = Self {
@@ -154,7 +155,7 @@ impl System {
         let mut unit = vec![0.0; size];
         for node in 0..nodes {
             unit[node] = 1.0;
-            let found = split.solve(&unit);
+            let found = triangles.solution(&unit);
             unit[node] = 0.0;
             let (accelerations, rest) = found.split_at(n);
             let (of_meshes, reactions) = rest.split_at(meshes);
@@ -179,6 +180,7 @@ impl System {
     ) -> f64 {
         let kept: Vec<&Element> =
             independent.kept.iter().map(|&place| &model.elements[stuck[place]]).collect();
-        Split::new(left(&model.mechanism, part, &kept, stuck_sets)).map_or(0.0, |split| split.determinant)
+        Triangles::new(left(&model.mechanism, part, &kept, stuck_sets), PIVOT)
+            .map_or(0.0, |triangles| triangles.determinant())
     }
 }

@@ -1,10 +1,10 @@
 //! What a run finds: samples, events, energies.
 
-use crate::dense::dot;
 use crate::field::Field;
 use crate::pattern::Way;
 use crate::shaft::Contact;
 use crate::units::{angle, angular_acceleration, angular_velocity, energy, joules, power, time, torque};
+use epicyclic_numerics::values::{dot, largest_absolute};
 use uom::si::f64::{Angle, AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
 
 /// What an element does.
@@ -284,12 +284,9 @@ impl Audit {
         let lost = sum(&self.heat) + sum(&self.drags) + sum(&self.mesh_losses) + of_joints;
         let balance = sum(&self.work) - lost - joules(self.impacts);
         let single = [&self.before, &self.after, &self.elastic_before, &self.elastic_after, &self.impacts];
-        let largest =
-            [&self.work, &self.heat, &self.drags, &self.mesh_losses, &self.converters, &self.damping]
-                .into_iter()
-                .flatten()
-                .chain(single)
-                .fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
+        let lists = [&self.work, &self.heat, &self.drags, &self.mesh_losses, &self.converters, &self.damping];
+        let all = lists.into_iter().flatten().chain(single);
+        let largest = largest_absolute(all.map(|one| joules(*one)));
         if largest == 0.0 { 0.0 } else { (stored - balance) / largest }
     }
 

@@ -12,7 +12,6 @@ mod locate;
 
 use crate::Error;
 use crate::decide::{Loosed, Moment, Unique, largest_speed};
-use crate::dense::{dot, largest};
 use crate::field::{Field, Trigger};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, Way};
@@ -23,6 +22,7 @@ use crate::tolerance::{
     ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, SLIP, STEP_ERROR,
 };
 use crate::units::{seconds, time};
+use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_train::GROUND;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -282,7 +282,7 @@ impl<'m> Runner<'m> {
     fn error(&mut self) -> f64 {
         let parts = self.field.parts;
         let end = &self.stepper.end;
-        let speed = self.speed_scale.max(largest(&end[..parts.work]));
+        let speed = self.speed_scale.max(largest_absolute(&end[..parts.work]));
         let energy = self.energy_scale.max(self.largest_energy(end));
         let scale = |largest: f64| if largest > 0.0 { STEP_ERROR * largest } else { 1.0 };
         self.scales[..parts.work].fill(scale(speed));
@@ -296,7 +296,7 @@ impl<'m> Runner<'m> {
     fn largest_energy(&self, y: &[f64]) -> f64 {
         let parts = self.field.parts;
         let kinetic = self.model.mechanism.kinetic_energy(&y[..parts.work]);
-        largest(&y[parts.work..parts.twist]).max(kinetic).max(self.field.elastic_energy(y))
+        largest_absolute(&y[parts.work..parts.twist]).max(kinetic).max(self.field.elastic_energy(y))
     }
 
     /// Goes to the end of the step tried.

@@ -12,8 +12,9 @@
 //! linear programme are tried all. Splits that have no element in common are found each by itself: else the most used element of one would leave
 //! the others open.
 
-use crate::dense::{Matrix, Split};
-use crate::tolerance::{RANK, TORQUE};
+use crate::tolerance::{PIVOT, RANK, TORQUE};
+use epicyclic_numerics::linear::{Matrix, Triangles};
+use epicyclic_numerics::values::{dot, largest_absolute};
 
 /// Torque of an element as `λ_0 + n·y`.
 pub(crate) struct Share {
@@ -27,13 +28,13 @@ pub(crate) struct Share {
 
 impl Share {
     fn at(&self, y: &[f64]) -> f64 {
-        self.base + crate::dense::dot(&self.factors, y)
+        self.base + dot(&self.factors, y)
     }
 }
 
 /// `y` of the split; `None` where none keeps the one-way clutches from pushing.
 pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
-    let most = shares.iter().fold(0.0_f64, |most, share| most.max(share.base.abs()));
+    let most = largest_absolute(shares.iter().map(|share| share.base));
     let largest = shares.iter().filter_map(|share| share.capacity).fold(most, f64::max);
     let mut found = vec![0.0; count];
     if largest == 0.0 {
@@ -88,10 +89,9 @@ fn even_of_group(shares: &[Share], count: usize, largest: f64) -> Option<Vec<f64
             system.row_mut(place).copy_from_slice(&rows[row].0);
         }
         let right: Vec<f64> = chosen.iter().map(|&row| rows[row].1).collect();
-        if let Some(corner) = Split::new(system).map(|split| split.solve(&right)) {
-            let is_allowed = |(row, limit): &(Vec<f64>, f64)| {
-                crate::dense::dot(row, &corner) <= limit + TORQUE * (1.0 + limit.abs())
-            };
+        if let Some(corner) = Triangles::new(system, PIVOT).map(|triangles| triangles.solution(&right)) {
+            let is_allowed =
+                |(row, limit): &(Vec<f64>, f64)| dot(row, &corner) <= limit + TORQUE * (1.0 + limit.abs());
             let tau = corner[count];
             if rows.iter().all(is_allowed) && best.as_ref().is_none_or(|(least, _)| tau < *least) {
                 best = Some((tau, corner));

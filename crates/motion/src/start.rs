@@ -1,11 +1,12 @@
 //! Speeds and twists at the start.
 
 use crate::Error;
-use crate::dense::{Matrix, Split, dot, independent, largest};
 use crate::mechanism::Mechanism;
 use crate::shaft::Joint;
-use crate::tolerance::SLIP;
+use crate::tolerance::{PIVOT, RANK, SLIP};
 use crate::units::{rad_per_s, radians};
+use epicyclic_numerics::linear::{Matrix, Triangles, independent};
+use epicyclic_numerics::values::{dot, largest_absolute};
 use uom::si::f64::{Angle, AngularVelocity};
 
 /// Speeds of links from which those of all others follow, and twists of shafts.
@@ -74,7 +75,7 @@ impl Start {
             rows.push(one.iter().zip(&other).map(|(one, other)| one - other).collect());
             due.push((link, 0.0));
         }
-        let found = independent(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        let found = independent(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>(), RANK);
         if found.kept.len() < n {
             // The first coordinate that the rows do not tell.
             let unit = |place: usize| (0..n).map(|one| f64::from(u8::from(one == place))).collect::<Vec<_>>();
@@ -82,7 +83,7 @@ impl Start {
                 let mut more: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
                 let unit = unit(place);
                 more.push(&unit);
-                independent(&more).kept.len() > found.kept.len()
+                independent(&more, RANK).kept.len() > found.kept.len()
             });
             let node = mechanism.coordinates[open.unwrap_or(0)];
             return Err(Error::InitialOpen { link: mechanism.node_name(node).to_owned() });
@@ -92,8 +93,9 @@ impl Start {
             system.row_mut(place).copy_from_slice(&rows[row]);
         }
         let right: Vec<f64> = found.kept.iter().map(|&row| due[row].1).collect();
-        let solved = Split::new(system).map(|split| split.solve(&right)).unwrap_or_default();
-        let scale = largest(&right);
+        let solved =
+            Triangles::new(system, PIVOT).map(|triangles| triangles.solution(&right)).unwrap_or_default();
+        let scale = largest_absolute(&right);
         for ((link, given), row) in due.iter().zip(&rows) {
             let speed = dot(row, &solved);
             if (speed - given).abs() > SLIP * scale.max(given.abs()) {

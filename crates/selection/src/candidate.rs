@@ -7,6 +7,7 @@ use super::size::relative_ring_diameter;
 use super::tolerance::SLACK;
 use super::{Drawing, Error, NotDrawable};
 use epicyclic_gears::synthesis::ToothNumbers;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::structures::Role;
@@ -287,7 +288,7 @@ impl Candidate {
             ratio_error: largest_error(&ratios, wanted),
             size: (0..k.len())
                 .map(|set| {
-                    let torque = gears.iter().fold(0.0_f64, |m, gear| m.max(gear.sun_torques[set].abs()));
+                    let torque = largest_absolute(gears.iter().map(|gear| gear.sun_torques[set]));
                     relative_ring_diameter(k[set], torque, requirements.rating.planets, &requirements.rating)
                 })
                 .fold(0.0, f64::max),
@@ -398,7 +399,7 @@ fn gear_report(gearbox: &Gearbox, gear: SchemeGear, wanted: f64) -> Result<GearR
 
 /// The largest slip of an open clutch over the braked gears.
 pub(crate) fn slip(clutch: &DirectClutch, gears: usize) -> f64 {
-    clutch.slip[..gears].iter().fold(0.0, |m, slip| m.max(slip.abs()))
+    largest_absolute(&clutch.slip[..gears])
 }
 
 /// Efficiency 0 stands for a self-locking gear, which has none.

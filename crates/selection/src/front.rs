@@ -17,6 +17,6 @@ pub(crate) fn front<const N: usize>(
     order: Order,
     objectives: impl Fn(usize) -> Objectives,
 ) -> Vec<Entry> {
-    let entries = epicyclic_pareto::front(costs, order.of_costs());
+    let entries = epicyclic_numerics::front::front(costs, order.of_costs());
     entries.into_iter().map(|members| Entry { objectives: objectives(members[0]), members }).collect()
 }

@@ -3,6 +3,7 @@
 use super::Error;
 use super::tolerance::SLACK;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_numerics::extremes::golden;
 use epicyclic_schemes::catalogue::{Scheme, TwoSpeed};
 use epicyclic_schemes::direct_drive::{DirectClutch, direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::pair::{coefficients, ratios};
@@ -279,11 +280,7 @@ fn section(ends: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
     // The part below 1 may be narrow: first a ladder, then sections around its best rung.
     let rung = |step: usize| ends[0] + (ends[1] - ends[0]) * step as f64 / STEPS as f64;
     let best = (0..=STEPS).min_by(|one, other| of(rung(*one)).total_cmp(&of(rung(*other))))?;
-    let (mut low, mut high) = (rung(best.saturating_sub(1)), rung((best + 1).min(STEPS)));
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    for _ in 0..80 {
-        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if of(left) <= of(right) { high = right } else { low = left }
-    }
-    [rung(best), f64::midpoint(low, high)].into_iter().min_by(|a, b| of(*a).total_cmp(&of(*b)))
+    let (low, high) = (rung(best.saturating_sub(1)), rung((best + 1).min(STEPS)));
+    let (least, _) = golden(low, high, 80, &of);
+    [rung(best), least].into_iter().min_by(|a, b| of(*a).total_cmp(&of(*b)))
 }

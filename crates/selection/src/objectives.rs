@@ -24,7 +24,7 @@ pub use super::objective::Objective;
 
 use super::Error;
 use super::tolerance::{GRID_END, GRID_SHIFT, RELATIVE_GRID};
-use epicyclic_pareto::dominates;
+use epicyclic_numerics::front::dominates;
 use std::str::FromStr;
 
 impl FromStr for Objective {

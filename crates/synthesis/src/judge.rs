@@ -10,6 +10,7 @@ use crate::shifts::{exchanged, fewest};
 use crate::tolerance::{CONFIRMED, WITHIN};
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::compound::CentralKind;
 use epicyclic_train::planet_set::PlanetSet;
 use epicyclic_train::set::SetKind;
@@ -162,9 +163,7 @@ pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Res
         }
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
-        let greatest = |speeds: &[Option<f64>]| {
-            speeds.iter().flatten().fold(0.0, |all: f64, speed| all.max(speed.abs()))
-        };
+        let greatest = |speeds: &[Option<f64>]| largest_absolute(speeds.iter().flatten());
         slip = slip.max(greatest(analysis.slips()));
         link_speed = link_speed.max(greatest(analysis.speeds()));
         planet_speed = planet_speed.max(self::planet_speed(&analysis));

@@ -236,7 +236,7 @@ pub fn front(ratings: &[&Rating], objectives: &[Objective]) -> Vec<usize> {
                 .map(|objective| if objectives.contains(&objective) { rating.cost(objective) } else { 0.0 })
         })
         .collect();
-    epicyclic_pareto::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
+    epicyclic_numerics::front::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
 }
 
 impl GearRating {
@@ -321,7 +321,7 @@ mod tests {
         let front = front(&ratings, &Objective::ALL);
         let better = |one: &Rating, other: &Rating| {
             let costs = |rating: &Rating| Objective::ALL.map(|objective| rating.cost(objective));
-            epicyclic_pareto::dominates(&costs(one), &costs(other))
+            epicyclic_numerics::front::dominates(&costs(one), &costs(other))
         };
         for (place, rating) in ratings.iter().enumerate() {
             assert_eq!(front.contains(&place), !ratings.iter().any(|other| better(other, rating)));

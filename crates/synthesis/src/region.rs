@@ -27,6 +27,8 @@ use crate::parts::{Bounds, Cuboid, corner_values};
 use crate::ratio::Ratio;
 use crate::solve::Function;
 use crate::tolerance::{LAST, NEAR, NO_WIDTH, SMALLEST, WIDENING};
+use epicyclic_numerics::roots::bisected_while;
+use epicyclic_numerics::values::largest_absolute;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -335,21 +337,13 @@ impl Region {
             None => self.deviation(&k),
             Some(within) => {
                 // The last point within the bounds on the line to it.
-                let (mut inner, mut outer) = (0.0, 1.0);
                 let at = |part: f64| -> Vec<f64> {
                     within.iter().zip(&k).map(|(from, to)| from + part * (to - from)).collect()
                 };
-                if self.deviation(&k) <= 1.0 {
-                    inner = 1.0;
-                }
-                while outer - inner > LAST {
-                    let middle = 0.5 * (inner + outer);
-                    if self.deviation(&at(middle)) <= 1.0 {
-                        inner = middle;
-                    } else {
-                        outer = middle;
-                    }
-                }
+                let inner = if self.deviation(&k) <= 1.0 { 1.0 } else { 0.0 };
+                let is_wide = |_, [inner, outer]: [f64; 2]| outer - inner > LAST;
+                let [inner, _] =
+                    bisected_while([inner, 1.0], is_wide, |part| self.deviation(&at(part)) <= 1.0);
                 k = at(inner);
                 k[sought.coordinate]
             }
@@ -520,7 +514,7 @@ impl Region {
         }
         self.equal.gather(&mut slopes);
         self.equal.gather(&mut bends);
-        let steepest = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
+        let steepest = largest_absolute(&slopes);
         if steepest == 0.0 {
             return constant >= 0.0;
         }

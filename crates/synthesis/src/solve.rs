@@ -25,6 +25,7 @@ use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
 use crate::tolerance::{ACCEPTED, DAMPING, SMALLEST, WIDENING};
 use crate::watch::Watch;
+use epicyclic_numerics::linear::{Matrix, solution};
 
 /// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
 /// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
@@ -456,7 +457,7 @@ impl<'a> Solver<'a> {
     /// alone.
     fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
         let sets = k.len();
-        let mut normal = vec![vec![0.0; sets + 1]; sets];
+        let mut normal = Matrix::zeros(sets, sets + 1);
         for ((function, deviation), gear) in functions.iter().zip(deviations).zip(&self.gears) {
             let to_go = if to_bounds { deviation - deviation.clamp(-1.0, 1.0) } else { *deviation };
             if to_bounds && to_go == 0.0 {
@@ -465,18 +466,20 @@ impl<'a> Solver<'a> {
             let half = 0.5 * (gear.most - gear.least);
             let mut slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
             self.equal.gather(&mut slopes);
-            for row in 0..sets {
-                for column in 0..sets {
-                    normal[row][column] += slopes[row] * slopes[column];
+            for (set, slope) in slopes.iter().enumerate() {
+                let row = normal.row_mut(set);
+                for (entry, other) in row.iter_mut().zip(&slopes) {
+                    *entry += slope * other;
                 }
-                normal[row][sets] -= slopes[row] * to_go;
+                row[sets] -= slope * to_go;
             }
         }
         // A little damping: a `k` that moves nothing stays.
-        for (set, row) in normal.iter_mut().enumerate() {
-            row[set] = row[set] * (1.0 + DAMPING) + DAMPING;
+        for set in 0..sets {
+            let entry = &mut normal.row_mut(set)[set];
+            *entry = *entry * (1.0 + DAMPING) + DAMPING;
         }
-        solve_linear(normal)
+        solution(normal, 0.0).filter(|step| step.iter().all(|value| value.is_finite()))
     }
 
     /// The slope of a ratio along one `k`, by the quotient rule on its two polynomials.
@@ -548,33 +551,6 @@ pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
         missing -= usize::from(augment(function, reaches, &mut owners, &mut 0));
     }
     missing == 0
-}
-
-/// Solves rows of coefficients and right side by elimination with pivots.
-fn solve_linear(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let size = rows.len();
-    for column in 0..size {
-        let pivot = (column..size)
-            .max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
-        rows.swap(column, pivot);
-        if rows[column][column].is_nan() || rows[column][column] == 0.0 {
-            return None;
-        }
-        let (above, below) = rows.split_at_mut(column + 1);
-        let pivot = &above[column];
-        for row in below {
-            let factor = row[column] / pivot[column];
-            for (entry, pivot) in row.iter_mut().zip(pivot).skip(column) {
-                *entry -= factor * pivot;
-            }
-        }
-    }
-    let mut solution = vec![0.0; size];
-    for row in (0..size).rev() {
-        let known: f64 = (row + 1..size).map(|column| rows[row][column] * solution[column]).sum();
-        solution[row] = (rows[row][size] - known) / rows[row][row];
-    }
-    solution.iter().all(|value| value.is_finite()).then_some(solution)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! The same search serves the kernel of fixed size and the general solver.
 
 use crate::tolerance::{POLE, POWER};
+use epicyclic_numerics::roots::bisected;
 
 /// A gear whose torques follow from the signs of its rolling powers.
 pub(crate) trait Lossy<Signs> {
@@ -83,15 +84,9 @@ fn follow<Signs: AsMut<[i8]> + AsRef<[i8]>, L: Lossy<Signs>>(
                 }
             }
         }
-        let Some(mut high) = crossing else { return gear.at(signs, 1.0) };
-        let mut low = last;
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            match gear.at(signs, middle) {
-                Some(found) if agrees(&found, signs) => low = middle,
-                _ => high = middle,
-            }
-        }
+        let Some(crossing) = crossing else { return gear.at(signs, 1.0) };
+        let confirms = |share: f64| gear.at(signs, share).is_some_and(|found| agrees(&found, signs));
+        let [_, high] = bisected([last, crossing], 60, confirms);
         let found = gear.at(signs, high)?;
         let most = gear.largest_torque(&found);
         if !most.is_finite() || most > POLE * base {

@@ -24,6 +24,7 @@ use crate::power_flow::MeshPower;
 use crate::tolerance::{LARGEST_LOAD, POWER, SPEED};
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
 use crate::{Analysis, Error, Gearbox, LinkId, Place, State};
+use epicyclic_numerics::values::largest_absolute;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What a curve says beyond its last point, and before its first.
@@ -352,11 +353,8 @@ impl Analysis<'_> {
         };
         let mut at_ends = [given, given];
         at_ends[1 - known] = torque(of_terminal(ends[1 - known]) - of_other);
-        let largest_torque = torques
-            .iter()
-            .map(|(_, torque)| n_m(*torque))
-            .chain(found.members.iter().flatten().copied())
-            .fold(0.0_f64, |most, torque| most.max(torque.abs()));
+        let members = found.members.iter().flatten().copied();
+        let largest_torque = largest_absolute(torques.iter().map(|(_, torque)| n_m(*torque)).chain(members));
         let lets_go = |place: &usize| {
             self.gearbox.shift_elements()[*place].is_one_way()
                 && found.shift_elements[*place].is_some_and(|torque| n_m(torque) < -POWER * largest_torque)

@@ -10,6 +10,7 @@ use crate::network::Loads;
 use crate::solution::Solution;
 use crate::tolerance::{ALIKE, SPEED};
 use crate::torques::Scene;
+use epicyclic_numerics::values::largest_absolute;
 
 /// A self-consistent pattern of signs.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +47,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
     // Only those that can lose anything.
     let rolls = |place: &usize| {
         let relative = solution.relative_speeds()[compiled.runs[*place].from];
-        let largest = solution.speeds().iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let largest = largest_absolute(solution.speeds());
         eta(compiled.segments[*place]) < 1.0 && relative.abs() > SPEED * largest
     };
     let lossy: Vec<usize> = (0..compiled.segments.len()).filter(rolls).collect();

@@ -9,6 +9,8 @@
 
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};
+use epicyclic_numerics::linear::{Matrix, scaled_solution};
+use epicyclic_numerics::values::largest_absolute;
 
 /// Equations on nodes, with their losses.
 pub(crate) struct Network {
@@ -43,31 +45,26 @@ pub(crate) struct Loads<'a> {
 }
 
 impl Network {
-    /// Factors of the equations at all nodes.
-    fn matrix(&self, ratios: &[f64]) -> Vec<Vec<f64>> {
-        let row = |(nodes, &i): (&[Option<usize>; 3], &f64)| {
-            let mut row = vec![0.0; self.count];
-            for (node, factor) in nodes.iter().zip([1.0, -i, i - 1.0]) {
-                if let Some(node) = node {
-                    row[*node] += factor;
-                }
-            }
-            row
+    /// Factors of the equations: equation, node and factor.
+    fn factors(&self, ratios: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
+        let of = |(equation, (&nodes, &i)): (usize, (&[Option<usize>; 3], &f64))| {
+            let factors = nodes.into_iter().zip([1.0, -i, i - 1.0]);
+            factors.filter_map(move |(node, factor)| node.map(|node| (equation, node, factor)))
         };
-        self.nodes.iter().zip(ratios).map(row).collect()
+        self.nodes.iter().zip(ratios).enumerate().flat_map(of)
     }
 
     /// Speeds of all nodes for these given ones; `None` where they do not follow.
     pub(crate) fn speeds(&self, given: &[(usize, f64)]) -> Option<Vec<f64>> {
-        let mut equations = self.matrix(&self.ratios);
-        let mut right = vec![0.0; equations.len()];
-        for &(node, speed) in given {
-            let mut row = vec![0.0; self.count];
-            row[node] = 1.0;
-            equations.push(row);
-            right.push(speed);
+        let mut equations = Matrix::zeros(self.nodes.len() + given.len(), self.count + 1);
+        for (equation, node, factor) in self.factors(&self.ratios) {
+            equations.row_mut(equation)[node] += factor;
         }
-        gauss(equations, right, self.least_pivot)
+        for (place, &(node, speed)) in given.iter().enumerate() {
+            let row = equations.row_mut(self.nodes.len() + place);
+            (row[node], row[self.count]) = (1.0, speed);
+        }
+        scaled_solution(equations, self.least_pivot)
     }
 
     /// Speeds of root, central gear and carrier of an equation.
@@ -125,29 +122,25 @@ impl Loads<'_> {
     /// Torques at these effective ratios; `None` where they do not follow.
     pub(crate) fn balance(&self, effective: &[f64]) -> Option<Balance> {
         let network = self.network;
-        let matrix = network.matrix(effective);
         let unknown: Vec<usize> =
             (0..self.terminals.len()).filter(|&place| self.terminals[place].1.is_none()).collect();
-        let equations = matrix.len();
-        let mut system = vec![vec![0.0; equations + unknown.len()]; network.count];
-        let mut right = vec![0.0; network.count];
-        for (j, row) in matrix.iter().enumerate() {
-            for (node, &factor) in row.iter().enumerate() {
-                system[node][j] = factor;
+        let equations = network.nodes.len();
+        // Without terminals input and output are one: nothing passes through the sets, and the balance of the first node is idle.
+        let idle = usize::from(self.terminals.is_empty());
+        let right = equations + unknown.len();
+        let mut system = Matrix::zeros(network.count - idle, right + 1);
+        for (j, node, factor) in network.factors(effective) {
+            if let Some(balance) = node.checked_sub(idle) {
+                system.row_mut(balance)[j] += factor;
             }
         }
         for (column, &place) in unknown.iter().enumerate() {
-            system[self.terminals[place].0][equations + column] = -1.0;
+            system.row_mut(self.terminals[place].0)[equations + column] = -1.0;
         }
         for (node, torque) in self.terminals {
-            right[*node] += torque.unwrap_or(0.0);
+            system.row_mut(*node)[right] += torque.unwrap_or(0.0);
         }
-        if self.terminals.is_empty() {
-            // Input and output are one: nothing passes through the sets, and one balance is idle.
-            system.remove(0);
-            right.remove(0);
-        }
-        let solved = gauss(system, right, network.least_pivot)?;
+        let solved = scaled_solution(system, network.least_pivot)?;
         let mut found = solved[equations..].iter();
         let terminals =
             self.terminals.iter().map(|(_, torque)| torque.or_else(|| found.next().copied()).unwrap_or(0.0));
@@ -198,47 +191,8 @@ impl Lossy<Vec<i8>> for Loads<'_> {
     }
 
     fn largest_torque(&self, found: &Balance) -> f64 {
-        found.root.iter().chain(&found.terminals).fold(0.0, |most, torque| most.max(torque.abs()))
+        largest_absolute(found.root.iter().chain(&found.terminals))
     }
-}
-
-/// Solves a square system by elimination with row pivoting, each equation scaled to its largest entry; `None`
-/// where it is not square or a pivot vanishes.
-fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>, least_pivot: f64) -> Option<Vec<f64>> {
-    let n = a.len();
-    if a.iter().any(|row| row.len() != n) {
-        return None;
-    }
-    for (row, b) in a.iter_mut().zip(&mut b) {
-        let scale = row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        if scale > 0.0 {
-            row.iter_mut().for_each(|x| *x /= scale);
-            *b /= scale;
-        }
-    }
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&r, &s| a[r][k].abs().total_cmp(&a[s][k].abs()))?;
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        if a[k][k].abs() <= least_pivot || a[k][k].is_nan() {
-            return None;
-        }
-        let (done, rest) = a.split_at_mut(k + 1);
-        for (row, at) in rest.iter_mut().zip(k + 1..) {
-            if row[k] != 0.0 {
-                let factor = row[k] / done[k][k];
-                for (x, p) in row[k..].iter_mut().zip(&done[k][k..]) {
-                    *x -= factor * p;
-                }
-                b[at] -= factor * b[k];
-            }
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = a[k][k + 1..].iter().zip(&b[k + 1..]).map(|(a, x)| a * x).sum();
-        b[k] = (b[k] - known) / a[k][k];
-    }
-    Some(b)
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@
 
 use crate::tolerance::{POWER, SPEED};
 use crate::{Analysis, Direction, LoadCase, Operation};
+use epicyclic_numerics::values::largest_absolute;
 
 /// What a one-way clutch does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -111,10 +112,7 @@ impl Analysis<'_> {
     fn free(&self, shift_element: usize) -> Duty {
         let Some(slip) = self.slips()[shift_element] else { return Duty::Unknown };
         let [first, second] = self.gearbox.shift_elements()[shift_element].links();
-        let largest = [first, second]
-            .iter()
-            .filter_map(|link| self.speed(*link))
-            .fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let largest = largest_absolute([first, second].iter().filter_map(|link| self.speed(*link)));
         if slip.abs() <= SPEED * largest {
             Duty::Idles
         } else if slip > 0.0 {
@@ -128,13 +126,8 @@ impl Analysis<'_> {
 fn relied_on(shift_element: usize, case: Option<&LoadCase>) -> Duty {
     let Some(case) = case else { return Duty::Unknown };
     let Some(torque) = case.shift_elements[shift_element] else { return Duty::Unknown };
-    let largest = case
-        .members
-        .iter()
-        .flatten()
-        .flatten()
-        .chain([&case.input, &case.output])
-        .fold(0.0_f64, |most, torque| most.max(torque.abs()));
+    let members = case.members.iter().flatten().flatten();
+    let largest = largest_absolute(members.chain([&case.input, &case.output]));
     if torque.abs() <= POWER * largest {
         Duty::Idles
     } else if torque > 0.0 {

@@ -42,6 +42,7 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::tooth_checks::answer::TeethLeftOut;
 use crate::tolerance::AT_EDGE;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
 use epicyclic_synthesis::motion::Element;
@@ -558,10 +559,7 @@ impl Solution {
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
-            greatest_deviation: gears
-                .iter()
-                .filter_map(|gear| gear.deviation)
-                .fold(0.0, |most: f64, one| most.max(one.abs())),
+            greatest_deviation: largest_absolute(gears.iter().filter_map(|gear| gear.deviation)),
             gears,
             missing_gears: (0..wished.len())
                 .filter(|gear| !selection.contains(gear))

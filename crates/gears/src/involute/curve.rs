@@ -20,6 +20,7 @@ pub use super::fillet::Point;
 use super::fillet::{Fillet, HALVINGS};
 use super::gear::InvoluteGear;
 use crate::Error;
+use epicyclic_numerics::roots::bisected;
 use std::f64::consts::PI;
 
 /// Half of a tooth, from the middle of the space at the root to the corner of the tip.
@@ -125,11 +126,8 @@ impl ToothCurve {
         if height(radius) >= height(self.joint_radius()) {
             return self.involute_angle(radius);
         }
-        let (mut low, mut high) = (0.0, self.joint);
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if height(self.fillet(middle).radius) < height(radius) { low = middle } else { high = middle }
-        }
+        let is_below = |t: f64| height(self.fillet(t).radius) < height(radius);
+        let [low, high] = bisected([0.0, self.joint], HALVINGS, is_below);
         self.fillet(f64::midpoint(low, high)).angle
     }
 }

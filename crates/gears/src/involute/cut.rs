@@ -22,6 +22,7 @@ use super::profile::Profile;
 use super::tips::Tips;
 use super::tool::{Shaper, Tool};
 use crate::tolerance::TOUCH;
+use epicyclic_numerics::roots::bisected;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A gear as its tool leaves it.
@@ -230,13 +231,5 @@ fn curvature(radius: f64, base: f64) -> f64 {
 
 /// The largest radius below a bound for which there is room; below 0 for none.
 fn largest(bound: f64, has_room: impl Fn(f64) -> bool) -> f64 {
-    if !has_room(0.0) {
-        return -1.0;
-    }
-    let (mut low, mut high) = (0.0, bound);
-    for _ in 0..super::fillet::HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if has_room(middle) { low = middle } else { high = middle }
-    }
-    low
+    if has_room(0.0) { bisected([0.0, bound], super::fillet::HALVINGS, has_room)[0] } else { -1.0 }
 }

@@ -45,6 +45,7 @@ use crate::quantity::SimpleGear;
 use crate::tolerance::TOUCH;
 use crate::units::radians;
 use crate::{Error, Quantity, ToothCount};
+use epicyclic_numerics::roots::bisected;
 use std::ops::RangeInclusive;
 
 /// What picks the free shift.
@@ -272,15 +273,9 @@ impl Family {
         let clear = self.clear_tips(sun_shift);
         std::array::from_fn(|place| {
             let thickness = |tip: f64| self.gears[place].altered(shifts[place], tip).tip_thickness();
-            let (mut short, mut long) = (clear[place] - 1.0, clear[place]);
-            if thickness(long) >= limits.tip_thickness {
-                return long;
-            }
-            for _ in 0..HALVINGS {
-                let middle = short.midpoint(long);
-                if thickness(middle) >= limits.tip_thickness { short = middle } else { long = middle }
-            }
-            short
+            let is_thick = |tip: f64| thickness(tip) >= limits.tip_thickness;
+            let long = clear[place];
+            if is_thick(long) { long } else { bisected([long - 1.0, long], HALVINGS, is_thick)[0] }
         })
     }
 
@@ -308,15 +303,17 @@ impl Family {
             }
             let Ok(mut set) = checked(shift) else { continue };
             // Between it and the last with a fault lies the end of the faultless.
-            let (mut good, mut bad) = (shift, shift - step);
             let mut limited_by = first.as_ref().ok().copied();
-            for _ in 0..HALVINGS {
-                let middle = good.midpoint(bad);
-                match checked(middle) {
-                    Ok(found) => (good, set) = (middle, found),
-                    Err(fault) => (bad, limited_by) = (middle, fault.ok().or(limited_by)),
+            bisected([shift, shift - step], HALVINGS, |shift| match checked(shift) {
+                Ok(found) => {
+                    set = found;
+                    true
                 }
-            }
+                Err(fault) => {
+                    limited_by = fault.ok().or(limited_by);
+                    false
+                }
+            });
             return Ok(Choice { set, limited_by });
         }
         let [sun, planet, ring] = self.gears.map(|gear| gear.teeth().get());
@@ -363,17 +360,13 @@ fn zero(
     at: &impl Fn(f64) -> Result<PlanetSet, Refused>,
     measure: impl Fn(&PlanetSet) -> f64,
 ) -> f64 {
-    let (mut low, mut high) = (*range.start(), *range.end());
-    for _ in 0..HALVINGS {
-        let middle = low.midpoint(high);
-        let is_above = match at(middle) {
-            Ok(set) => measure(&set) > 0.0,
-            // A sun without teeth has too large a shift; a planet has when the sun's is too small.
-            Err(refused) => refused.gear == Some(SimpleGear::Sun),
-        };
-        if is_above { high = middle } else { low = middle }
-    }
-    low.midpoint(high)
+    let is_above = |shift: f64| match at(shift) {
+        Ok(set) => measure(&set) > 0.0,
+        // A sun without teeth has too large a shift; a planet has when the sun's is too small.
+        Err(refused) => refused.gear == Some(SimpleGear::Sun),
+    };
+    let [above, below] = bisected([*range.end(), *range.start()], HALVINGS, is_above);
+    above.midpoint(below)
 }
 
 /// 0 where the specific sliding at the roots of sun and planet is equal, rising with the shift of the sun.

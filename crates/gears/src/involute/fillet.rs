@@ -35,6 +35,7 @@ use super::flank::Flank;
 use super::profile::Profile;
 use crate::tolerance::TOUCH;
 use crate::units::radians;
+use epicyclic_numerics::roots::bisected;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A point of an outline.
@@ -179,26 +180,20 @@ impl Fillet {
             let point = self.at(t);
             point.angle - self.flank.half_angle(self.shift, point.radius)
         };
-        let bisect = |mut low: f64, mut high: f64, is_below: &dyn Fn(f64) -> bool| {
-            for _ in 0..HALVINGS {
-                let middle = f64::midpoint(low, high);
-                if is_below(middle) { low = middle } else { high = middle }
-            }
-            high
-        };
+        let crossing = |from: f64, to: f64| bisected([from, to], HALVINGS, |t| excess(t) < 0.0)[1];
         let corner = match self.corner {
             Corner::Rack { corner, .. } => corner,
             _ => 1.0,
         };
         if corner < 1.0 && excess(corner) < 0.0 {
-            return (bisect(corner, 1.0, &|t| excess(t) < 0.0), true);
+            return (crossing(corner, 1.0), true);
         }
         if reach >= -TOUCH {
             return (corner, false);
         }
         // The corner ends on the other branch of the involute, beyond the base circle, and has cut into the tooth before.
         let base = self.flank.base();
-        let at_base = bisect(0.0, corner, &|t| self.at(t).radius <= base);
-        (bisect(at_base, corner, &|t| excess(t) < 0.0), true)
+        let [_, at_base] = bisected([0.0, corner], HALVINGS, |t| self.at(t).radius <= base);
+        (crossing(at_base, corner), true)
     }
 }

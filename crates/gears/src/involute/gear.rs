@@ -10,6 +10,7 @@ use super::tool::{Shaper, Tool};
 use crate::gear_kind::GearKind;
 use crate::units::radians;
 use crate::{Error, ToothCount};
+use epicyclic_numerics::roots::bisected;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Shifts that are tried for one without undercut.
@@ -327,15 +328,9 @@ impl InvoluteGear {
                     let cut = Cut::new(&self.flank, &self.profile, shift, &self.tool);
                     cut.fault.is_none() && cut.reach >= 0.0
                 };
-                let (mut low, mut high) = (-MOST_SHIFT, MOST_SHIFT);
-                if !is_free(high) {
-                    return None;
-                }
-                for _ in 0..super::fillet::HALVINGS {
-                    let middle = low.midpoint(high);
-                    if is_free(middle) { high = middle } else { low = middle }
-                }
-                Some(high)
+                let halvings = super::fillet::HALVINGS;
+                let least = || bisected([MOST_SHIFT, -MOST_SHIFT], halvings, is_free)[0];
+                is_free(MOST_SHIFT).then(least)
             }
         }
     }

@@ -9,17 +9,15 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::{Motor, Shape};
 use crate::profile::Side;
 use crate::quantity::Quantity;
-use crate::roots::bracketed;
 use crate::tolerance::WITHIN;
 use crate::units::{degrees, finite_angle, in_degrees};
+use epicyclic_numerics::extremes::{Bracket, summit};
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
 
 /// Pieces in which a smooth stretch is looked at for its extremes.
 const PIECES: usize = 16;
-
-/// The most steps towards a greatest value: as many golden sections leave a hundred-thousandth of the bracket, and of a flat value its square.
-const STEPS: u32 = 40;
 
 /// A pressure angle of a tooth form, in radians.
 pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
@@ -205,75 +203,6 @@ pub(super) fn greatest_of<const N: usize>(
         }
     }
     best
-}
-
-/// Places about a greatest sample with their values; at an end of a piece the sample is one of the neighbours itself.
-type Bracket = [(f64, f64); 3];
-
-/// Beside the end of a bracket a function is looked at in this part of it.
-const BESIDE: f64 = 1e-5;
-
-/// The greatest value in a bracket, by parabolas through the three best places and golden sections where they do not shrink (Brent).
-fn summit([low, top, high]: Bracket, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    const PART: f64 = 0.381_966_011_250_105;
-    let whole = high.0 - low.0;
-    let (mut a, mut b) = (low.0, high.0);
-    let (mut x, mut w, mut v) = (top, low, high);
-    if low.0 == top.0 || high.0 == top.0 {
-        // At the end itself, unless it rises from there.
-        let (other, beside) =
-            if low.0 == top.0 { (high, top.0 + BESIDE * whole) } else { (low, top.0 - BESIDE * whole) };
-        let here = f(beside);
-        if here.is_nan() || here <= top.1 {
-            return top;
-        }
-        (x, w, v) = ((beside, here), top, other);
-    }
-    if w.1 < v.1 {
-        (w, v) = (v, w);
-    }
-    let reach = BESIDE * whole;
-    let (mut step, mut before) = (whole, whole);
-    for _ in 0..STEPS {
-        let middle = 0.5 * (a + b);
-        if (x.0 - middle).abs() <= 2.0 * reach - 0.5 * (b - a) {
-            break;
-        }
-        let (r, q) = ((x.0 - w.0) * (x.1 - v.1), (x.0 - v.0) * (x.1 - w.1));
-        let (p, q) = ((x.0 - v.0) * q - (x.0 - w.0) * r, 2.0 * (q - r));
-        let by = -p / q;
-        let (last, to) = (before, x.0 + by);
-        before = step;
-        // No number where the three places make no parabola.
-        if by.abs() < 0.5 * last.abs() && to > a && to < b {
-            step = by;
-        } else {
-            before = if x.0 < middle { b - x.0 } else { a - x.0 };
-            step = PART * before;
-        }
-        let next = x.0 + if step.abs() >= reach { step } else { reach.copysign(step) };
-        let here = (next, f(next));
-        if here.1 >= x.1 {
-            if next >= x.0 {
-                a = x.0;
-            } else {
-                b = x.0;
-            }
-            (v, w, x) = (w, x, here);
-        } else {
-            if next < x.0 {
-                a = next;
-            } else {
-                b = next;
-            }
-            if here.1 >= w.1 || w.0 == x.0 {
-                (v, w) = (w, here);
-            } else if here.1 >= v.1 || v.0 == x.0 || v.0 == w.0 {
-                v = here;
-            }
-        }
-    }
-    x
 }
 
 /// All `place + k·period` within a range, whole numbers `k`.

@@ -38,9 +38,9 @@ use crate::flow::Ripple;
 use crate::motor::Motor;
 use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
-use crate::roots::bracketed;
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use crate::units::{angle, area, finite_angle, finite_modules};
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
 /// Parts of a smooth piece between which zeros of the slope are sought.

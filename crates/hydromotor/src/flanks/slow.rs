@@ -2,8 +2,9 @@
 
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
-use crate::roots::{bracketed, golden};
 use crate::tolerance::BESIDE_JUMP;
+use epicyclic_numerics::extremes::golden;
+use epicyclic_numerics::roots::bracketed;
 
 /// Samples of a piece: peaks of extreme motors rise within a fiftieth of it.
 const PIECES: u32 = 128;

@@ -31,8 +31,8 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::Profile;
 use crate::quantity::Quantity;
-use crate::roots::bracketed;
 use crate::units::{angle, finite_angle, finite_modules};
+use epicyclic_numerics::roots::bracketed;
 
 /// What holds a satellite.
 #[derive(Debug, Clone, Copy, PartialEq)]

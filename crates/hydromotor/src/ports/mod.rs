@@ -29,6 +29,7 @@ pub mod throttling;
 pub mod timing;
 pub mod trapped;
 
+use epicyclic_numerics::values::largest_absolute;
 use uom::si::f64::{Angle, Area, Length};
 
 use crate::Error;
@@ -309,9 +310,7 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     let phases = || (0..PLACES).map(|i| cycle * f64::from(i) / f64::from(PLACES));
     let mm = |modules: f64| millimetres(motor.length(modules));
     let slopes = phases().map(|phase| motor.place_at(phase).contact.mu);
-    let steepest = slopes
-        .chain(motor.shape.kink_contact().map(|contact| contact.mu))
-        .fold(0.0_f64, |most, mu| most.max(mu.abs()));
+    let steepest = largest_absolute(slopes.chain(motor.shape.kink_contact().map(|contact| contact.mu)));
     if steepest > STEEPEST {
         let [slope_deg, most_deg] = [steepest, STEEPEST].map(degrees);
         return Err(Error::SteepCentrode { slope_deg, most_deg });

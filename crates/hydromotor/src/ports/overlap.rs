@@ -14,8 +14,9 @@ use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
 use crate::ports::LEAST_COSINE;
 use crate::ports::outline::{Piece, Port};
-use crate::roots::{bracketed, quadrature};
 use crate::satellites::Place;
+use epicyclic_numerics::quadrature::quadrature;
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{PI, TAU};
 
 /// Places of a piece between which a crossing with a centrode is sought at first.

@@ -12,9 +12,10 @@ use crate::ports::depth::Throughout;
 use crate::ports::overlap::Region;
 use crate::ports::{PortPlate, SIDES, of};
 use crate::quantity::PortSide;
-use crate::roots::{bracketed, golden};
 use crate::tolerance::{INSTANT, OPEN};
 use crate::units::{angle, area, in_degrees, millimetres};
+use epicyclic_numerics::extremes::golden;
+use epicyclic_numerics::roots::bracketed;
 
 /// Stretches of the cycle from which halving starts.
 const STRETCHES: u32 = 16;

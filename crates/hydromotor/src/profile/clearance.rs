@@ -21,9 +21,9 @@ use super::{Part, Profile};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
-use crate::roots::golden;
 use crate::satellites::Point;
 use crate::units::{angle, finite_angle};
+use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 
 /// Where teeth come nearest.

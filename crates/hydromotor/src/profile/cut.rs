@@ -33,8 +33,8 @@ use super::track::{Frame, Side, Track};
 use crate::Error;
 use crate::motor::Shape;
 use crate::quantity::WheelKind;
-use crate::roots::bracketed;
 use crate::tolerance::{ALONGSIDE, LEAST_ADDENDUM, MET, STEP};
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
 /// Places of a flank at which it is looked at for cusps.

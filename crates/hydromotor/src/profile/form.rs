@@ -16,8 +16,8 @@ use crate::quantity::{Quantity, WheelKind};
 use uom::si::f64::Angle;
 
 use crate::Error;
-use crate::roots::bracketed;
 use crate::units::{angle_of_degrees, finite_angle, in_degrees};
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What lies in the middle of the stator's crests.

@@ -18,7 +18,7 @@ use super::Part;
 use super::form::{Teeth, involute};
 use crate::Error;
 use crate::quantity::WheelKind;
-use crate::roots::bracketed;
+use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
 /// Chords of a fillet among which its nearest place is sought.

@@ -11,7 +11,7 @@ pub(super) type Value = [f64; COUNT];
 /// Indices of the values that no other dominates, ascending; equal ones stand together.
 pub(super) fn front(values: &[Value]) -> Vec<usize> {
     let costs: Vec<Value> = values.iter().map(|value| value.map(|part| -part)).collect();
-    epicyclic_pareto::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
+    epicyclic_numerics::front::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
 }
 
 /// Members in falling order of the first objective.

@@ -1,11 +1,12 @@
 //! What may end a pattern, and how far it is from there.
 
 use super::Field;
-use crate::dense::{dot, independent};
 use crate::model::Kind;
 use crate::pattern::Way;
 use crate::table;
-use crate::tolerance::{HOLD, TORQUE};
+use crate::tolerance::{HOLD, RANK, TORQUE};
+use epicyclic_numerics::linear::independent;
+use epicyclic_numerics::values::dot;
 
 /// What may end a pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,11 +123,11 @@ impl Field<'_> {
         let stuck = self.system.stuck.iter().map(|&place| model.elements[place].slip.as_slice());
         let sets = self.system.stuck_sets.iter().map(|&set| model.mechanism.sets[set].rolling.as_slice());
         let mut rows: Vec<&[f64]> = stuck.chain(sets).collect();
-        let held = independent(&rows).kept.len();
+        let held = independent(&rows, RANK).kept.len();
         for (place, one) in model.elements.iter().enumerate() {
             if self.pattern.elements[place].sign() != 0.0 {
                 rows.push(&one.slip);
-                self.yields[place] = independent(&rows).kept.len() == held;
+                self.yields[place] = independent(&rows, RANK).kept.len() == held;
                 rows.pop();
             }
         }

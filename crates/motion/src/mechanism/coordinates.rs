@@ -2,8 +2,9 @@
 
 use super::{Mechanism, sets::Asked};
 use crate::Error;
-use crate::dense::{Matrix, largest};
 use crate::tolerance::RANK;
+use epicyclic_numerics::linear::Matrix;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::Gearbox;
 
 impl Mechanism {
@@ -23,7 +24,7 @@ impl Mechanism {
                 }
             }
             let Some((size, row, column)) = best else { break };
-            if size <= RANK * largest(&asked[row].row).max(1.0) {
+            if size <= RANK * largest_absolute(&asked[row].row).max(1.0) {
                 let set = gearbox.sets()[asked[row].set].id().to_owned();
                 return Err(Error::Overdetermined { set });
             }

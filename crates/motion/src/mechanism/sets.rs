@@ -2,10 +2,11 @@
 
 use super::{Mechanism, MeshForce, Place, SetMotion, not_negative};
 use crate::Error;
-use crate::dense::{Matrix, largest};
 use crate::tolerance::RANK;
 use crate::units::{kg_m2, kilograms, meters};
 use epicyclic_dynamics::gearbox::PlanetMasses;
+use epicyclic_numerics::linear::Matrix;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::compound::CentralKind;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{Gearbox, PlanetSet};
@@ -80,10 +81,9 @@ impl Mechanism {
             let parts = Parts::new(set, planet_inertias)?;
             let rolling: Vec<f64> =
                 (0..self.freedoms()).map(|q| self.factor(first, q) - self.factor(carrier, q)).collect();
-            let size = (0..self.freedoms())
-                .flat_map(|q| [self.factor(first, q), self.factor(carrier, q)])
-                .fold(0.0, |most: f64, factor| most.max(factor.abs()));
-            let can_roll = largest(&rolling) > RANK * size;
+            let factors = (0..self.freedoms()).flat_map(|q| [self.factor(first, q), self.factor(carrier, q)]);
+            let size = largest_absolute(factors);
+            let can_roll = largest_absolute(&rolling) > RANK * size;
             let rows = self.add_bodies(&parts, &rolling, carrier);
             let from = self.meshes.len();
             for mesh in parts.meshes {

@@ -10,12 +10,13 @@
 
 use super::Runner;
 use crate::Error;
-use crate::dense::{Matrix, Split, dot, independent, largest};
 use crate::field::Trigger;
 use crate::model::Kind;
 use crate::pattern::Way;
 use crate::record::Change;
-use crate::tolerance::{ACCELERATION, SLIP};
+use crate::tolerance::{ACCELERATION, PIVOT, RANK, SLIP};
+use epicyclic_numerics::linear::{Matrix, Triangles, independent};
+use epicyclic_numerics::values::{dot, largest_absolute};
 
 /// A change of speeds, with the impulses of the rows that were kept.
 struct Jump {
@@ -115,20 +116,20 @@ impl Runner<'_> {
     /// The jump that ends these slips; none where they are 0 already.
     fn jump(&self, rows: &[&[f64]]) -> Option<Jump> {
         let n = self.field.parts.work;
-        let kept = independent(rows).kept;
+        let kept = independent(rows, RANK).kept;
         let slips: Vec<f64> = kept.iter().map(|&row| -dot(rows[row], &self.stepper.y)).collect();
         if slips.iter().all(|slip| *slip == 0.0) {
             return Some(Jump { speeds: vec![0.0; n], impulses: vec![] });
         }
-        let masses = Split::new(self.model.mechanism.masses())?;
-        let columns: Vec<Vec<f64>> = kept.iter().map(|&row| masses.solve(rows[row])).collect();
+        let masses = Triangles::new(self.model.mechanism.masses(), PIVOT)?;
+        let columns: Vec<Vec<f64>> = kept.iter().map(|&row| masses.solution(rows[row])).collect();
         let mut mobility = Matrix::zeros(kept.len(), kept.len());
         for (place, &row) in kept.iter().enumerate() {
             for (entry, column) in mobility.row_mut(place).iter_mut().zip(&columns) {
                 *entry = dot(rows[row], column);
             }
         }
-        let impulses = Split::new(mobility)?.solve(&slips);
+        let impulses = Triangles::new(mobility, PIVOT)?.solution(&slips);
         let mut speeds = vec![0.0; n];
         for (impulse, column) in impulses.iter().zip(&columns) {
             speeds.iter_mut().zip(column).for_each(|(speed, change)| *speed += impulse * change);
@@ -138,7 +139,8 @@ impl Runner<'_> {
 
     /// Change of a slip by an impulse of its own: what compares impulses with slips.
     fn mobility(&self, row: &[f64]) -> f64 {
-        Split::new(self.model.mechanism.masses()).map_or(0.0, |masses| dot(row, &masses.solve(row)))
+        Triangles::new(self.model.mechanism.masses(), PIVOT)
+            .map_or(0.0, |masses| dot(row, &masses.solution(row)))
     }
 
     fn take_jump(&mut self, jump: &Jump) {
@@ -166,7 +168,7 @@ impl Runner<'_> {
     /// Passes a threshold, unless something else at that moment stops or turns the speed there.
     pub(super) fn pass_on(&mut self, place: usize, is_alone: bool) -> Option<Change> {
         let factors = &self.model.thresholds[place].factors;
-        let scale = largest(&self.field.accelerations);
+        let scale = largest_absolute(&self.field.accelerations);
         let rate = self.field.sides[place] * dot(factors, &self.field.accelerations);
         (is_alone || rate < -ACCELERATION * scale).then(|| self.pass(place))
     }

@@ -7,7 +7,7 @@
 use super::found::Point;
 use crate::front::Entry;
 use crate::objectives::{Costs, Objectives, Order};
-use epicyclic_pareto::{dominates, nowhere_worse, thinned};
+use epicyclic_numerics::front::{dominates, nowhere_worse, thinned};
 use std::sync::{Mutex, PoisonError};
 
 /// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes forward while

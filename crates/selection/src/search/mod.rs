@@ -20,7 +20,7 @@
 //!    brakes only one order of the ratios is tried: the other is the same design.
 //!
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
-//! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
+//! any other dominates it ([`epicyclic_numerics::front`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
 //! # Sets with profile shift
@@ -105,7 +105,7 @@ use batches::batches;
 use contenders::{Bound, Contenders, first_of_front};
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_pareto::non_dominated;
+use epicyclic_numerics::front::non_dominated;
 use epicyclic_schemes::structures::Structure;
 use found::{Point, SizeLimits};
 use levels::levels;

@@ -29,7 +29,7 @@ use crate::{Error, Rating};
 use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_pareto::non_dominated;
+use epicyclic_numerics::front::non_dominated;
 use epicyclic_schemes::structures::{Role, SetRoles};
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;

@@ -9,6 +9,7 @@ use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid, on_relative_grid};
 use crate::requirements::{Limits, Requirements};
 use crate::tolerance::{GRID_STEP, ROUNDING, SLACK};
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
@@ -326,7 +327,7 @@ impl Patch {
         let u = epicyclic_schemes::structures::motion(ratio);
         self.direct_clutches.iter().any(|pair| {
             let [x, y] = pair.map(Role::index);
-            let slip = speeds.iter().fold(0.0_f64, |m, speed| m.max((speed[x] - speed[y]).abs()));
+            let slip = largest_absolute(speeds.iter().map(|speed| speed[x] - speed[y]));
             ((u[0] - u[1]) / (u[x] - u[y])).is_finite() && slip <= allowed.clutch_slip
         })
     }

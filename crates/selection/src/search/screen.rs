@@ -17,7 +17,7 @@ use super::patch::{Allowed, Patch, Side};
 use crate::objective::Objective;
 use crate::objectives::{Costs, Order};
 use crate::tolerance::{BEHIND, CANCELLED, LOOK};
-use epicyclic_pareto::{larger, smaller};
+use epicyclic_numerics::values::{larger, smaller};
 use epicyclic_schemes::structures::Role;
 
 const EFFICIENCY: usize = Objective::Efficiency as usize;

@@ -10,6 +10,7 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, Quantity};
+use epicyclic_numerics::values::largest_absolute;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Time, Torque};
 
 /// What is missing for a force, or why none follows.
@@ -229,7 +230,7 @@ impl PlanetBearing {
                     let of_gears: f64 =
                         gears.filter_map(|gear| gear.weighed(&self.flows, &of_centrals)).sum();
                     let own = of_gears + self.shafts.iter().map(|&shaft| of_centrals[shaft]).sum::<f64>();
-                    let largest = of_centrals.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+                    let largest = largest_absolute(&of_centrals);
                     let is_against = n_m(*carrier) > NO_TORQUE * largest;
                     let along_n = (own / f64::from(planets) + moment_n_m) / in_metres(radius);
                     force(if is_against { -along_n } else { along_n })

@@ -2,6 +2,7 @@
 
 use super::records::member_name;
 use crate::tolerance::ROUNDED;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::groups::Groups;
 use epicyclic_train::{Analysis, Gearbox, LinkId};
 use schemars::JsonSchema;
@@ -74,7 +75,7 @@ impl StepTorques {
         let members = case.members.iter().cloned().collect::<Option<Vec<Vec<f64>>>>()?;
         let elements = case.shift_elements.iter().copied().collect::<Option<Vec<f64>>>()?;
         let all = || members.iter().flatten().chain(&elements).chain([&case.input, &case.output]);
-        let nothing = ROUNDED * all().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+        let nothing = ROUNDED * largest_absolute(all());
         let mut groups = Groups::new(gearbox.links().len());
         for [first, second] in gearbox.permanent() {
             groups.join(first.index(), second.index());

@@ -16,6 +16,7 @@ use crate::error::Error;
 use crate::shared::gearbox::Subject;
 use crate::shared::number::plain;
 use crate::tolerance::THERMAL;
+use epicyclic_numerics::roots::bisected_while;
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
@@ -160,13 +161,7 @@ fn thermal_torque(
             }
         }
     }
-    while (hot - cool).abs() > THERMAL * hot.abs() {
-        let middle = f64::midpoint(cool, hot);
-        if is_cool(middle) {
-            cool = middle;
-        } else {
-            hot = middle;
-        }
-    }
+    let is_wide = |_, [cool, hot]: [f64; 2]| (hot - cool).abs() > THERMAL * hot.abs();
+    let [cool, _] = bisected_while([cool, hot], is_wide, is_cool);
     Ok(Some(plain(cool)))
 }

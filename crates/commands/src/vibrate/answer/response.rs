@@ -21,6 +21,7 @@ use super::{Found, Of, Prepared};
 use crate::error::Error;
 use crate::shared::number::plain;
 use crate::tolerance::PEAK;
+use epicyclic_numerics::extremes::{Sections, try_golden_while};
 use epicyclic_units::Physical;
 use epicyclic_vibration::model::SpringId;
 use epicyclic_vibration::response::Displacement;
@@ -140,7 +141,9 @@ impl Excited<'_> {
             let top = (0..curve.len()).max_by(|a, b| curve[*a].1[mesh].total_cmp(&curve[*b].1[mesh]));
             let top = top.unwrap_or_default();
             let ends = [top.saturating_sub(1), (top + 1).min(curve.len() - 1)].map(|place| curve[place].0);
-            let speed = golden(ends, |speed| forces(speed).map(|both| both[mesh]))?;
+            let is_wide = |_, found: &Sections| found.ends[1] - found.ends[0] > PEAK * found.ends[1];
+            let found = try_golden_while(ends, is_wide, |speed| forces(speed).map(|both| -both[mesh]))?;
+            let speed = f64::midpoint(found.ends[0], found.ends[1]);
             let peak = (speed, forces(speed)?);
             let (speed, both) = if peak.1[mesh] > curve[top].1[mesh] { peak } else { curve[top] };
             greatest.push((speed, both));
@@ -189,25 +192,6 @@ fn phases(
     })
 }
 
-/// Where a function that rises and then falls between two places is greatest.
-fn golden([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> Result<f64, Refusal>) -> Result<f64, Refusal> {
-    let share = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let [mut left, mut right] = [high - share * (high - low), low + share * (high - low)];
-    let (mut at_left, mut at_right) = (of(left)?, of(right)?);
-    while high - low > PEAK * high {
-        if at_left >= at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - share * (high - low);
-            at_left = of(left)?;
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + share * (high - low);
-            at_right = of(right)?;
-        }
-    }
-    Ok((low + high) / 2.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::spacing::Spacing;
@@ -251,13 +235,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn the_golden_section_finds_a_top() {
-        let of = |x: f64| Ok(-(x - 3.2) * (x - 3.2));
-        assert!((golden([1.0, 7.0], of).unwrap() - 3.2).abs() < 1e-6);
-        // At an end.
-        assert!((golden([1.0, 7.0], Ok).unwrap() - 7.0).abs() < 1e-6);
     }
 }

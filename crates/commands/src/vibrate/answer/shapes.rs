@@ -7,6 +7,7 @@ use super::Found;
 use super::records::{BodyMotion, Member};
 use crate::shared::number::plain;
 use crate::tolerance::STILL;
+use epicyclic_numerics::values::largest_absolute;
 use epicyclic_vibration::{BodyId, Group};
 
 /// The motion of all bodies, over the largest displacement.
@@ -21,7 +22,7 @@ pub(super) fn of(found: &Found, group: &Group) -> Vec<BodyMotion> {
     let all = || {
         (0..group.shapes.len()).flat_map(|shape| bodies.iter().flat_map(move |(body, _)| of(shape, *body)))
     };
-    let size = all().fold(0.0_f64, |most, part| most.max(part.abs()));
+    let size = largest_absolute(all());
     let first = parts.planets.first().copied();
     let leading = central.map(|body| (body, 0)).into_iter().chain(central.map(|body| (body, 2)));
     let leading = leading.chain(first.into_iter().flat_map(|planet| [2, 0, 1].map(|axis| (planet, axis))));

@@ -7,7 +7,7 @@ use crate::chambers::polygon_area;
 use crate::flanks::forces::tests::{mm, motor};
 use crate::flanks::kernel::{direction, turned};
 use crate::profile::{Crest, Outline, ToothForm};
-use crate::roots::quadrature;
+use epicyclic_numerics::quadrature::quadrature;
 use proptest::prelude::*;
 use uom::si::area::square_millimeter;
 use uom::si::length::millimeter;

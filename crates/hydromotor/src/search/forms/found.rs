@@ -180,7 +180,7 @@ impl FormSearch {
     ) -> FormFound {
         // A design found later may be better than one found before.
         let costs: Vec<Value> = found.iter().map(|(_, point)| point.value.map(|part| -part)).collect();
-        let mut places = epicyclic_pareto::non_dominated(&costs);
+        let mut places = epicyclic_numerics::front::non_dominated(&costs);
         let by_volume = |place: u32| shapes[found[place as usize].0].working.by_volume();
         places.sort_by(|&one, &other| by_volume(other).total_cmp(&by_volume(one)).then(one.cmp(&other)));
         let design = |place: &u32| {

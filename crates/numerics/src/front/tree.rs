@@ -1,7 +1,7 @@
 //! A tree of sixteen branches over the ranks of designs.
 
-use crate::dominates;
-use crate::ranks::{Columns, Scales, WIDE};
+use super::ranks::{Columns, Scales, WIDE};
+use crate::front::dominates;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 

@@ -1,6 +1,6 @@
 //! The front of five designs by mass in kg and loss in per cent, both to be small.
 
-use epicyclic_pareto::front;
+use epicyclic_numerics::front::front;
 
 fn main() {
     let designs = [[12.0, 3.1], [10.0, 3.4], [10.0, 3.9], [12.0, 3.1], [15.0, 2.8]];

@@ -20,7 +20,7 @@
 //! front without being asked about.
 //!
 //! ```
-//! use epicyclic_pareto::{front, non_dominated};
+//! use epicyclic_numerics::front::{front, non_dominated};
 //! let costs = [[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [1.0, 3.0]];
 //! assert_eq!(non_dominated(&costs), [0, 1, 3]);
 //! assert_eq!(front(&costs, [1, 0]), [vec![1], vec![0, 3]]);
@@ -87,7 +87,7 @@ pub fn non_dominated<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     front_runs(costs).into_iter().flatten().collect()
 }
 
-/// The same as runs of places whose designs are equal.
+/// Places of the designs that no other dominates, as runs whose designs are equal.
 fn front_runs<const N: usize>(costs: &[[f64; N]]) -> Vec<Range<u32>> {
     let thin = |(part, costs): (usize, &[[f64; N]])| {
         let mut places = thinned(costs);
@@ -144,32 +144,11 @@ pub fn thinned<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     places
 }
 
-/// The same by comparing each with each: slow, and the oracle of the tree.
-#[must_use]
-pub fn non_dominated_by_trial<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
-    let free = |place: &u32| !costs.iter().any(|other| dominates(other, &costs[*place as usize]));
-    (0..costs.len() as u32).filter(free).collect()
-}
-
 /// Designs in a part that is thinned by itself.
 const PART: usize = 1 << 10;
 
 /// Designs met before with which one is asked about.
 const RIVALS: usize = 3;
-
-/// The larger of two numbers, in one instruction.
-#[inline]
-#[must_use]
-pub fn larger(one: f64, other: f64) -> f64 {
-    if one > other { one } else { other }
-}
-
-/// The smaller of two numbers, in one instruction.
-#[inline]
-#[must_use]
-pub fn smaller(one: f64, other: f64) -> f64 {
-    if one < other { one } else { other }
-}
 
 #[cfg(test)]
 mod tests {
@@ -182,6 +161,12 @@ mod tests {
         proptest::collection::vec(costs, 0..most).prop_map(|all| {
             all.iter().map(|cost| std::array::from_fn(|place| f64::from(cost[place]))).collect()
         })
+    }
+
+    /// Compares each with each: slow, and the oracle of the tree.
+    fn non_dominated_by_trial<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
+        let free = |place: &u32| !costs.iter().any(|other| dominates(other, &costs[*place as usize]));
+        (0..costs.len() as u32).filter(free).collect()
     }
 
     #[test]
