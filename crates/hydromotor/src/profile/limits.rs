@@ -34,8 +34,8 @@ use super::track::{Frame, Side, Track};
 use super::{Part, Profile};
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
+use crate::modules::modules;
 use crate::roots::golden;
-use crate::units::modules;
 use std::f64::consts::PI;
 
 /// What is limited.
