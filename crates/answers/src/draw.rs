@@ -1,15 +1,16 @@
 //! A drawing: of what it is, what it shows, and which files hold it.
 
+use crate::Answer;
 use crate::analyze::elements::ShiftElement;
 use crate::analyze::records::Kind;
 use crate::drawability::Conflict;
 use crate::motor::Numbers;
 use crate::tooth_checks::ToothChecks;
-use crate::{Answer, units};
 use epicyclic_train::Gearbox;
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::Length;
 
 /// A drawing of a gearbox or hydromotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -195,7 +196,7 @@ impl Sheet {
     /// A sheet of this size in millimetres.
     #[must_use]
     pub fn of(title: &str, [width_mm, height_mm]: [f64; 2]) -> Self {
-        let length = |mm| units::of_millimetres(mm).si();
+        let length = |mm| Length::from_mm(mm).si();
         Self { title: title.to_owned(), width_m: length(width_mm), height_m: length(height_mm) }
     }
 }

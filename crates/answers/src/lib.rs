@@ -96,7 +96,6 @@ pub mod tool;
 pub mod tooth_checks;
 mod toothed;
 pub mod transmissions;
-mod units;
 pub mod vibration;
 
 pub use answer::{Answer, SCHEMA_VERSION, Warning};

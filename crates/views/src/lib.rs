@@ -42,7 +42,6 @@ pub mod text;
 mod tolerance;
 mod tooth_checks;
 pub mod transmissions;
-mod units;
 pub mod vibration;
 
 pub use report::Report;

@@ -1,10 +1,9 @@
 //! Losses as tables.
 
 use crate::AsReport;
-use crate::figure::{Figure, multiple, text};
+use crate::figure::{Figure, multiple, rpm, text};
 use crate::quantities::{optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
-use crate::units::rpm;
 use epicyclic_answers::losses::{
     GearHeat, GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
 };

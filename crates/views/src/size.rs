@@ -1,9 +1,8 @@
 //! Sizes of sets as tables.
 
-use crate::figure::{Figure, text};
+use crate::figure::{Figure, hours, text};
 use crate::quantities::{column, optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
-use crate::units::hours;
 use crate::{AsReport, tooth_checks};
 use epicyclic_answers::size::Size;
 use epicyclic_answers::size::records::{

@@ -4,10 +4,9 @@ mod compact;
 mod planets;
 mod words;
 
-use crate::figure::{Figure, text};
+use crate::figure::{Figure, hours, text};
 use crate::quantities::{optional, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
-use crate::units::hours;
 use crate::{AsReport, tooth_checks};
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{

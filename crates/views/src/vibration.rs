@@ -3,10 +3,9 @@
 mod train;
 
 use crate::AsReport;
-use crate::figure::{Figure, count, text};
+use crate::figure::{Figure, count, rpm, text};
 use crate::quantities::{column, optional, quantity, words};
 use crate::report::{Column, Part, Records, Report, View, warned};
-use crate::units::{hertz_of_rpm, rpm};
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{
     self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
@@ -19,6 +18,9 @@ use epicyclic_units::Dimension::{AngularSpeed, Force, Frequency, Inertia, Length
 use epicyclic_units::format::in_unit;
 pub use train::torsional_campbell;
 
+/// By this a turn a minute becomes hertz.
+const SECONDS_A_MINUTE: f64 = 60.0;
+
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
 #[must_use]
 pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
@@ -30,7 +32,7 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     };
     let ray = |order: &Order| Ray {
         name: ray_name(order.source, order.harmonic),
-        slope: hertz_of_rpm(order.of_input),
+        slope: order.of_input / SECONDS_A_MINUTE,
     };
     let moves = |branch: &&records::Branch| branch.frequencies_hz.iter().any(|frequency| *frequency > 0.0);
     let met = all.resonances.iter().filter(|met| is_own(&met.set, &met.gear));

@@ -16,7 +16,6 @@ use super::records::planet_name;
 use crate::Warning;
 use crate::gearbox::Subject;
 use crate::tolerance::rounded;
-use crate::units::{millimetres, rpm};
 use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -79,7 +78,7 @@ fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, 
 }
 
 fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
-    let (speed_rpm, diameter_mm) = (rpm(speed), millimetres(diameter));
+    let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
     let (most, kind) = match rolling {
         RollingEntry::FullComplement => (FULL, "full of rollers"),
         _ => (CAGED, "with a cage"),

@@ -12,7 +12,6 @@ use super::saved::Saved;
 use crate::catalogue::GearName;
 use crate::teeth::shifted::{RequiredShifts, SetShifts, WantedShifts};
 use crate::tolerance::LEAST_MODULE_M;
-use crate::units::millimetres;
 use crate::{Answer, Error, finite};
 use epicyclic_formats::gearbox::WrittenSize;
 use epicyclic_gears::involute::search::ProfileShift;
@@ -90,10 +89,7 @@ impl SizeLimits {
         let least = self.least_module.unwrap_or(Length::from_si(LEAST_MODULE_M));
         let greatest = self.greatest_module.unwrap_or(Length::from_si(1.0));
         if least > greatest {
-            return Err(Error::ModuleRange {
-                least_mm: millimetres(least),
-                greatest_mm: millimetres(greatest),
-            });
+            return Err(Error::ModuleRange { least_mm: least.mm(), greatest_mm: greatest.mm() });
         }
         Ok(Some(least..=greatest))
     }

@@ -7,7 +7,6 @@ use crate::fault::{Fault, Named};
 use crate::gearbox::Subject;
 use crate::strength::place::refused;
 use crate::toothed::{self, missing_teeth};
-use crate::units::millimetres;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
@@ -273,7 +272,7 @@ impl Of<'_> {
         keys: &[&str],
     ) -> Result<MassProperties, Error> {
         if outside <= root {
-            let [outside, root] = [outside, root].map(millimetres);
+            let [outside, root] = [outside, root].map(Physical::mm);
             let message = format!("{outside} mm is not above the root circle of the ring, {root} mm");
             return Err(self.refused(keys, &Named("no-rim", message)));
         }

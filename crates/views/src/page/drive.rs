@@ -2,10 +2,9 @@
 
 use super::paper::PLOT_MM;
 use super::sheet::{Arrangement, Block, Section, Sheet};
-use crate::figure::Figure;
+use crate::figure::{Figure, rpm};
 use crate::quantities::{optional, quantity};
 use crate::report::{Part, Row, Section as Facts};
-use crate::units::rpm;
 use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::drive::{Drive, Gear};
 use epicyclic_answers::report::drive::DriveReport;

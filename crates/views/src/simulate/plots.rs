@@ -1,6 +1,6 @@
 //! Plots over time: speeds, torques of elements with their capacities, temperatures.
 
-use crate::units::rpm;
+use crate::figure::rpm;
 use epicyclic_answers::simulate::{ElementKind, EventRecord, Simulation, State};
 use epicyclic_pictures::plot::{Curve, Plot};
 

@@ -1,9 +1,8 @@
 //! Planets: axial forces of helical teeth, bearings.
 
-use crate::figure::{Figure, text};
+use crate::figure::{Figure, hours, text};
 use crate::quantities::{column, optional};
 use crate::report::{Column, Records, View};
-use crate::units::hours;
 use epicyclic_answers::strength::records::{AxialForce, BearingOverDuty};
 use epicyclic_units::Dimension;
 
