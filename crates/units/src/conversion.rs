@@ -17,7 +17,7 @@ use super::dimension::Dimension;
 /// Methods for values in other units than the SI's, with the factors of `uom`.
 macro_rules! other_units {
     ($($quantity:ident in $unit:path: $get:ident, $new:ident;)*) => {$(
-        #[doc = concat!("Value of a [`", stringify!($quantity), "`](si::", stringify!($quantity), ") in the unit [`", stringify!($unit), "`].")]
+        #[doc = concat!("Value in the unit [`", stringify!($unit), "`].")]
         #[inline]
         fn $get(self) -> f64
         where
@@ -26,7 +26,7 @@ macro_rules! other_units {
             self.itself().get::<$unit>()
         }
 
-        #[doc = concat!("[`", stringify!($quantity), "`](si::", stringify!($quantity), ") from its value in the unit [`", stringify!($unit), "`].")]
+        #[doc = concat!("Quantity from its value in the unit [`", stringify!($unit), "`].")]
         #[inline]
         #[must_use]
         fn $new(value: f64) -> Self
