@@ -18,4 +18,3 @@ pub mod tool;
 pub mod tooth_checks;
 pub mod toothed;
 pub mod transmissions;
-pub mod units;

@@ -15,4 +15,3 @@ pub mod figure;
 pub mod quantities;
 pub mod report;
 pub mod text;
-pub(crate) mod units;

@@ -67,10 +67,10 @@ pub use spec::{
 pub use warning::Warning;
 
 use crate::Error;
-use crate::units::{kilowatts, n_m, rpm};
 use bodies::Ends;
 use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::check_tolerance;
+use epicyclic_units::Physical;
 use loads::{Carried, Meshes};
 use motion::Starting;
 use teeth::{Geared, Wanted};
@@ -154,14 +154,14 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
             Err(Error::NotPositive { quantity, value, unit })
         }
     };
-    positive(Given::Power, kilowatts(spec.power), "kW")?;
-    positive(Given::Speed, rpm(spec.speed), "rpm")?;
+    positive(Given::Power, spec.power.kw(), "kW")?;
+    positive(Given::Speed, spec.speed.rpm(), "rpm")?;
     positive(Given::Ratio, spec.ratio, "")?;
     check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {
-        positive(Given::DrivingTorque, n_m(driving), "N·m")?;
+        positive(Given::DrivingTorque, driving.si(), "N·m")?;
     }
-    match spec.load.map(n_m) {
+    match spec.load.map(Physical::si) {
         Some(value) if !value.is_finite() => Err(Error::LoadNotFinite { value }),
         _ => Ok(()),
     }

@@ -7,7 +7,7 @@
 //! # Source
 //! excavator-dynamics, kinetic energy of the moving parts.
 
-use crate::units::{energy, joules, kg_m2, kilograms, m_per_s, rad_per_s};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Energy, Mass, MomentOfInertia, Velocity};
 
 /// One body as it moves: all values absolute, seen from the housing.
@@ -33,32 +33,30 @@ impl MovingBody {
     /// Its kinetic energy, `½·J·ω² + ½·m·v²` (König).
     #[must_use]
     pub fn kinetic_energy(&self) -> Energy {
-        let v_m_s = m_per_s(self.centre_speed);
-        let turning = kg_m2(self.inertia) * rad_per_s(self.speed).powi(2);
-        energy(0.5 * (turning + kilograms(self.mass) * v_m_s * v_m_s))
+        let v_m_s = self.centre_speed.si();
+        let turning = self.inertia.si() * self.speed.si().powi(2);
+        Energy::from_si(0.5 * (turning + self.mass.si() * v_m_s * v_m_s))
     }
 }
 
 /// Kinetic energy of all bodies.
 #[must_use]
 pub fn kinetic_energy<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>) -> Energy {
-    energy(bodies.into_iter().map(|body| joules(body.kinetic_energy())).sum())
+    Energy::from_si(bodies.into_iter().map(|body| body.kinetic_energy().si()).sum())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angular_velocity, inertia, mass};
-    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn a_rolling_disc_has_both_parts() {
         let disc = MovingBody {
-            inertia: inertia(1.0),
-            speed: angular_velocity(-2.0),
-            mass: mass(2.0),
-            centre_speed: Velocity::new::<meter_per_second>(3.0),
+            inertia: MomentOfInertia::from_si(1.0),
+            speed: AngularVelocity::from_si(-2.0),
+            mass: Mass::from_si(2.0),
+            centre_speed: Velocity::from_si(3.0),
         };
-        assert!((joules(kinetic_energy(&[disc, disc])) - 2.0 * 11.0).abs() < 1e-14);
+        assert!((kinetic_energy(&[disc, disc]).si() - 2.0 * 11.0).abs() < 1e-14);
     }
 }

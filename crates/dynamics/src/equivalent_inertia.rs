@@ -19,7 +19,7 @@
 
 use crate::Error;
 pub use crate::link_name::{LinkName, Property};
-use crate::units::{inertia, kg_m2, kilograms, meters};
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
 /// A moving link, or several alike.
@@ -75,18 +75,18 @@ impl Link {
                 Err(Error::NotFinite { link: self.name.clone(), what, value })
             }
         };
-        let own = body(Property::Inertia, kg_m2(self.inertia))?
+        let own = body(Property::Inertia, self.inertia.si())?
             * ratio(Property::SpeedRatio, self.speed_ratio)?.powi(2);
         let carried = match &self.orbit {
             None => 0.0,
             Some(orbit) => {
-                body(Property::Mass, kilograms(orbit.mass))?
-                    * (body(Property::Radius, meters(orbit.radius))?
+                body(Property::Mass, orbit.mass.si())?
+                    * (body(Property::Radius, orbit.radius.si())?
                         * ratio(Property::OrbitSpeedRatio, orbit.speed_ratio)?)
                     .powi(2)
             }
         };
-        Ok(inertia(f64::from(self.count) * (own + carried)))
+        Ok(MomentOfInertia::from_si(f64::from(self.count) * (own + carried)))
     }
 }
 
@@ -107,39 +107,40 @@ impl Link {
 /// # Errors
 /// As [`Link::equivalent_inertia`].
 pub fn equivalent_inertia(links: &[Link]) -> Result<MomentOfInertia, Error> {
-    links.iter().try_fold(inertia(0.0), |sum, link| Ok(sum + link.equivalent_inertia()?))
+    links.iter().try_fold(MomentOfInertia::from_si(0.0), |sum, link| Ok(sum + link.equivalent_inertia()?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::energy::{MovingBody, kinetic_energy};
-    use crate::units::{angular_velocity, joules, length, mass};
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
-    use uom::si::f64::Velocity;
-    use uom::si::velocity::meter_per_second;
+    use uom::si::f64::{AngularVelocity, Length, Mass, MomentOfInertia, Velocity};
 
     #[test]
     fn a_planet_counts_with_its_orbit() {
         let planets = Link {
             name: "planets".into(),
             count: 3,
-            inertia: inertia(0.5),
+            inertia: MomentOfInertia::from_si(0.5),
             speed_ratio: -2.0,
-            orbit: Some(Orbit { mass: mass(4.0), radius: length(0.5), speed_ratio: 0.5 }),
+            orbit: Some(Orbit { mass: Mass::from_si(4.0), radius: Length::from_si(0.5), speed_ratio: 0.5 }),
         };
         // 3·(0.5·4 + 4·0.25·0.25)
-        assert!((kg_m2(planets.equivalent_inertia().unwrap()) - 6.75).abs() < 1e-15);
+        assert!((planets.equivalent_inertia().unwrap().si() - 6.75).abs() < 1e-15);
     }
 
     #[test]
     fn impossible_bodies_are_refused() {
-        let with = |j: f64, u: f64| Link::central("drum", inertia(j), u).equivalent_inertia().unwrap_err();
+        let with = |j: f64, u: f64| {
+            Link::central("drum", MomentOfInertia::from_si(j), u).equivalent_inertia().unwrap_err()
+        };
         assert!(matches!(with(-1.0, 1.0), Error::Impossible { what: Property::Inertia, .. }));
         assert!(matches!(with(1.0, f64::NAN), Error::NotFinite { what: Property::SpeedRatio, .. }));
         let thrown = Link {
-            orbit: Some(Orbit { mass: mass(-1.0), radius: length(1.0), speed_ratio: 1.0 }),
-            ..Link::central("stone", inertia(0.0), 1.0)
+            orbit: Some(Orbit { mass: Mass::from_si(-1.0), radius: Length::from_si(1.0), speed_ratio: 1.0 }),
+            ..Link::central("stone", MomentOfInertia::from_si(0.0), 1.0)
         };
         assert!(matches!(thrown.equivalent_inertia(), Err(Error::Impossible { what: Property::Mass, .. })));
     }
@@ -149,23 +150,21 @@ mod tests {
             count in 1..6_u32, j in 0.0..5.0, u in -8.0..8.0,
             orbit in proptest::option::of((0.0..50.0, 0.0..0.8, -3.0..3.0)),
         ) -> Link {
-            let orbit = orbit.map(|(m, r, u)| Orbit { mass: mass(m), radius: length(r), speed_ratio: u });
-            Link { name: "link".into(), count, inertia: inertia(j), speed_ratio: u, orbit }
+            let orbit = orbit.map(|(m, r, u)| Orbit { mass: Mass::from_si(m), radius: Length::from_si(r), speed_ratio: u });
+            Link { name: "link".into(), count, inertia: MomentOfInertia::from_si(j), speed_ratio: u, orbit }
         }
     }
 
     /// The bodies of a link as they move, by absolute speeds.
     fn bodies(link: &Link, omega: f64) -> impl Iterator<Item = MovingBody> {
-        let speed = angular_velocity(link.speed_ratio * omega);
+        let speed = AngularVelocity::from_si(link.speed_ratio * omega);
         let body = match link.orbit {
             None => MovingBody::turning(link.inertia, speed),
             Some(orbit) => MovingBody {
                 inertia: link.inertia,
                 speed,
                 mass: orbit.mass,
-                centre_speed: Velocity::new::<meter_per_second>(
-                    omega * orbit.speed_ratio * meters(orbit.radius),
-                ),
+                centre_speed: Velocity::from_si(omega * orbit.speed_ratio * orbit.radius.si()),
             },
         };
         std::iter::repeat_n(body, link.count as usize)
@@ -178,8 +177,8 @@ mod tests {
             omega in -400.0..400.0,
         ) {
             let bodies: Vec<MovingBody> = links.iter().flat_map(|link| bodies(link, omega)).collect();
-            let summed = joules(kinetic_energy(&bodies));
-            let equivalent = 0.5 * kg_m2(equivalent_inertia(&links).unwrap()) * omega * omega;
+            let summed = kinetic_energy(&bodies).si();
+            let equivalent = 0.5 * equivalent_inertia(&links).unwrap().si() * omega * omega;
             prop_assert!((summed - equivalent).abs() <= 1e-12 * equivalent);
         }
     }

@@ -15,7 +15,7 @@
 //! excavator-dynamics (9), (10). The source gives `Q` in J; per radian of the coordinate it is N·m.
 
 use crate::Error;
-use crate::units::{angular_acceleration, kg_m2, n_m, rad_per_s, rad_per_s2, time, torque};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularAcceleration, AngularVelocity, MomentOfInertia, Time, Torque};
 
 /// A torque on a link from outside.
@@ -30,7 +30,7 @@ pub struct AppliedTorque {
 /// Generalized force of the torques, `Q = Σ M·u`. Losses are not in it.
 #[must_use]
 pub fn generalized_force(torques: &[AppliedTorque]) -> Torque {
-    torque(torques.iter().map(|applied| n_m(applied.torque) * applied.speed_ratio).sum())
+    Torque::from_si(torques.iter().map(|applied| applied.torque.si() * applied.speed_ratio).sum())
 }
 
 /// Acceleration of the driving shaft, `ε_1 = Q/J_pr`.
@@ -41,11 +41,11 @@ pub fn acceleration(
     force: Torque,
     equivalent_inertia: MomentOfInertia,
 ) -> Result<AngularAcceleration, Error> {
-    let j = kg_m2(equivalent_inertia);
+    let j = equivalent_inertia.si();
     if j.is_nan() || j <= 0.0 {
         return Err(Error::NoInertia);
     }
-    Ok(angular_acceleration(n_m(force) / j))
+    Ok(AngularAcceleration::from_si(force.si() / j))
 }
 
 /// Acceleration of a link that turns at `speed_ratio` times the driving shaft, `ε = ε_1·u`.
@@ -66,42 +66,49 @@ pub fn starting_time(
     force: Torque,
     equivalent_inertia: MomentOfInertia,
 ) -> Result<Time, Error> {
-    let acceleration = rad_per_s2(acceleration(force, equivalent_inertia)?);
-    let duration_s = rad_per_s(speed) / acceleration;
+    let acceleration = acceleration(force, equivalent_inertia)?.si();
+    let duration_s = speed.si() / acceleration;
     if duration_s.is_finite() && duration_s >= 0.0 {
-        Ok(time(duration_s))
+        Ok(Time::from_si(duration_s))
     } else {
-        Err(Error::DoesNotStart { surplus_n_m: n_m(force) })
+        Err(Error::DoesNotStart { surplus_n_m: force.si() })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angular_velocity, inertia, seconds};
 
     #[test]
     fn a_shaft_starts_as_a_flywheel_does() {
         let force = generalized_force(&[
-            AppliedTorque { torque: torque(12.0), speed_ratio: 1.0 },
-            AppliedTorque { torque: torque(-60.0), speed_ratio: 1.0 / 6.0 },
+            AppliedTorque { torque: Torque::from_si(12.0), speed_ratio: 1.0 },
+            AppliedTorque { torque: Torque::from_si(-60.0), speed_ratio: 1.0 / 6.0 },
         ]);
-        assert!((n_m(force) - 2.0).abs() < 1e-14);
-        assert!((rad_per_s2(acceleration(force, inertia(0.5)).unwrap()) - 4.0).abs() < 1e-13);
-        let t = starting_time(angular_velocity(100.0), force, inertia(0.5)).unwrap();
-        assert!((seconds(t) - 25.0).abs() < 1e-12);
+        assert!((force.si() - 2.0).abs() < 1e-14);
+        assert!((acceleration(force, MomentOfInertia::from_si(0.5)).unwrap().si() - 4.0).abs() < 1e-13);
+        let t = starting_time(AngularVelocity::from_si(100.0), force, MomentOfInertia::from_si(0.5)).unwrap();
+        assert!((t.si() - 25.0).abs() < 1e-12);
     }
 
     #[test]
     fn an_overloaded_drive_does_not_start() {
-        let overloaded = starting_time(angular_velocity(100.0), torque(-1.0), inertia(0.5));
+        let overloaded = starting_time(
+            AngularVelocity::from_si(100.0),
+            Torque::from_si(-1.0),
+            MomentOfInertia::from_si(0.5),
+        );
         assert_eq!(overloaded, Err(Error::DoesNotStart { surplus_n_m: -1.0 }));
-        let balanced = starting_time(angular_velocity(100.0), torque(0.0), inertia(0.5));
+        let balanced = starting_time(
+            AngularVelocity::from_si(100.0),
+            Torque::from_si(0.0),
+            MomentOfInertia::from_si(0.5),
+        );
         assert_eq!(balanced, Err(Error::DoesNotStart { surplus_n_m: 0.0 }));
     }
 
     #[test]
     fn nothing_accelerates_without_inertia() {
-        assert_eq!(acceleration(torque(1.0), inertia(0.0)), Err(Error::NoInertia));
+        assert_eq!(acceleration(Torque::from_si(1.0), MomentOfInertia::from_si(0.0)), Err(Error::NoInertia));
     }
 }

@@ -28,6 +28,5 @@ pub mod link_name;
 pub mod loads;
 pub mod planetary;
 mod tolerance;
-mod units;
 
 pub use error::Error;

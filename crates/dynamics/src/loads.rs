@@ -5,8 +5,8 @@
 
 use crate::Error;
 use crate::equivalent_inertia::{LinkName, Property};
-use crate::units::{n_m, power, rad_per_s, torque, watts};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// Torque that carries a power at a speed, `T = P/ω`.
@@ -14,9 +14,9 @@ use uom::si::f64::{AngularVelocity, Power, Torque};
 /// # Errors
 /// [`Error::NotFinite`] at rest, where no torque carries a power.
 pub fn shaft_torque(carried: Power, speed: AngularVelocity) -> Result<Torque, Error> {
-    let value = watts(carried) / rad_per_s(speed);
+    let value = carried.si() / speed.si();
     if value.is_finite() {
-        Ok(torque(value))
+        Ok(Torque::from_si(value))
     } else {
         Err(Error::NotFinite { link: LinkName::Shaft, what: Property::Torque, value })
     }
@@ -25,7 +25,7 @@ pub fn shaft_torque(carried: Power, speed: AngularVelocity) -> Result<Torque, Er
 /// Power of a torque at a speed, `P = T·ω`.
 #[must_use]
 pub fn shaft_power(carried: Torque, speed: AngularVelocity) -> Power {
-    power(n_m(carried) * rad_per_s(speed))
+    Power::from_si(carried.si() * speed.si())
 }
 
 /// Torque of the carrier from that of the sun, `T_H = T_1·U·η`.
@@ -53,22 +53,21 @@ pub fn planet_power(input: Power, sun_planet: MeshEfficiency, bearings: MeshEffi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::angular_velocity;
 
     #[test]
     fn the_excavators_shafts() {
-        let sun = shaft_torque(power(106.5e3), angular_velocity(204.1)).unwrap();
-        assert!((n_m(sun) - 521.8).abs() < 0.01);
-        assert!((watts(shaft_power(sun, angular_velocity(204.1))) - 106.5e3).abs() < 1e-9);
-        assert!((n_m(carrier_torque(torque(521.8), 6.0, 0.95)) - 2974.26).abs() < 1e-9);
+        let sun = shaft_torque(Power::from_si(106.5e3), AngularVelocity::from_si(204.1)).unwrap();
+        assert!((sun.si() - 521.8).abs() < 0.01);
+        assert!((shaft_power(sun, AngularVelocity::from_si(204.1)).si() - 106.5e3).abs() < 1e-9);
+        assert!((carrier_torque(Torque::from_si(521.8), 6.0, 0.95).si() - 2974.26).abs() < 1e-9);
         let eta = MeshEfficiency::new(0.97).unwrap();
-        assert!((n_m(planet_torque(torque(521.8), eta, 2.0)) - 1012.292).abs() < 1e-9);
+        assert!((planet_torque(Torque::from_si(521.8), eta, 2.0).si() - 1012.292).abs() < 1e-9);
         let bearings = MeshEfficiency::new(0.99).unwrap();
-        assert!((watts(planet_power(power(106.5e3), eta, bearings)) - 102_271.95).abs() < 1e-6);
+        assert!((planet_power(Power::from_si(106.5e3), eta, bearings).si() - 102_271.95).abs() < 1e-6);
     }
 
     #[test]
     fn no_torque_carries_power_at_rest() {
-        assert!(shaft_torque(power(1.0), angular_velocity(0.0)).is_err());
+        assert!(shaft_torque(Power::from_si(1.0), AngularVelocity::from_si(0.0)).is_err());
     }
 }

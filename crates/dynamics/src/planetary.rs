@@ -45,16 +45,15 @@ use crate::Error;
 use crate::energy::MovingBody;
 use crate::equivalent_inertia::{Link, LinkName, Orbit, equivalent_inertia};
 use crate::lagrange::{AppliedTorque, acceleration, generalized_force, link_acceleration};
-use crate::units::{
-    angular_acceleration, angular_velocity, inertia, kg_m2, kilograms, meters, n_m, power, rad_per_s,
-    rad_per_s2, torque, velocity,
-};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_gears::willis;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
-use uom::si::f64::{AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque};
+use epicyclic_units::Physical;
+use uom::si::f64::{
+    AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
+};
 
 /// The gear set of a drive with its speeds: the solver is asked once, here, and nowhere else.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -223,10 +222,10 @@ impl PlanetaryDrive {
     /// [`Error::Gear`] for a gear set without a carrier speed.
     pub fn bodies(&self, speed: AngularVelocity) -> Result<Vec<MovingBody>, Error> {
         let set = self.set.teeth.basic_ratio();
-        let speeds = willis::speeds(set, Some(speed), Some(angular_velocity(0.0)), None)?;
+        let speeds = willis::speeds(set, Some(speed), Some(AngularVelocity::from_si(0.0)), None)?;
         let planet_to_sun = self.set.teeth.planet.as_f64() / self.set.teeth.sun.as_f64();
         let planet = willis::planet_speed(planet_to_sun, speeds.sun, speeds.carrier)?;
-        let orbital = velocity(rad_per_s(speeds.carrier) * meters(self.planet_radius));
+        let orbital = Velocity::from_si(speeds.carrier.si() * self.planet_radius.si());
         let planet = MovingBody {
             inertia: self.planet_inertia,
             speed: planet.absolute,
@@ -299,7 +298,7 @@ impl PlanetaryDrive {
             _ => return Ok(FromRest::Held),
         };
         let motion = self.motion_with_losses(driving, load, sun_planet, planet_ring, turning)?;
-        let epsilon = rad_per_s2(motion.accelerations.sun);
+        let epsilon = motion.accelerations.sun.si();
         match turning {
             Turning::Forward if epsilon >= 0.0 => Ok(FromRest::Forward(motion)),
             Turning::Backward if epsilon <= 0.0 => Ok(FromRest::Backward(motion)),
@@ -326,10 +325,10 @@ impl PlanetaryDrive {
         let (z1, z2, z3) = self.tooth_numbers();
         let ratios = self.set.ratios;
         let planets = f64::from(self.set.teeth.planets);
-        let (j1, j2) = (kg_m2(self.sun_inertia), planets * kg_m2(self.planet_inertia));
-        let orbital = planets * kilograms(self.planet_mass) * meters(self.planet_radius).powi(2);
-        let jh = kg_m2(self.carrier_inertia) + orbital;
-        let (m1, mh) = (n_m(driving), n_m(load));
+        let (j1, j2) = (self.sun_inertia.si(), planets * self.planet_inertia.si());
+        let orbital = planets * self.planet_mass.si() * self.planet_radius.si().powi(2);
+        let jh = self.carrier_inertia.si() + orbital;
+        let (m1, mh) = (driving.si(), load.si());
         let (eta_12, eta_23) = (sun_planet.get(), planet_ring.get());
 
         // Four pairs of directions of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is above 1.
@@ -339,7 +338,7 @@ impl PlanetaryDrive {
             let arriving = 1.0 + e_12 * e_23 * z3 / z1;
             let j = j1 + (j2 * ratios.planet * (1.0 - e_23 * z3 / z2) + jh * ratios.carrier) / arriving;
             let force = m1 - mh / arriving;
-            let epsilon = rad_per_s2(acceleration(torque(force), inertia(j))?);
+            let epsilon = acceleration(Torque::from_si(force), MomentOfInertia::from_si(j))?.si();
             let t1 = m1 - j1 * epsilon;
             let t2 = j2 * ratios.planet * epsilon + e_12 * t1 * z2 / z1;
             let consistent = |torque: f64, e: f64, eta: f64| {
@@ -352,12 +351,12 @@ impl PlanetaryDrive {
             };
             if consistent(t1, e_12, eta_12) && consistent(t2, e_23, eta_23) {
                 return Ok(LossyMotion {
-                    inertia: inertia(j),
-                    force: torque(force),
-                    accelerations: self.accelerations(angular_acceleration(epsilon)),
-                    ring_torque: torque(e_23 * t2 * z3 / z2),
-                    sun_mesh_torque: torque(t1),
-                    planet_ring_torque: torque(t2),
+                    inertia: MomentOfInertia::from_si(j),
+                    force: Torque::from_si(force),
+                    accelerations: self.accelerations(AngularAcceleration::from_si(epsilon)),
+                    ring_torque: Torque::from_si(e_23 * t2 * z3 / z2),
+                    sun_mesh_torque: Torque::from_si(t1),
+                    planet_ring_torque: Torque::from_si(t2),
                 });
             }
         }
@@ -376,15 +375,15 @@ impl PlanetaryDrive {
         planet_ring: MeshEfficiency,
     ) -> Power {
         let (z1, z2, _) = self.tooth_numbers();
-        let relative = rad_per_s(speed) * (1.0 - self.set.ratios.carrier);
+        let relative = speed.si() * (1.0 - self.set.ratios.carrier);
         let lost = |into_mesh: f64, eta: MeshEfficiency| {
             // A driven mesh loses of what enters here; in a back-driven one this is what is left.
             let eta = eta.get();
             into_mesh.abs() * if into_mesh > 0.0 { 1.0 - eta } else { 1.0 / eta - 1.0 }
         };
-        let from_sun = n_m(motion.sun_mesh_torque) * relative;
-        let from_planets = n_m(motion.planet_ring_torque) * relative * z1 / z2;
-        power(lost(from_sun, sun_planet) + lost(from_planets, planet_ring))
+        let from_sun = motion.sun_mesh_torque.si() * relative;
+        let from_planets = motion.planet_ring_torque.si() * relative * z1 / z2;
+        Power::from_si(lost(from_sun, sun_planet) + lost(from_planets, planet_ring))
     }
 
     fn tooth_numbers(&self) -> (f64, f64, f64) {
@@ -398,9 +397,10 @@ mod tests {
     use crate::energy::kinetic_energy;
     use crate::equivalent_inertia::Property;
     use crate::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
-    use crate::units::{joules, length, mass, watts};
     use epicyclic_gears::teeth::ToothCount;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
+    use uom::si::f64::{AngularVelocity, Length, Mass, MomentOfInertia, Torque};
 
     fn teeth(sun: u32, planet: u32, planets: u32) -> ToothNumbers {
         let z = |count| ToothCount::new(count).unwrap();
@@ -411,11 +411,11 @@ mod tests {
     fn excavator() -> PlanetaryDrive {
         PlanetaryDrive {
             set: GearSet::new(teeth(20, 40, 4)).unwrap(),
-            sun_inertia: inertia(0.00818),
-            planet_inertia: inertia(0.3),
-            planet_mass: mass(31.5),
-            planet_radius: length(0.240),
-            carrier_inertia: inertia(0.144),
+            sun_inertia: MomentOfInertia::from_si(0.00818),
+            planet_inertia: MomentOfInertia::from_si(0.3),
+            planet_mass: Mass::from_si(31.5),
+            planet_radius: Length::from_si(0.240),
+            carrier_inertia: MomentOfInertia::from_si(0.144),
         }
     }
 
@@ -427,10 +427,10 @@ mod tests {
     fn the_excavator_accelerates_at_a_third_of_what_its_sum_says() {
         // By hand: 0.00818 + (4·31.5·0.24² + 0.144)/36 + 4·0.3/16.
         let by_hand = 0.00818 + (4.0 * 31.5 * 0.0576 + 0.144) / 36.0 + 0.075;
-        let j = kg_m2(excavator().equivalent_inertia().unwrap());
+        let j = excavator().equivalent_inertia().unwrap().si();
         assert!((j - by_hand).abs() < 1e-15);
-        let found = excavator().motion(torque(521.8), torque(2974.26)).unwrap();
-        assert!((rad_per_s2(found.sun) - 26.09 / by_hand).abs() < 1e-9);
+        let found = excavator().motion(Torque::from_si(521.8), Torque::from_si(2974.26)).unwrap();
+        assert!((found.sun.si() - 26.09 / by_hand).abs() < 1e-9);
         assert!((found.planet.value / found.sun.value - -0.25).abs() < 1e-15);
     }
 
@@ -438,36 +438,39 @@ mod tests {
     fn at_full_load_the_losses_leave_nothing_to_accelerate() {
         let (e12, e23) = (eta(0.97), eta(0.98));
         let full = 521.8 * (1.0 + 5.0 * 0.97 * 0.98);
-        let found =
-            excavator().motion_with_losses(torque(521.8), torque(full), e12, e23, Turning::Forward).unwrap();
-        assert!(rad_per_s2(found.accelerations.sun).abs() < 1e-9);
+        let found = excavator()
+            .motion_with_losses(Torque::from_si(521.8), Torque::from_si(full), e12, e23, Turning::Forward)
+            .unwrap();
+        assert!(found.accelerations.sun.si().abs() < 1e-9);
     }
 
     /// The excavator's drive, torque at rated power: by hand 521.54·(1 + 5·0.9506) and 521.54·(1 + 5/0.9506).
     #[test]
     fn the_meshes_hold_the_excavator_between_two_loads() {
         let (e12, e23) = (eta(0.97), eta(0.98));
-        let (drive, driving) = (excavator(), torque(521.538_5));
-        let [least, greatest] = drive.held_loads(driving, e12, e23).map(n_m);
+        let (drive, driving) = (excavator(), Torque::from_si(521.538_5));
+        let [least, greatest] = drive.held_loads(driving, e12, e23).map(Physical::si);
         assert!((least - 3000.41).abs() < 0.01 && (greatest - 3264.74).abs() < 0.01, "{least} {greatest}");
-        let at = |load: f64| drive.from_rest(driving, torque(load), e12, e23).unwrap();
-        assert!(matches!(at(2999.0), FromRest::Forward(motion) if n_m(motion.force) > 0.0));
+        let at = |load: f64| drive.from_rest(driving, Torque::from_si(load), e12, e23).unwrap();
+        assert!(matches!(at(2999.0), FromRest::Forward(motion) if motion.force.si() > 0.0));
         for held in [3001.0, 3050.0, 3264.0] {
             assert_eq!(at(held), FromRest::Held);
         }
         let FromRest::Backward(motion) = at(3300.0) else { panic!("{:?}", at(3300.0)) };
         // 521.5385 − 3300/(1 + 5/0.9506)
-        assert!((n_m(motion.force) - -5.632).abs() < 1e-3, "{}", n_m(motion.force));
-        assert!(rad_per_s2(motion.accelerations.sun) < 0.0);
+        assert!((motion.force.si() - -5.632).abs() < 1e-3, "{}", motion.force.si());
+        assert!(motion.accelerations.sun.si() < 0.0);
         // Turning forward it slows down under the same load, and faster: friction and load both oppose it.
-        let forward = drive.motion_with_losses(driving, torque(3300.0), e12, e23, Turning::Forward).unwrap();
-        assert!((n_m(forward.force) - -52.076).abs() < 1e-3, "{}", n_m(forward.force));
+        let forward =
+            drive.motion_with_losses(driving, Torque::from_si(3300.0), e12, e23, Turning::Forward).unwrap();
+        assert!((forward.force.si() - -52.076).abs() < 1e-3, "{}", forward.force.si());
     }
 
     #[test]
     fn a_drive_without_torque_is_held_by_nothing() {
         let (e12, e23) = (eta(0.97), eta(0.98));
-        let at = |load: f64| excavator().from_rest(torque(0.0), torque(load), e12, e23).unwrap();
+        let at =
+            |load: f64| excavator().from_rest(Torque::from_si(0.0), Torque::from_si(load), e12, e23).unwrap();
         assert!(matches!(at(-1.0), FromRest::Forward(_)));
         assert_eq!(at(0.0), FromRest::Held);
         assert!(matches!(at(1.0), FromRest::Backward(_)));
@@ -494,8 +497,14 @@ mod tests {
 
     #[test]
     fn an_impossible_mass_is_refused() {
-        let broken = PlanetaryDrive { planet_mass: mass(f64::NAN), ..excavator() };
-        let found = broken.motion_with_losses(torque(1.0), torque(1.0), eta(0.9), eta(0.9), Turning::Forward);
+        let broken = PlanetaryDrive { planet_mass: Mass::from_si(f64::NAN), ..excavator() };
+        let found = broken.motion_with_losses(
+            Torque::from_si(1.0),
+            Torque::from_si(1.0),
+            eta(0.9),
+            eta(0.9),
+            Turning::Forward,
+        );
         assert!(matches!(found, Err(Error::Impossible { what: Property::Mass, .. })));
     }
 
@@ -506,11 +515,11 @@ mod tests {
         ) -> PlanetaryDrive {
             PlanetaryDrive {
                 set: GearSet::new(teeth(sun, planet, planets)).unwrap(),
-                sun_inertia: inertia(j1),
-                planet_inertia: inertia(j2),
-                planet_mass: mass(m),
-                planet_radius: length(r),
-                carrier_inertia: inertia(jh),
+                sun_inertia: MomentOfInertia::from_si(j1),
+                planet_inertia: MomentOfInertia::from_si(j2),
+                planet_mass: Mass::from_si(m),
+                planet_radius: Length::from_si(r),
+                carrier_inertia: MomentOfInertia::from_si(jh),
             }
         }
     }
@@ -527,9 +536,9 @@ mod tests {
 
         #[test]
         fn energy_of_all_links_is_that_of_the_equivalent_inertia(drive in any_drive(), omega in -300.0..300.0) {
-            let bodies = drive.bodies(angular_velocity(omega)).unwrap();
-            let summed = joules(kinetic_energy(&bodies));
-            let equivalent = 0.5 * kg_m2(drive.equivalent_inertia().unwrap()) * omega * omega;
+            let bodies = drive.bodies(AngularVelocity::from_si(omega)).unwrap();
+            let summed = kinetic_energy(&bodies).si();
+            let equivalent = 0.5 * drive.equivalent_inertia().unwrap().si() * omega * omega;
             prop_assert!((summed - equivalent).abs() <= 1e-12 * equivalent.max(1e-12));
         }
 
@@ -537,14 +546,14 @@ mod tests {
         fn without_losses_both_equations_of_motion_agree(
             drive in any_drive(), driving in -900.0..900.0, load in -9000.0..9000.0,
         ) {
-            let (driving, load, ideal) = (torque(driving), torque(load), MeshEfficiency::IDEAL);
+            let (driving, load, ideal) = (Torque::from_si(driving), Torque::from_si(load), MeshEfficiency::IDEAL);
             let plain = drive.motion(driving, load).unwrap();
             for turning in [Turning::Forward, Turning::Backward] {
             let found = drive.motion_with_losses(driving, load, ideal, ideal, turning).unwrap();
-            let j = kg_m2(drive.equivalent_inertia().unwrap());
-            prop_assert!((kg_m2(found.inertia) - j).abs() <= 1e-12 * j);
-            let scale = (n_m(driving).abs() + n_m(load).abs()) / j;
-            prop_assert!(rad_per_s2(found.accelerations.sun - plain.sun).abs() <= 1e-12 * scale);
+            let j = drive.equivalent_inertia().unwrap().si();
+            prop_assert!((found.inertia.si() - j).abs() <= 1e-12 * j);
+            let scale = (driving.si().abs() + load.si().abs()) / j;
+            prop_assert!((found.accelerations.sun - plain.sun).si().abs() <= 1e-12 * scale);
             }
         }
 
@@ -565,7 +574,7 @@ mod tests {
             let taken = between((load - driving) * z2 / z3, e23);
             let holds = given[0] <= taken[1] && taken[0] <= given[1];
             let clear = (given[0] - taken[1]).abs().min((taken[0] - given[1]).abs()) > 1e-9 * driving.abs();
-            let found = drive.from_rest(torque(driving), torque(load), eta(e12), eta(e23)).unwrap();
+            let found = drive.from_rest(Torque::from_si(driving), Torque::from_si(load), eta(e12), eta(e23)).unwrap();
             if clear {
                 prop_assert_eq!(matches!(found, FromRest::Held), holds);
             }
@@ -577,16 +586,16 @@ mod tests {
             e12 in 0.6..1.0, e23 in 0.6..1.0,
         ) {
             let (e12, e23) = (eta(e12), eta(e23));
-            let epsilon = |load: f64| match drive.from_rest(torque(driving), torque(load), e12, e23).unwrap() {
+            let epsilon = |load: f64| match drive.from_rest(Torque::from_si(driving), Torque::from_si(load), e12, e23).unwrap() {
                 FromRest::Held => 0.0,
-                FromRest::Forward(motion) | FromRest::Backward(motion) => rad_per_s2(motion.accelerations.sun),
+                FromRest::Forward(motion) | FromRest::Backward(motion) => motion.accelerations.sun.si(),
             };
             let [less, more] = [loads[0].min(loads[1]), loads[0].max(loads[1])];
             prop_assert!(epsilon(less) >= epsilon(more) - 1e-12 * epsilon(less).abs());
             // At the edges: a millionth of the load beside them gives a millionth of what the whole would.
-            let j = kg_m2(drive.equivalent_inertia().unwrap());
+            let j = drive.equivalent_inertia().unwrap().si();
             let ratios = drive.set.ratios();
-            let [least, greatest] = drive.held_loads(torque(driving), e12, e23).map(n_m);
+            let [least, greatest] = drive.held_loads(Torque::from_si(driving), e12, e23).map(Physical::si);
             for (edge, outwards) in [(least, -1.0), (greatest, 1.0)] {
                 let beside = 1e-6 * edge.abs();
                 // Friction makes the inertia felt smaller, by far less than a hundredfold.
@@ -604,18 +613,18 @@ mod tests {
             let (z1, z2, z3) = drive.tooth_numbers();
             let (k, u_h) = (z3 / z1, z1 / (z1 + z3));
             let load = more * driving * (1.0 + k / (e12 * e23));
-            let found = drive.motion_with_losses(torque(driving), torque(load), eta(e12), eta(e23), Turning::Backward);
+            let found = drive.motion_with_losses(Torque::from_si(driving), Torque::from_si(load), eta(e12), eta(e23), Turning::Backward);
             let found = found.unwrap();
             // While no mesh power changes its direction: T_1 = M_1 − J_1·ε stays above 0, and T_2 with it.
             let planets = f64::from(drive.set.teeth().planets);
             let u_2 = z1 * (z2 - z3) / (z2 * (z1 + z3));
-            let orbit = planets * kilograms(drive.planet_mass) * meters(drive.planet_radius).powi(2);
+            let orbit = planets * drive.planet_mass.si() * drive.planet_radius.si().powi(2);
             let through = 1.0 + k / (e12 * e23);
-            let j = kg_m2(drive.sun_inertia)
-                + (planets * kg_m2(drive.planet_inertia) * u_2 * (1.0 - z3 / z2 / e23)
-                    + (orbit + kg_m2(drive.carrier_inertia)) * u_h) / through;
+            let j = drive.sun_inertia.si()
+                + (planets * drive.planet_inertia.si() * u_2 * (1.0 - z3 / z2 / e23)
+                    + (orbit + drive.carrier_inertia.si()) * u_h) / through;
             let by_hand = (driving - load / through) / j;
-            prop_assert!((rad_per_s2(found.accelerations.sun) - by_hand).abs() <= 1e-11 * (driving + load) / j);
+            prop_assert!((found.accelerations.sun.si() - by_hand).abs() <= 1e-11 * (driving + load) / j);
         }
 
         #[test]
@@ -626,12 +635,12 @@ mod tests {
             let (turning, omega) =
                 if backward { (Turning::Backward, -omega) } else { (Turning::Forward, omega) };
             let (e12, e23) = (eta(e12), eta(e23));
-            let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23, turning).unwrap();
+            let found = drive.motion_with_losses(Torque::from_si(driving), Torque::from_si(load), e12, e23, turning).unwrap();
             let ratios = drive.set.ratios();
-            let epsilon = rad_per_s2(found.accelerations.sun);
-            let stored = kg_m2(drive.equivalent_inertia().unwrap()) * epsilon * omega;
+            let epsilon = found.accelerations.sun.si();
+            let stored = drive.equivalent_inertia().unwrap().si() * epsilon * omega;
             let supplied = driving * omega - load * omega * ratios.carrier;
-            let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23));
+            let lost = drive.mesh_loss(&found, AngularVelocity::from_si(omega), e12, e23).si();
             prop_assert!(lost >= 0.0);
             let scale = (driving.abs() + load.abs()) * omega.abs();
             prop_assert!((supplied - stored - lost).abs() <= 1e-11 * scale, "{} {} {}", supplied, stored, lost);

@@ -5,10 +5,11 @@
 use std::fmt;
 use std::sync::LazyLock;
 
+use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
+use crate::checks::{positive_length, shown_mm};
 use crate::tolerance::SAME_M;
-use crate::units::{length_from_mm, metres, millimetres, positive_length, shown_mm};
 use crate::{Error, Quantity};
 
 static TABLE: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
@@ -99,7 +100,7 @@ impl Bearing {
             [b'4', _, _] => Series::Heavy400,
             _ => return None,
         };
-        let mut next_mm = || cells.next()?.parse().ok().map(length_from_mm);
+        let mut next_mm = || cells.next()?.parse().ok().map(Length::from_mm);
         let (bore, outside_diameter, width, chamfer) = (next_mm()?, next_mm()?, next_mm()?, next_mm()?);
         let verification = match cells.next()? {
             "confirmed" => Verification::Confirmed,
@@ -169,11 +170,11 @@ pub fn by_designation(designation: &str) -> Result<&'static Bearing, Error> {
 /// ```
 pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> {
     let bore_m = positive_length(Quantity::Bore, bore)?;
-    of_series(series).find(|bearing| (metres(bearing.bore) - bore_m).abs() < SAME_M).ok_or_else(|| {
-        let below = of_series(series).rfind(|bearing| metres(bearing.bore) < bore_m);
-        let above = of_series(series).find(|bearing| metres(bearing.bore) > bore_m);
-        let neighbours_mm = below.into_iter().chain(above).map(|bearing| millimetres(bearing.bore)).collect();
-        Error::NoSuchBore { series: series.number(), bore_mm: millimetres(bore), neighbours_mm }
+    of_series(series).find(|bearing| (bearing.bore.si() - bore_m).abs() < SAME_M).ok_or_else(|| {
+        let below = of_series(series).rfind(|bearing| bearing.bore.si() < bore_m);
+        let above = of_series(series).find(|bearing| bearing.bore.si() > bore_m);
+        let neighbours_mm = below.into_iter().chain(above).map(|bearing| bearing.bore.mm()).collect();
+        Error::NoSuchBore { series: series.number(), bore_mm: bore.mm(), neighbours_mm }
     })
 }
 
@@ -193,11 +194,11 @@ pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> 
 /// ```
 pub fn smallest_for_shaft(series: Series, shaft_diameter: Length) -> Result<&'static Bearing, Error> {
     let shaft_m = positive_length(Quantity::ShaftDiameter, shaft_diameter)?;
-    of_series(series).find(|bearing| metres(bearing.bore) > shaft_m - SAME_M).ok_or_else(|| {
+    of_series(series).find(|bearing| bearing.bore.si() > shaft_m - SAME_M).ok_or_else(|| {
         Error::NoBearingForShaft {
             series: series.number(),
-            shaft_mm: millimetres(shaft_diameter),
-            largest_mm: of_series(series).map(|bearing| millimetres(bearing.bore)).fold(0.0, f64::max),
+            shaft_mm: shaft_diameter.mm(),
+            largest_mm: of_series(series).map(|bearing| bearing.bore.mm()).fold(0.0, f64::max),
         }
     })
 }
@@ -224,12 +225,10 @@ mod tests {
             assert_eq!(rows.len(), 17, "series {series}: bores 20 to 100 mm in steps of 5");
             for bearing in &rows {
                 let size_code: f64 = bearing.designation[1..].parse().unwrap();
-                assert!((millimetres(bearing.bore) - 5.0 * size_code).abs() < 1e-6, "{bearing:?}");
-                let section = metres(bearing.outside_diameter) - metres(bearing.bore);
-                assert!(section > 0.0 && metres(bearing.width) < section, "{bearing:?}");
-                assert!(
-                    metres(bearing.chamfer) > 0.0 && 2.0 * metres(bearing.chamfer) < metres(bearing.width)
-                );
+                assert!((bearing.bore.mm() - 5.0 * size_code).abs() < 1e-6, "{bearing:?}");
+                let section = bearing.outside_diameter.si() - bearing.bore.si();
+                assert!(section > 0.0 && bearing.width.si() < section, "{bearing:?}");
+                assert!(bearing.chamfer.si() > 0.0 && 2.0 * bearing.chamfer.si() < bearing.width.si());
             }
             for pair in rows.windows(2) {
                 assert!(pair[0].bore < pair[1].bore && pair[0].outside_diameter < pair[1].outside_diameter);
@@ -255,7 +254,7 @@ mod tests {
             [("310", [50.0, 110.0, 27.0]), ("312", [60.0, 130.0, 31.0]), ("318", [90.0, 190.0, 43.0])]
         {
             let bearing = by_designation(designation).unwrap();
-            let found = [bearing.bore, bearing.outside_diameter, bearing.width].map(millimetres);
+            let found = [bearing.bore, bearing.outside_diameter, bearing.width].map(Physical::mm);
             assert!(
                 found.iter().zip(size_mm).all(|(found, wanted)| (found - wanted).abs() < 1e-6),
                 "{bearing:?}"
@@ -287,7 +286,7 @@ mod tests {
 
     #[test]
     fn missing_bores_name_their_neighbours() {
-        let at = |bore_mm| by_bore(Series::Heavy400, length_from_mm(bore_mm));
+        let at = |bore_mm| by_bore(Series::Heavy400, Length::from_mm(bore_mm));
         let neighbours = |bore_mm| match at(bore_mm) {
             Err(Error::NoSuchBore { series: 400, neighbours_mm, .. }) => {
                 neighbours_mm.iter().map(|mm| mm.round()).collect::<Vec<_>>()
@@ -305,16 +304,16 @@ mod tests {
         for series in SERIES {
             for bearing in of_series(series) {
                 assert_eq!(smallest_for_shaft(series, bearing.bore).unwrap(), bearing);
-                let thicker = bearing.bore + length_from_mm(0.1);
+                let thicker = bearing.bore + Length::from_mm(0.1);
                 match smallest_for_shaft(series, thicker) {
                     Ok(next) => assert!(next.bore > thicker),
                     Err(error) => assert!(matches!(error, Error::NoBearingForShaft { .. })),
                 }
             }
         }
-        let refused = smallest_for_shaft(Series::Medium300, length_from_mm(-5.0));
+        let refused = smallest_for_shaft(Series::Medium300, Length::from_mm(-5.0));
         assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::ShaftDiameter, .. })));
-        let refused = smallest_for_shaft(Series::Medium300, length_from_mm(101.0));
+        let refused = smallest_for_shaft(Series::Medium300, Length::from_mm(101.0));
         assert!(matches!(refused, Err(Error::NoBearingForShaft { series: 300, .. })));
     }
 }

@@ -5,13 +5,12 @@
 
 use std::f64::consts::PI;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Area, Length, MassDensity, MomentOfInertia};
 
+use crate::checks::{length_from_to, positive_density, positive_length};
 use crate::mass::{self, MassProperties};
 use crate::quantity::Counted;
-use crate::units::{
-    area, inertia, kilograms, length, length_from_to, metres, positive_density, positive_length,
-};
 use crate::{Error, Quantity};
 
 /// Round hole through an arm, on its centre line.
@@ -172,7 +171,7 @@ impl Carrier {
     pub fn arm(&self) -> MassProperties {
         let (plate, hole) = self.plate_and_hole();
         let (area, second_moment) = (plate.area - hole.area, plate.second_moment() - hole.second_moment());
-        let thickness_m = metres(self.arm.thickness);
+        let thickness_m = self.arm.thickness.si();
         MassProperties::from_volume_integrals(
             thickness_m * area,
             thickness_m * second_moment,
@@ -202,7 +201,7 @@ impl Carrier {
     #[must_use]
     pub fn arm_areas(&self) -> [Area; 2] {
         let (plate, hole) = self.plate_and_hole();
-        [area(plate.area), area(hole.area)]
+        [Area::from_si(plate.area), Area::from_si(hole.area)]
     }
 
     /// Distance `x_s` of an arm's centroid from its outer end.
@@ -215,7 +214,7 @@ impl Carrier {
     #[must_use]
     pub fn arm_centroid_radius(&self) -> Length {
         let (plate, hole) = self.plate_and_hole();
-        length((plate.area * plate.radius - hole.area * hole.radius) / (plate.area - hole.area))
+        Length::from_si((plate.area * plate.radius - hole.area * hole.radius) / (plate.area - hole.area))
     }
 
     /// The inertia that excavator-dynamics publishes, by the way it likely took. **Physically wrong**: use
@@ -234,27 +233,27 @@ impl Carrier {
     /// excavator-dynamics, section 5, inferred from the printed results.
     #[must_use]
     pub fn published_inertia(&self) -> PublishedInertia {
-        let (length_m, x) = (metres(self.arm.length), metres(self.arm_centroid_radius()));
-        let (outer, inner) = (metres(self.hub_outer_radius), metres(self.hub_inner_radius));
+        let (length_m, x) = (self.arm.length.si(), self.arm_centroid_radius().si());
+        let (outer, inner) = (self.hub_outer_radius.si(), self.hub_inner_radius.si());
         PublishedInertia {
-            arms: inertia(kilograms(self.arms().mass) * (length_m.powi(2) / 12.0 + x.powi(2))),
-            hub: inertia(kilograms(self.hub.mass) / 4.0 * (outer.powi(2) - inner.powi(2))),
+            arms: MomentOfInertia::from_si(self.arms().mass.si() * (length_m.powi(2) / 12.0 + x.powi(2))),
+            hub: MomentOfInertia::from_si(self.hub.mass.si() / 4.0 * (outer.powi(2) - inner.powi(2))),
         }
     }
 
     fn plate_and_hole(&self) -> (Figure, Figure) {
         let (inner_end, length_m, width_m) =
-            (metres(self.hub_outer_radius), metres(self.arm.length), metres(self.arm.width));
+            (self.hub_outer_radius.si(), self.arm.length.si(), self.arm.width.si());
         let plate = Figure {
             area: length_m * width_m,
             radius: inner_end + length_m / 2.0,
             own_gyration2: (length_m.powi(2) + width_m.powi(2)) / 12.0,
         };
         let hole = self.arm.hole.map_or(Figure::default(), |hole| {
-            let radius_m = metres(hole.radius);
+            let radius_m = hole.radius.si();
             Figure {
                 area: PI * radius_m.powi(2),
-                radius: inner_end + length_m - metres(hole.from_outer_end),
+                radius: inner_end + length_m - hole.from_outer_end.si(),
                 own_gyration2: radius_m.powi(2) / 2.0,
             }
         });
@@ -281,19 +280,19 @@ impl Figure {
 
 #[cfg(test)]
 mod tests {
-    use uom::si::mass::kilogram;
-    use uom::si::mass_density::kilogram_per_cubic_meter;
-    use uom::si::moment_of_inertia::kilogram_square_meter;
     use uom::si::volume::cubic_millimeter;
 
     use super::*;
-    use crate::units::length_from_mm as mm;
+
+    fn mm(value: f64) -> Length {
+        Length::from_mm(value)
+    }
 
     #[allow(clippy::approx_constant)] // the document calculates with this π
     const DOCUMENT_PI: f64 = 3.14;
 
     fn steel() -> MassDensity {
-        MassDensity::new::<kilogram_per_cubic_meter>(7900.0)
+        MassDensity::from_si(7900.0)
     }
 
     fn arm() -> Arm {
@@ -306,7 +305,7 @@ mod tests {
     }
 
     fn assert_inertia(actual: MomentOfInertia, expected_kg_m2: f64, half_unit: f64) {
-        let actual = actual.get::<kilogram_square_meter>();
+        let actual = actual.si();
         assert!((actual - expected_kg_m2).abs() <= half_unit, "{actual} is not {expected_kg_m2}");
     }
 
@@ -316,7 +315,7 @@ mod tests {
         // J = 1·[(1 + 1)/12 + 1.5²] = 29/12 kg·m².
         let arm = Arm { length: mm(1000.0), width: mm(1000.0), thickness: mm(1000.0), hole: None };
         let hub = Hub { outer_radius: mm(1000.0), inner_radius: mm(0.0), width: mm(1000.0) };
-        let unit = MassDensity::new::<kilogram_per_cubic_meter>(1.0);
+        let unit = MassDensity::from_si(1.0);
         let carrier = Carrier::new(1, arm, hub, unit).unwrap();
         assert_inertia(carrier.arm().polar_inertia, 29.0 / 12.0, 1e-12);
         assert_inertia(carrier.hub().polar_inertia, PI / 2.0, 1e-12);
@@ -329,8 +328,8 @@ mod tests {
         // The document's π = 3.14 enters the arm through its hole only.
         let printed_arm_mm3 = 119_740.0 + 10.0 * 900.0 * (DOCUMENT_PI - PI);
         assert!((carrier.arm().volume.get::<cubic_millimeter>() - printed_arm_mm3).abs() < 1e-6);
-        assert!((carrier.arm().mass.get::<kilogram>() - 0.9458).abs() < 5e-5);
-        assert!((carrier.hub().mass.get::<kilogram>() - 2.4819).abs() < 5e-5);
+        assert!((carrier.arm().mass.si() - 0.9458).abs() < 5e-5);
+        assert!((carrier.hub().mass.si() - 2.4819).abs() < 5e-5);
         assert!((carrier.arm_centroid_from_outer_end() - mm(102.53)).abs() < mm(0.01));
         assert_inertia(carrier.arms().polar_inertia, 0.146, 5e-4);
         assert_inertia(carrier.hub().polar_inertia, 0.0249, 5e-5);
@@ -374,7 +373,7 @@ mod tests {
         ));
         let flat = Hub { width: mm(0.0), ..hub() };
         assert!(matches!(of(4, arm(), flat), Err(Error::NotPositive { .. })));
-        let weightless = Carrier::new(4, arm(), hub(), MassDensity::new::<kilogram_per_cubic_meter>(0.0));
+        let weightless = Carrier::new(4, arm(), hub(), MassDensity::from_si(0.0));
         assert!(matches!(weightless, Err(Error::NotPositive { quantity: Quantity::Density, .. })));
     }
 }

@@ -61,7 +61,7 @@ use crate::spacing::PlanetSpacing;
 use crate::synthesis::{Bounds, Placement, Ranked, Search};
 use crate::teeth::ToothCount;
 use crate::tolerance::TOUCH;
-use crate::units::radians;
+use epicyclic_units::Physical;
 use std::fmt;
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -247,7 +247,7 @@ struct Angle {
 
 impl Angle {
     fn of(spacing: &PlanetSpacing) -> Self {
-        Self { whole_rad: radians(spacing.smallest_gap()), half_sine: spacing.half_gap_sine() }
+        Self { whole_rad: spacing.smallest_gap().si(), half_sine: spacing.half_gap_sine() }
     }
 }
 

@@ -21,7 +21,7 @@
 use crate::Error;
 use crate::simple_set::{BasicRatio, Member, Mode};
 use crate::tolerance::LEAST_EFFICIENCY;
-use crate::units::{n_m, torque};
+use epicyclic_units::Physical;
 use std::fmt;
 use uom::si::f64::Torque;
 
@@ -105,8 +105,12 @@ pub fn torques(
     input_torque: Torque,
 ) -> Result<SetTorques, Error> {
     let [sun, ring, carrier] = unit_torques(set, eta0, mode)?;
-    let input = n_m(input_torque);
-    Ok(SetTorques { sun: torque(sun * input), ring: torque(ring * input), carrier: torque(carrier * input) })
+    let input = input_torque.si();
+    Ok(SetTorques {
+        sun: Torque::from_si(sun * input),
+        ring: Torque::from_si(ring * input),
+        carrier: Torque::from_si(carrier * input),
+    })
 }
 
 /// Efficiency of a set in `mode`: power that leaves over power that enters.
@@ -237,8 +241,8 @@ mod tests {
             mode in proptest::sample::select(&Mode::ALL[..]),
             input in 1.0..1e4,
         ) {
-            let found = torques(set(i0), eta(eta0), mode, torque(input)).unwrap();
-            let all = [found.sun, found.ring, found.carrier].map(n_m);
+            let found = torques(set(i0), eta(eta0), mode, Torque::from_si(input)).unwrap();
+            let all = [found.sun, found.ring, found.carrier].map(Physical::si);
             let largest = all.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
             prop_assert!(all.iter().sum::<f64>().abs() <= 1e-13 * largest);
 

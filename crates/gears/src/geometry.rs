@@ -3,13 +3,14 @@
 //! Uncorrected gears (no profile shift). Left out: interference, tip relief, and whether the tip of an
 //! internal gear stays outside its base circle.
 
+use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
+use crate::checks::{positive, positive_length};
 pub use crate::gear_kind::GearKind;
 use crate::mesh::{Gear, Mesh};
 pub use crate::rack::BasicRack;
 use crate::tolerance::SAME;
-use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, Quantity, ToothCount};
 
 /// A spur gear without profile shift, whose circles all exist.
@@ -68,12 +69,12 @@ impl ToothedGear {
         match kind {
             GearKind::External if gear.root_in_modules() <= 0.0 => Err(Error::NoRoot {
                 teeth: z,
-                root_mm: millimetres(gear.root_diameter()),
+                root_mm: gear.root_diameter().mm(),
                 at_least: first_above(2.0 * (rack.addendum + rack.clearance)),
             }),
             GearKind::Internal if gear.tip_in_modules() <= 0.0 => Err(Error::NoInternalTip {
                 teeth: z,
-                tip_mm: millimetres(gear.tip_diameter()),
+                tip_mm: gear.tip_diameter().mm(),
                 at_least: first_above(2.0 * rack.addendum),
             }),
             GearKind::External | GearKind::Internal => Ok(gear),
@@ -141,7 +142,7 @@ impl ToothedGear {
     /// Base diameter `d_b = d·cos α`, from which the involute unwinds.
     #[must_use]
     pub fn base_diameter(&self) -> Length {
-        self.pitch_diameter() * libm::cos(radians(self.rack.pressure_angle))
+        self.pitch_diameter() * libm::cos(self.rack.pressure_angle.si())
     }
 
     /// Its circles, in modules.
@@ -189,11 +190,11 @@ impl ToothedGear {
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn centre_distance(first: &ToothedGear, second: &ToothedGear) -> Result<Length, Error> {
-    let (first_mm, second_mm) = (millimetres(first.module), millimetres(second.module));
+    let (first_mm, second_mm) = (first.module.mm(), second.module.mm());
     if !same(first_mm, second_mm) {
         return Err(Error::ModulesDiffer { first_mm, second_mm });
     }
-    let (first_deg, second_deg) = (degrees(first.rack.pressure_angle), degrees(second.rack.pressure_angle));
+    let (first_deg, second_deg) = (first.rack.pressure_angle.degrees(), second.rack.pressure_angle.degrees());
     if !same(first_deg, second_deg) {
         return Err(Error::PressureAnglesDiffer { first_deg, second_deg });
     }
@@ -228,9 +229,9 @@ fn first_above(modules: f64) -> u32 {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     use super::*;
-    use crate::units::{angle_from_degrees, length_from_mm, metres};
 
     fn teeth(count: u32) -> ToothCount {
         ToothCount::new(count).unwrap()
@@ -241,12 +242,12 @@ mod tests {
     }
 
     fn gear(kind: GearKind, count: u32) -> ToothedGear {
-        ToothedGear::new(kind, length_from_mm(8.0), teeth(count), rack(0.2)).unwrap()
+        ToothedGear::new(kind, Length::from_mm(8.0), teeth(count), rack(0.2)).unwrap()
     }
 
     fn assert_mm(actual: Length, expected_mm: f64) {
         // 1 nm: rounding of millimetres to metres and back, nothing physical.
-        assert!((millimetres(actual) - expected_mm).abs() < 1e-6, "{actual:?} is not {expected_mm} mm");
+        assert!((actual.mm() - expected_mm).abs() < 1e-6, "{actual:?} is not {expected_mm} mm");
     }
 
     #[test]
@@ -267,16 +268,16 @@ mod tests {
 
     #[test]
     fn default_rack_has_a_quarter_module_of_clearance() {
-        let sun = ToothedGear::external(length_from_mm(8.0), teeth(20)).unwrap();
+        let sun = ToothedGear::external(Length::from_mm(8.0), teeth(20)).unwrap();
         assert_mm(sun.root_diameter(), 140.0);
-        let ring = ToothedGear::internal(length_from_mm(8.0), teeth(100)).unwrap();
+        let ring = ToothedGear::internal(Length::from_mm(8.0), teeth(100)).unwrap();
         assert_mm(ring.root_diameter(), 820.0);
     }
 
     #[test]
     fn refused_gears_say_why() {
         let z = teeth(20);
-        let of = |module_mm, rack| ToothedGear::new(GearKind::External, length_from_mm(module_mm), z, rack);
+        let of = |module_mm, rack| ToothedGear::new(GearKind::External, Length::from_mm(module_mm), z, rack);
         for bad in [0.0, -8.0, f64::NAN, f64::INFINITY] {
             let refused = of(bad, rack(0.2));
             assert!(matches!(
@@ -294,15 +295,15 @@ mod tests {
             Err(Error::Negative { quantity: Quantity::ClearanceCoefficient, .. })
         ));
         for bad in [0.0, 90.0, f64::NAN] {
-            let rack = BasicRack { pressure_angle: angle_from_degrees(bad), ..BasicRack::default() };
+            let rack = BasicRack { pressure_angle: Angle::from_degrees(bad), ..BasicRack::default() };
             assert!(matches!(
                 of(8.0, rack),
                 Err(Error::OutOfRange { quantity: Quantity::PressureAngle, .. })
             ));
         }
-        let two = ToothedGear::external(length_from_mm(8.0), teeth(2));
+        let two = ToothedGear::external(Length::from_mm(8.0), teeth(2));
         assert!(matches!(two, Err(Error::NoRoot { teeth: 2, at_least: 3, root_mm }) if root_mm < 0.0));
-        let two = ToothedGear::internal(length_from_mm(8.0), teeth(2));
+        let two = ToothedGear::internal(Length::from_mm(8.0), teeth(2));
         assert!(
             matches!(two, Err(Error::NoInternalTip { teeth: 2, at_least: 3, tip_mm }) if tip_mm.abs() < 1e-9)
         );
@@ -312,8 +313,8 @@ mod tests {
     #[test]
     fn modules_and_pressure_angles_are_the_same_to_a_part_in_1e12() {
         let with = |module: f64, alpha: f64| {
-            let rack = BasicRack { pressure_angle: angle_from_degrees(alpha), ..BasicRack::default() };
-            ToothedGear::new(GearKind::External, length_from_mm(module), teeth(20), rack).unwrap()
+            let rack = BasicRack { pressure_angle: Angle::from_degrees(alpha), ..BasicRack::default() };
+            ToothedGear::new(GearKind::External, Length::from_mm(module), teeth(20), rack).unwrap()
         };
         let one = with(8.0, 20.0);
         assert!(centre_distance(&one, &with(8.0 * (1.0 + 5e-13), 20.0 * (1.0 - 5e-13))).is_ok());
@@ -326,10 +327,10 @@ mod tests {
     #[test]
     fn refused_pairs_say_why() {
         let (sun, ring) = (gear(GearKind::External, 20), gear(GearKind::Internal, 100));
-        let finer = ToothedGear::new(GearKind::External, length_from_mm(6.0), teeth(40), rack(0.2)).unwrap();
+        let finer = ToothedGear::new(GearKind::External, Length::from_mm(6.0), teeth(40), rack(0.2)).unwrap();
         assert!(matches!(centre_distance(&sun, &finer), Err(Error::ModulesDiffer { .. })));
-        let steeper = BasicRack { pressure_angle: angle_from_degrees(25.0), ..BasicRack::default() };
-        let steeper = ToothedGear::new(GearKind::External, length_from_mm(8.0), teeth(40), steeper).unwrap();
+        let steeper = BasicRack { pressure_angle: Angle::from_degrees(25.0), ..BasicRack::default() };
+        let steeper = ToothedGear::new(GearKind::External, Length::from_mm(8.0), teeth(40), steeper).unwrap();
         assert!(matches!(centre_distance(&sun, &steeper), Err(Error::PressureAnglesDiffer { .. })));
         assert_eq!(centre_distance(&ring, &ring), Err(Error::BothInternal { first: 100, second: 100 }));
         let planet = gear(GearKind::External, 100);
@@ -340,16 +341,16 @@ mod tests {
     proptest! {
         #[test]
         fn circles_are_in_order(z in 3_u32..400, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4, alpha in 10.0_f64..35.0) {
-            let rack = BasicRack { addendum: 1.0, clearance, pressure_angle: angle_from_degrees(alpha) };
-            let module = length_from_mm(m_mm);
+            let rack = BasicRack { addendum: 1.0, clearance, pressure_angle: Angle::from_degrees(alpha) };
+            let module = Length::from_mm(m_mm);
             if let Ok(gear) = ToothedGear::new(GearKind::External, module, teeth(z), rack) {
-                prop_assert!(metres(gear.root_diameter()) > 0.0);
+                prop_assert!(gear.root_diameter().si() > 0.0);
                 prop_assert!(gear.root_diameter() < gear.pitch_diameter());
                 prop_assert!(gear.pitch_diameter() < gear.tip_diameter());
                 prop_assert!(gear.base_diameter() < gear.pitch_diameter());
             }
             let ring = ToothedGear::new(GearKind::Internal, module, teeth(z), rack).unwrap();
-            prop_assert!(metres(ring.tip_diameter()) > 0.0);
+            prop_assert!(ring.tip_diameter().si() > 0.0);
             prop_assert!(ring.tip_diameter() < ring.pitch_diameter());
             prop_assert!(ring.pitch_diameter() < ring.root_diameter());
         }
@@ -357,7 +358,7 @@ mod tests {
         /// At the standard centre distance tip and opposite root are `c*·m` apart, external and internal alike.
         #[test]
         fn clearance_is_left_between_tip_and_root(z in 5_u32..100, more in 1_u32..200, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4) {
-            let of = |kind, z| ToothedGear::new(kind, length_from_mm(m_mm), teeth(z), rack(clearance)).unwrap();
+            let of = |kind, z| ToothedGear::new(kind, Length::from_mm(m_mm), teeth(z), rack(clearance)).unwrap();
             let (pinion, mate) = (of(GearKind::External, z), of(GearKind::External, z + more));
             let gap = centre_distance(&pinion, &mate).unwrap() - (pinion.tip_diameter() + mate.root_diameter()) / 2.0;
             prop_assert!(((gap / pinion.module()).value - clearance).abs() < 1e-9);

@@ -47,6 +47,7 @@
 
 pub mod bearing;
 pub mod carrier;
+mod checks;
 pub mod double_planet;
 pub mod efficiency;
 pub mod error;
@@ -68,7 +69,6 @@ pub mod spacing;
 pub mod synthesis;
 pub mod teeth;
 mod tolerance;
-mod units;
 pub mod willis;
 mod words;
 

@@ -18,9 +18,10 @@
 
 use std::f64::consts::TAU;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, Time};
 
-use crate::units::{newtons, not_negative, positive, rad_per_s, seconds};
+use crate::checks::{not_negative, positive};
 use crate::{Error, Quantity};
 
 /// What rolls in a bearing.
@@ -70,22 +71,28 @@ pub fn basic_rating_life(
     load: Force,
     speed: AngularVelocity,
 ) -> Result<Option<Time>, Error> {
-    let load_rating_n = positive(Quantity::LoadRating, newtons(load_rating), "N")?;
-    let load_n = not_negative(Quantity::BearingLoad, newtons(load), "N")?;
-    let omega_rad_s = not_negative(Quantity::BearingSpeed, rad_per_s(speed).abs(), "rad/s")?;
+    let load_rating_n = positive(Quantity::LoadRating, load_rating.si(), "N")?;
+    let load_n = not_negative(Quantity::BearingLoad, load.si(), "N")?;
+    let omega_rad_s = not_negative(Quantity::BearingSpeed, speed.si().abs(), "rad/s")?;
     let life_s = libm::pow(load_rating_n / load_n, rolling.exponent()) * 1e6 * TAU / omega_rad_s;
-    Ok(life_s.is_finite().then(|| seconds(life_s)))
+    Ok(life_s.is_finite().then(|| Time::from_si(life_s)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angular_velocity, force};
 
     #[test]
     fn twice_the_load_an_eighth_of_the_life_and_less_on_rollers() {
         let life = |rolling, load_n| {
-            basic_rating_life(rolling, force(40e3), force(load_n), angular_velocity(100.0)).unwrap().unwrap()
+            basic_rating_life(
+                rolling,
+                Force::from_si(40e3),
+                Force::from_si(load_n),
+                AngularVelocity::from_si(100.0),
+            )
+            .unwrap()
+            .unwrap()
         };
         let ratio = |rolling| (life(rolling, 2e3) / life(rolling, 4e3)).value;
         assert!((ratio(Rolling::Balls) - 8.0).abs() < 1e-12);
@@ -101,9 +108,9 @@ mod tests {
         let of = |load_rating_n, load_n, omega_rad_s| {
             basic_rating_life(
                 Rolling::Balls,
-                force(load_rating_n),
-                force(load_n),
-                angular_velocity(omega_rad_s),
+                Force::from_si(load_rating_n),
+                Force::from_si(load_n),
+                AngularVelocity::from_si(omega_rad_s),
             )
         };
         assert_eq!(of(1e3, 1e2, 0.0), Ok(None));

@@ -5,11 +5,11 @@
 use std::f64::consts::PI;
 use std::ops::{Add, Mul};
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Mass, MassDensity, MomentOfInertia, Volume};
 
+use crate::checks::{length_from_to, positive_density, positive_length, positive_mass, shown_mm};
 use crate::geometry::{GearKind, ToothedGear};
-use crate::units::{inertia, length_above, length_from_to, mass, metres, positive_density, positive_length};
-use crate::units::{positive_mass, volume};
 use crate::{Error, Quantity};
 
 /// Fraction of the annulus between root and tip circle that the teeth fill: a tooth takes as much as a space.
@@ -32,9 +32,9 @@ impl MassProperties {
     /// From the integrals over the volume `V` and the second polar moment `∫ r²·dV` of a body of one density.
     pub(crate) fn from_volume_integrals(volume_m3: f64, r2_volume_m5: f64, density_kg_m3: f64) -> Self {
         Self {
-            volume: volume(volume_m3),
-            mass: mass(density_kg_m3 * volume_m3),
-            polar_inertia: inertia(density_kg_m3 * r2_volume_m5),
+            volume: Volume::from_si(volume_m3),
+            mass: Mass::from_si(density_kg_m3 * volume_m3),
+            polar_inertia: MomentOfInertia::from_si(density_kg_m3 * r2_volume_m5),
         }
     }
 }
@@ -179,7 +179,7 @@ impl GearBody {
         density: MassDensity,
     ) -> Result<Self, Error> {
         expect_kind(gear, GearKind::External)?;
-        let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
+        let (tip_m, root_m) = (gear.tip_diameter().si(), gear.root_diameter().si());
         let width_m = positive_length(Quantity::FaceWidth, face_width)?;
         let bore_m = length_from_to(Quantity::BoreDiameter, bore_diameter, 0.0, root_m)?;
         let density_kg_m3 = positive_density(density)?;
@@ -201,9 +201,13 @@ impl GearBody {
         density: MassDensity,
     ) -> Result<Self, Error> {
         expect_kind(gear, GearKind::Internal)?;
-        let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
+        let (tip_m, root_m) = (gear.tip_diameter().si(), gear.root_diameter().si());
         let width_m = positive_length(Quantity::FaceWidth, face_width)?;
-        let rim_m = length_above(Quantity::RimDiameter, rim_diameter, root_m)?;
+        let rim_m = positive_length(Quantity::RimDiameter, rim_diameter)?;
+        if rim_m <= root_m {
+            let [value, low] = [rim_diameter, gear.root_diameter()].map(shown_mm);
+            return Err(Error::NotAbove { quantity: Quantity::RimDiameter, value, low, unit: "mm" });
+        }
         let density_kg_m3 = positive_density(density)?;
         Ok(Self {
             tooth_zone: ring_of(root_m, tip_m, width_m, TOOTH_FILL, density_kg_m3),
@@ -277,7 +281,7 @@ pub fn published_gear_inertia(
     let root_m = length_from_to(Quantity::RootDiameter, root_diameter, 0.0, tip_m)?;
     let bore_m = length_from_to(Quantity::BoreDiameter, bore_diameter, 0.0, root_m)?;
     let [j1, j2, j3] = [tip_m, root_m, bore_m].map(|diameter_m| mass_kg * (diameter_m / 2.0).powi(2) / 2.0);
-    Ok(inertia(match reading {
+    Ok(MomentOfInertia::from_si(match reading {
         FormulaEight::Likely => (j1 + j2) / 2.0 - j3,
         FormulaEight::Literal => (j1 - j2 + 3.0 * j3) / 2.0,
     }))
@@ -285,15 +289,15 @@ pub fn published_gear_inertia(
 
 #[cfg(test)]
 mod tests {
-    use uom::si::mass::kilogram;
-    use uom::si::mass_density::kilogram_per_cubic_meter;
-    use uom::si::moment_of_inertia::kilogram_square_meter;
     use uom::si::volume::cubic_millimeter;
 
     use super::*;
     use crate::ToothCount;
     use crate::geometry::BasicRack;
-    use crate::units::length_from_mm as mm;
+
+    fn mm(value: f64) -> Length {
+        Length::from_mm(value)
+    }
 
     const STEEL: f64 = 7900.0;
 
@@ -301,7 +305,7 @@ mod tests {
     const DOCUMENT_PI: f64 = 3.14;
 
     fn density(value_kg_m3: f64) -> MassDensity {
-        MassDensity::new::<kilogram_per_cubic_meter>(value_kg_m3)
+        MassDensity::from_si(value_kg_m3)
     }
 
     fn gear(kind: GearKind, teeth: u32) -> ToothedGear {
@@ -317,12 +321,12 @@ mod tests {
     fn disc_and_ring_by_hand() {
         // R = 1 m, b = 1/π m, ρ = 2: V = 1 m³, m = 2 kg, J = ½·2·1 = 1 kg·m².
         let disc = ring(mm(2000.0), mm(0.0), mm(1000.0 / PI), density(2.0)).unwrap();
-        assert!((disc.mass.get::<kilogram>() - 2.0).abs() < 1e-12);
-        assert!((disc.polar_inertia.get::<kilogram_square_meter>() - 1.0).abs() < 1e-12);
+        assert!((disc.mass.si() - 2.0).abs() < 1e-12);
+        assert!((disc.polar_inertia.si() - 1.0).abs() < 1e-12);
         // r = ½ m: m = 2·¾ = 1.5 kg, J = ½·1.5·(1 + ¼) = 0.9375 kg·m².
         let ring = ring(mm(2000.0), mm(1000.0), mm(1000.0 / PI), density(2.0)).unwrap();
-        assert!((ring.mass.get::<kilogram>() - 1.5).abs() < 1e-12);
-        assert!((ring.polar_inertia.get::<kilogram_square_meter>() - 0.9375).abs() < 1e-12);
+        assert!((ring.mass.si() - 1.5).abs() < 1e-12);
+        assert!((ring.polar_inertia.si() - 0.9375).abs() < 1e-12);
     }
 
     #[test]
@@ -342,7 +346,7 @@ mod tests {
     fn inertias_of_the_shapes_of_the_excavator_drive() {
         // ½·7900·π·0.06·[(0.088⁴ + 0.0704⁴)/2 − 0.055⁴] and so for the planet, to half a unit of the last digit.
         for (teeth, bore_mm, expected) in [(20, 110.0, 0.024_657), (40, 130.0, 0.473_75)] {
-            let found = excavator_gear(teeth, bore_mm).total().polar_inertia.get::<kilogram_square_meter>();
+            let found = excavator_gear(teeth, bore_mm).total().polar_inertia.si();
             assert!((found / expected - 1.0).abs() < 3e-5, "{found} is not {expected}");
         }
     }
@@ -387,13 +391,7 @@ mod tests {
             Err(Error::WrongGearKind { given: GearKind::External, wanted: GearKind::Internal })
         );
         let eight = |kg, tip, root, bore| {
-            published_gear_inertia(
-                FormulaEight::Likely,
-                Mass::new::<kilogram>(kg),
-                mm(tip),
-                mm(root),
-                mm(bore),
-            )
+            published_gear_inertia(FormulaEight::Likely, Mass::from_si(kg), mm(tip), mm(root), mm(bore))
         };
         assert!(matches!(
             eight(0.0, 3.0, 2.0, 1.0),

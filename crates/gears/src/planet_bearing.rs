@@ -41,13 +41,12 @@
 //! the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets (mesh load factor `K_γ` > 1), and in a stepped planet
 //! the couple of its two planes.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
 
+use crate::checks::{acute_angle, not_negative, positive, positive_length, positive_mass};
 use crate::geometry::GearKind;
 use crate::quantity::Counted;
-use crate::units::{
-    acute_angle, force, n_m, newtons, not_negative, positive, positive_length, positive_mass, rad_per_s,
-};
 use crate::{Error, Quantity};
 
 /// A central gear as a planet feels it.
@@ -84,7 +83,7 @@ pub fn tangential_force(
 ) -> Result<Force, Error> {
     let count = count(planets)?;
     let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
-    Ok(force(size(Quantity::CarrierTorque, n_m(carrier_torque), "N·m")? / (count * radius_m)))
+    Ok(Force::from_si(size(Quantity::CarrierTorque, carrier_torque.si(), "N·m")? / (count * radius_m)))
 }
 
 /// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
@@ -116,8 +115,8 @@ pub fn mesh_force(
 ) -> Result<Force, Error> {
     let count = count(planets)?;
     let distance_m = positive_length(Quantity::CentreDistance, centre_distance)?;
-    let sum_n_m = size(Quantity::MeshTorque, n_m(first) + n_m(second), "N·m")?;
-    Ok(force(sum_n_m / (count * distance_m)))
+    let sum_n_m = size(Quantity::MeshTorque, first.si() + second.si(), "N·m")?;
+    Ok(Force::from_si(sum_n_m / (count * distance_m)))
 }
 
 /// Radial force of the meshes on a planet, outwards positive: `Σ ±|T_i|·tan α/(n·r_i)`.
@@ -131,8 +130,8 @@ pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Resu
     let mut meshes = Vec::with_capacity(gears.len());
     for gear in gears {
         let radius_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
-        let torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
-        meshes.push((gear.kind, force(torque_n_m / (count * radius_m)), pressure_angle));
+        let torque_n_m = size(Quantity::CentralGearTorque, gear.torque.si(), "N·m")?;
+        meshes.push((gear.kind, Force::from_si(torque_n_m / (count * radius_m)), pressure_angle));
     }
     radial_force_of(&meshes)
 }
@@ -187,7 +186,7 @@ pub fn two_mesh_forces(
             GearKind::Internal => gear_m - radius_m,
         };
         *lever = positive(Quantity::PitchRadius, planet_m * 1e3, "mm")? * 1e-3 / gear_m;
-        *torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
+        *torque_n_m = size(Quantity::CentralGearTorque, gear.torque.si(), "N·m")?;
     }
     let [first, second] = [0, 1].map(|mesh| torques_n_m[mesh] * levers[mesh]);
     let planet_n_m = if first > 0.0 && second > 0.0 { first * libm::pow(second / first, share) } else { 0.0 };
@@ -196,7 +195,7 @@ pub fn two_mesh_forces(
             GearKind::External => planet_n_m,
             GearKind::Internal => -planet_n_m,
         };
-        force((torques_n_m[mesh] + planet_n_m).abs() / (count * radius_m))
+        Force::from_si((torques_n_m[mesh] + planet_n_m).abs() / (count * radius_m))
     };
     Ok([of_mesh(0), of_mesh(1)])
 }
@@ -208,13 +207,13 @@ pub fn two_mesh_forces(
 pub fn radial_force_of(meshes: &[(GearKind, Force, Angle)]) -> Result<Force, Error> {
     let mut outwards_n = 0.0;
     for &(kind, mesh, angle) in meshes {
-        let apart_n = newtons(mesh) * libm::tan(acute_angle(Quantity::PressureAngle, angle)?);
+        let apart_n = mesh.si() * libm::tan(acute_angle(Quantity::PressureAngle, angle)?);
         outwards_n += match kind {
             GearKind::External => apart_n,
             GearKind::Internal => -apart_n,
         };
     }
-    Ok(force(outwards_n))
+    Ok(Force::from_si(outwards_n))
 }
 
 /// Force that keeps a planet on its circle, `m·r_w·ω_H²`; its bearing feels it outwards.
@@ -241,14 +240,14 @@ pub fn centrifugal_force(
 ) -> Result<Force, Error> {
     let mass_kg = positive_mass(planet_mass)?;
     let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
-    let omega_rad_s = size(Quantity::CarrierSpeed, rad_per_s(carrier_speed), "rad/s")?;
-    Ok(force(mass_kg * radius_m * omega_rad_s.powi(2)))
+    let omega_rad_s = size(Quantity::CarrierSpeed, carrier_speed.si(), "rad/s")?;
+    Ok(Force::from_si(mass_kg * radius_m * omega_rad_s.powi(2)))
 }
 
 /// What the bearing carries: the tangential force and all radial ones together.
 #[must_use]
 pub fn resultant(tangential: Force, radial: Force) -> Force {
-    force(libm::hypot(newtons(tangential), newtons(radial)))
+    Force::from_si(libm::hypot(tangential.si(), radial.si()))
 }
 
 fn count(planets: u32) -> Result<f64, Error> {
@@ -267,7 +266,10 @@ mod tests {
     use super::*;
     use crate::efficiency::{MeshEfficiency, torques};
     use crate::simple_set::{BasicRatio, Member, Mode};
-    use crate::units::{angle_from_degrees, angular_velocity, length_from_mm as mm, mass, torque};
+
+    fn mm(value: f64) -> Length {
+        Length::from_mm(value)
+    }
 
     /// The force on the planet bearings from the two meshes and their geometry, as vectors, without statics of the carrier.
     #[test]
@@ -276,21 +278,21 @@ mod tests {
         let sun_mm = 2.0 * radius_mm / (k + 1.0);
         let set = BasicRatio::new(-k).unwrap();
         let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
-        let found = torques(set, MeshEfficiency::IDEAL, mode, torque(100.0)).unwrap();
+        let found = torques(set, MeshEfficiency::IDEAL, mode, Torque::from_si(100.0)).unwrap();
         let (sun, ring, carrier) = (found.sun, found.ring, found.carrier);
         // 2·F with F = T_a/(n·r_a).
         let of_mesh = 100.0 / (3.0 * sun_mm * 1e-3);
-        let tangential = newtons(tangential_force(carrier, planets, mm(radius_mm)).unwrap());
+        let tangential = tangential_force(carrier, planets, mm(radius_mm)).unwrap().si();
         assert!((tangential / (2.0 * of_mesh) - 1.0).abs() < 1e-12);
         let gears = [
             Push { kind: GearKind::External, pitch_radius: mm(sun_mm), torque: sun },
             Push { kind: GearKind::Internal, pitch_radius: mm(k * sun_mm), torque: ring },
         ];
-        let radial = newtons(radial_force(&gears, planets, angle_from_degrees(20.0)).unwrap());
+        let radial = radial_force(&gears, planets, Angle::from_degrees(20.0)).unwrap().si();
         assert!(radial.abs() < 1e-9 * of_mesh, "{radial}");
-        let alone = newtons(radial_force(&gears[..1], planets, angle_from_degrees(45.0)).unwrap());
+        let alone = radial_force(&gears[..1], planets, Angle::from_degrees(45.0)).unwrap().si();
         assert!((alone / of_mesh - 1.0).abs() < 1e-12);
-        assert_eq!(newtons(resultant(force(3.0), force(-4.0))), 5.0);
+        assert_eq!(resultant(Force::from_si(3.0), Force::from_si(-4.0)).si(), 5.0);
     }
 
     /// Forward and backward, the planet's torque is what the loss of each mesh leaves of the other side's.
@@ -298,18 +300,21 @@ mod tests {
     fn both_meshes_of_a_planet_know_the_torque_that_it_hands_on() {
         let [of_sun, of_ring] = [0.97, 0.98].map(|eta| MeshEfficiency::new(eta).unwrap());
         let share = MeshEfficiency::share_of_loss(of_sun, of_ring);
-        let push =
-            |kind, radius, torque_n_m| Push { kind, pitch_radius: mm(radius), torque: torque(torque_n_m) };
+        let push = |kind, radius, torque_n_m| Push {
+            kind,
+            pitch_radius: mm(radius),
+            torque: Torque::from_si(torque_n_m),
+        };
         for (ring_n_m, planet_n_m) in [(475.3, 194.0), (500.0 / 0.9506, 200.0 / 0.97), (500.0, 200.0)] {
             let gears = [push(GearKind::External, 40.0, 100.0), push(GearKind::Internal, 200.0, ring_n_m)];
-            let found = two_mesh_forces(&gears, share, 4, mm(120.0)).unwrap().map(newtons);
+            let found = two_mesh_forces(&gears, share, 4, mm(120.0)).unwrap().map(Physical::si);
             let by_hand = [100.0 + planet_n_m, ring_n_m - planet_n_m].map(|sum| sum / 0.48);
             for (found, by_hand) in found.into_iter().zip(by_hand) {
                 assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
             }
             let [first, second] = gears;
             let turned = two_mesh_forces(&[second, first], 1.0 - share, 4, mm(120.0)).unwrap();
-            assert!((newtons(turned[0]) / found[1] - 1.0).abs() < 1e-12);
+            assert!((turned[0].si() / found[1] - 1.0).abs() < 1e-12);
         }
         assert_eq!(MeshEfficiency::share_of_loss(MeshEfficiency::IDEAL, MeshEfficiency::IDEAL), 0.5);
         let beyond = push(GearKind::External, 130.0, 1.0);
@@ -319,15 +324,16 @@ mod tests {
 
     #[test]
     fn refusals_name_value_and_bounds() {
-        let refused = tangential_force(torque(1.0), 0, mm(1.0)).unwrap_err();
+        let refused = tangential_force(Torque::from_si(1.0), 0, mm(1.0)).unwrap_err();
         assert_eq!(refused.to_string(), "0 planets: at least 1 needed");
-        let refused = tangential_force(torque(f64::NAN), 3, mm(1.0)).unwrap_err();
+        let refused = tangential_force(Torque::from_si(f64::NAN), 3, mm(1.0)).unwrap_err();
         assert!(matches!(refused, Error::Negative { quantity: Quantity::CarrierTorque, .. }));
-        let refused = tangential_force(torque(1.0), 3, mm(0.0)).unwrap_err();
+        let refused = tangential_force(Torque::from_si(1.0), 3, mm(0.0)).unwrap_err();
         assert!(matches!(refused, Error::NotPositive { .. }));
-        let refused = centrifugal_force(mass(-1.0), mm(1.0), angular_velocity(1.0)).unwrap_err();
+        let refused =
+            centrifugal_force(Mass::from_si(-1.0), mm(1.0), AngularVelocity::from_si(1.0)).unwrap_err();
         assert!(matches!(refused, Error::NotPositive { quantity: Quantity::Mass, .. }));
-        let refused = radial_force(&[], 3, angle_from_degrees(90.0)).unwrap_err();
+        let refused = radial_force(&[], 3, Angle::from_degrees(90.0)).unwrap_err();
         assert!(matches!(refused, Error::OutOfRange { quantity: Quantity::PressureAngle, .. }));
     }
 }

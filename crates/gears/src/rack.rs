@@ -3,8 +3,9 @@
 //! Diameters, undercut, the gap between planets and the direction of the tooth force follow from the same three
 //! numbers. No other file of the crate has a pressure angle or an addendum of its own.
 
-use crate::units::{acute_angle, angle_from_degrees, not_negative, radians};
+use crate::checks::{acute_angle, not_negative};
 use crate::{Error, Quantity, ToothCount};
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 /// Proportions of the standard basic rack tooth profile, in modules.
@@ -38,7 +39,7 @@ pub struct BasicRack {
 
 impl Default for BasicRack {
     fn default() -> Self {
-        Self { addendum: 1.0, clearance: 0.25, pressure_angle: angle_from_degrees(20.0) }
+        Self { addendum: 1.0, clearance: 0.25, pressure_angle: Angle::from_degrees(20.0) }
     }
 }
 
@@ -68,7 +69,7 @@ impl BasicRack {
     /// ISO 21771, limit of undercut at `x` = 0.
     #[must_use]
     pub fn undercut_limit(&self) -> f64 {
-        2.0 * self.addendum / libm::sin(radians(self.pressure_angle)).powi(2)
+        2.0 * self.addendum / libm::sin(self.pressure_angle.si()).powi(2)
     }
 
     /// The least whole number of teeth that counts as not undercut: [`undercut_limit`](Self::undercut_limit) to the
@@ -97,7 +98,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn rack(addendum: f64, alpha_deg: f64) -> BasicRack {
-        BasicRack { addendum, pressure_angle: angle_from_degrees(alpha_deg), ..BasicRack::default() }
+        BasicRack { addendum, pressure_angle: Angle::from_degrees(alpha_deg), ..BasicRack::default() }
     }
 
     #[test]

@@ -6,11 +6,11 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Pressure, Torque};
 
+use crate::checks::{length_from_to, positive_length, positive_stress, positive_torque};
 use crate::tolerance::ROUNDING;
-use crate::units::{length, length_from_mm, length_from_to, metres, millimetres, positive_length};
-use crate::units::{positive_stress, positive_torque, stress};
 use crate::{Error, Quantity};
 
 /// Usual range of the low allowable stress `[τ]`, MPa (excavator-dynamics (3), steels 40, 15 and St6).
@@ -90,7 +90,7 @@ pub fn hollow_diameter(torque: Torque, allowable_stress: Pressure, bore_ratio: f
             unit: "",
         });
     }
-    Ok(length(libm::cbrt(16.0 * torque_nm / (PI * stress_pa * (1.0 - bore_ratio.powi(4))))))
+    Ok(Length::from_si(libm::cbrt(16.0 * torque_nm / (PI * stress_pa * (1.0 - bore_ratio.powi(4))))))
 }
 
 /// Torsional stress `τ` in a solid shaft: what a given diameter makes of [`diameter`]'s formula.
@@ -114,7 +114,7 @@ pub fn hollow_diameter(torque: Torque, allowable_stress: Pressure, bore_ratio: f
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn torsional_stress(torque: Torque, diameter: Length) -> Result<Pressure, Error> {
-    hollow_torsional_stress(torque, diameter, length(0.0))
+    hollow_torsional_stress(torque, diameter, Length::from_si(0.0))
 }
 
 /// Torsional stress `τ` at the outside of a hollow shaft.
@@ -143,7 +143,7 @@ pub fn hollow_torsional_stress(torque: Torque, outside: Length, inside: Length) 
     let torque_nm = positive_torque(torque)?;
     let outside_m = positive_length(Quantity::ShaftDiameter, outside)?;
     let inside_m = length_from_to(Quantity::ShaftBore, inside, 0.0, outside_m)?;
-    Ok(stress(16.0 * torque_nm * outside_m / (PI * (outside_m.powi(4) - inside_m.powi(4)))))
+    Ok(Pressure::from_si(16.0 * torque_nm * outside_m / (PI * (outside_m.powi(4) - inside_m.powi(4)))))
 }
 
 /// The smallest of [`STANDARD_DIAMETERS_MM`] that is not below `needed`.
@@ -165,39 +165,35 @@ pub fn hollow_torsional_stress(torque: Torque, outside: Length, inside: Length) 
 /// ```
 pub fn standard_diameter(needed: Length) -> Result<Length, Error> {
     let enough_m = positive_length(Quantity::NeededShaftDiameter, needed)? * (1.0 - ROUNDING);
-    STANDARD_DIAMETERS_MM
-        .into_iter()
-        .map(length_from_mm)
-        .find(|listed| metres(*listed) >= enough_m)
-        .ok_or_else(|| {
+    STANDARD_DIAMETERS_MM.into_iter().map(Length::from_mm).find(|listed| listed.si() >= enough_m).ok_or_else(
+        || {
             let largest_mm = STANDARD_DIAMETERS_MM.into_iter().fold(0.0, f64::max);
-            Error::NoStandardDiameter { needed_mm: millimetres(needed), largest_mm }
-        })
+            Error::NoStandardDiameter { needed_mm: needed.mm(), largest_mm }
+        },
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use uom::si::pressure::megapascal;
-    use uom::si::torque::newton_meter;
 
     use super::*;
 
     fn torque(value_nm: f64) -> Torque {
-        Torque::new::<newton_meter>(value_nm)
+        Torque::from_si(value_nm)
     }
 
     fn allowable(value_mpa: f64) -> Pressure {
-        Pressure::new::<megapascal>(value_mpa)
+        Pressure::from_mpa(value_mpa)
     }
 
     #[test]
     fn torque_of_a_round_diameter_by_hand() {
         // d = 100 mm, τ = 16 MPa: T = π·16e6·1e-3/16 = 1000·π N·m.
         let found = diameter(torque(1000.0 * PI), allowable(16.0)).unwrap();
-        assert!((millimetres(found) - 100.0).abs() < 1e-9);
-        let back = torsional_stress(torque(1000.0 * PI), length_from_mm(100.0)).unwrap();
-        assert!((back.get::<megapascal>() - 16.0).abs() < 1e-9);
+        assert!((found.mm() - 100.0).abs() < 1e-9);
+        let back = torsional_stress(torque(1000.0 * PI), Length::from_mm(100.0)).unwrap();
+        assert!((back.mpa() - 16.0).abs() < 1e-9);
     }
 
     #[test]
@@ -208,12 +204,12 @@ mod tests {
             (2974.26, 90.0, 91.2, 100.3, 95.0),
         ] {
             let needed = diameter(torque(torque_nm), allowable(20.0)).unwrap();
-            assert!((millimetres(needed) - at_20_mpa).abs() <= 0.05);
+            assert!((needed.mm() - at_20_mpa).abs() <= 0.05);
             let needed_at_15 = diameter(torque(torque_nm), allowable(15.0)).unwrap();
-            assert!((millimetres(needed_at_15) - at_15_mpa).abs() <= 0.05);
-            let stress = torsional_stress(torque(torque_nm), length_from_mm(given_mm)).unwrap();
-            assert!(stress.get::<megapascal>() > *USUAL_ALLOWABLE_STRESS_MPA.end());
-            assert!((millimetres(standard_diameter(needed).unwrap()) - standard_mm).abs() < 1e-9);
+            assert!((needed_at_15.mm() - at_15_mpa).abs() <= 0.05);
+            let stress = torsional_stress(torque(torque_nm), Length::from_mm(given_mm)).unwrap();
+            assert!(stress.mpa() > *USUAL_ALLOWABLE_STRESS_MPA.end());
+            assert!((standard_diameter(needed).unwrap().mm() - standard_mm).abs() < 1e-9);
         }
     }
 
@@ -230,17 +226,17 @@ mod tests {
                 refused,
                 Err(Error::NotPositive { quantity: Quantity::AllowableStress, unit: "MPa", .. })
             ));
-            let refused = torsional_stress(torque(1.0), length_from_mm(bad));
+            let refused = torsional_stress(torque(1.0), Length::from_mm(bad));
             assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::ShaftDiameter, .. })));
-            assert!(matches!(standard_diameter(length_from_mm(bad)), Err(Error::NotPositive { .. })));
+            assert!(matches!(standard_diameter(Length::from_mm(bad)), Err(Error::NotPositive { .. })));
         }
         for bad in [-0.1, 1.0, f64::NAN] {
             let refused = hollow_diameter(torque(1.0), allowable(20.0), bad);
             assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::BoreRatio, .. })));
-            let refused = hollow_torsional_stress(torque(1.0), length_from_mm(1.0), length_from_mm(bad));
+            let refused = hollow_torsional_stress(torque(1.0), Length::from_mm(1.0), Length::from_mm(bad));
             assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::ShaftBore, .. })));
         }
-        let refused = standard_diameter(length_from_mm(500.1));
+        let refused = standard_diameter(Length::from_mm(500.1));
         assert!(matches!(refused, Err(Error::NoStandardDiameter { largest_mm, .. }) if largest_mm > 499.0));
     }
 
@@ -259,7 +255,7 @@ mod tests {
         for listed in STANDARD_DIAMETERS_MM {
             let exactly = torque(PI * 20e6 * (listed * 1e-3).powi(3) / 16.0);
             let chosen = standard_diameter(diameter(exactly, allowable(20.0)).unwrap()).unwrap();
-            assert!((millimetres(chosen) - listed).abs() < 1e-9);
+            assert!((chosen.mm() - listed).abs() < 1e-9);
         }
     }
 
@@ -270,9 +266,9 @@ mod tests {
         ) {
             let (torque, allowable) = (torque(torque_nm), allowable(allowable_mpa));
             let needed = diameter(torque, allowable).unwrap();
-            prop_assume!(millimetres(needed) <= 500.0);
-            let chosen_mm = millimetres(standard_diameter(needed).unwrap());
-            let ratio = |mm| (torsional_stress(torque, length_from_mm(mm)).unwrap() / allowable).value;
+            prop_assume!(needed.mm() <= 500.0);
+            let chosen_mm = standard_diameter(needed).unwrap().mm();
+            let ratio = |mm| (torsional_stress(torque, Length::from_mm(mm)).unwrap() / allowable).value;
             // Three times the rounding of a diameter, since the stress goes with its cube.
             prop_assert!(ratio(chosen_mm) <= 1.0 + 4.0 * ROUNDING);
             if let Some(smaller) = STANDARD_DIAMETERS_MM.into_iter().rfind(|listed| *listed < chosen_mm - 1e-6) {

@@ -9,7 +9,7 @@
 //! excavator-dynamics, condition of assembly.
 
 use crate::teeth::ToothCount;
-use crate::units::{angle, radians};
+use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
@@ -72,7 +72,7 @@ impl PlanetSpacing {
     #[must_use]
     pub fn angles(&self) -> Vec<Angle> {
         let slot = TAU / self.slots as f64;
-        self.occupied().map(|p| angle(p as f64 * slot)).collect()
+        self.occupied().map(|p| Angle::from_si(p as f64 * slot)).collect()
     }
 
     /// Whether all gaps are equal.
@@ -85,13 +85,13 @@ impl PlanetSpacing {
     #[must_use]
     pub fn smallest_gap(&self) -> Angle {
         let gap = self.slots / self.count();
-        angle(TAU * gap as f64 / self.slots as f64)
+        Angle::from_si(TAU * gap as f64 / self.slots as f64)
     }
 
     /// Sine of half the smallest angle between adjacent planets.
     #[must_use]
     pub fn half_gap_sine(&self) -> f64 {
-        libm::sin(radians(self.smallest_gap()) / 2.0)
+        libm::sin(self.smallest_gap().si() / 2.0)
     }
 
     /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to
@@ -100,7 +100,7 @@ impl PlanetSpacing {
     pub fn greatest_deviation(&self) -> Angle {
         let classes = self.count() / gcd(self.count(), self.slots);
         let spread = 1.0 - 1.0 / classes as f64;
-        angle(TAU * spread / 2.0 / self.slots as f64)
+        Angle::from_si(TAU * spread / 2.0 / self.slots as f64)
     }
 
     /// Static imbalance: distance of the planets' common centre of mass from the axis over the
@@ -128,7 +128,6 @@ fn gcd(a: u64, b: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use uom::si::angle::{degree, radian};
 
     fn spacing(sun: u32, ring: u32, planets: u32) -> PlanetSpacing {
         PlanetSpacing::least_unequal(ToothCount::new(sun).unwrap(), ToothCount::new(ring).unwrap(), planets)
@@ -138,10 +137,10 @@ mod tests {
     fn the_excavator_sits_evenly() {
         let even = spacing(20, 100, 4);
         assert!(even.is_equal());
-        let degrees: Vec<f64> = even.angles().iter().map(|a| a.get::<degree>().round()).collect();
+        let degrees: Vec<f64> = even.angles().iter().map(|a| a.degrees().round()).collect();
         assert_eq!(degrees, [0.0, 90.0, 180.0, 270.0]);
         assert!(even.imbalance() < 1e-15);
-        assert_eq!(even.greatest_deviation().get::<radian>(), 0.0);
+        assert_eq!(even.greatest_deviation().si(), 0.0);
     }
 
     #[test]
@@ -159,11 +158,11 @@ mod tests {
         assert_eq!(wide.slots(), 2 * u64::from(most));
         // 2·(2³² − 1) is twice an odd number: every other planet is half a slot off.
         assert_eq!(wide.occupied().collect::<Vec<_>>(), [0, 2_147_483_647, 4_294_967_295, 6_442_450_942]);
-        assert!(!wide.is_equal() && wide.greatest_deviation().get::<radian>() > 0.0);
+        assert!(!wide.is_equal() && wide.greatest_deviation().si() > 0.0);
         let crowded = spacing(most, most, most);
         assert!(crowded.is_equal());
         assert_eq!(crowded.occupied().next_back(), Some(2 * u64::from(most - 1)));
-        assert!((crowded.smallest_gap().get::<radian>() - TAU / f64::from(most)).abs() < 1e-24);
+        assert!((crowded.smallest_gap().si() - TAU / f64::from(most)).abs() < 1e-24);
         assert_eq!(spacing(1, 1, 0).angles().len(), 0);
     }
 
@@ -184,7 +183,7 @@ mod tests {
                         least = least.min((high - low) / 2.0);
                     }
                 }
-                let found = spacing(1, slots - 1, planets).greatest_deviation().get::<radian>();
+                let found = spacing(1, slots - 1, planets).greatest_deviation().si();
                 let expected = least * TAU / f64::from(slots);
                 assert!((found - expected).abs() < 1e-12, "{planets} planets on {slots} slots");
             }

@@ -21,6 +21,7 @@
 //! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
 //! and the factor is an integer that shares no divisor with `N`.
 
+use crate::checks::not_negative;
 use crate::involute::check::Check;
 use crate::involute::left_out::LeftOut;
 use crate::involute::plain;
@@ -32,8 +33,8 @@ use crate::rack::BasicRack;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::teeth::ToothCount;
-use crate::units::{not_negative, radians};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 use std::fmt;
 use std::ops::{ControlFlow, RangeInclusive};
@@ -524,7 +525,7 @@ impl Candidate {
     /// Smallest angle between adjacent planets, in radians.
     #[must_use]
     pub fn smallest_gap_rad(&self) -> f64 {
-        radians(self.spacing.smallest_gap())
+        self.spacing.smallest_gap().si()
     }
 }
 
@@ -543,7 +544,7 @@ pub fn tooth_numbers_by_trial(bounds: &Bounds) -> Result<Vec<ToothNumbers>, Erro
                     let (a, g, b) = (ToothCount::new(sun)?, ToothCount::new(planet)?, ToothCount::new(ring)?);
                     let spacing = PlanetSpacing::least_unequal(a, b, planets);
                     let placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
-                    let chord = (a.as_f64() + g.as_f64()) * libm::sin(radians(spacing.smallest_gap()) / 2.0);
+                    let chord = (a.as_f64() + g.as_f64()) * libm::sin(spacing.smallest_gap().si() / 2.0);
                     let clears = chord > g.as_f64() + 2.0 * bounds.rack.addendum + bounds.tip_gap;
                     let k = b.as_f64() / a.as_f64();
                     if sun + planet == ring.wrapping_sub(planet)
@@ -564,8 +565,8 @@ pub fn tooth_numbers_by_trial(bounds: &Bounds) -> Result<Vec<ToothNumbers>, Erro
 mod tests {
     use super::*;
     use crate::simple_set::Member;
-    use crate::units::angle_from_degrees;
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     fn teeth(count: u32) -> ToothCount {
         ToothCount::new(count).unwrap()
@@ -701,8 +702,11 @@ mod tests {
     #[test]
     fn undercut_follows_the_rack() {
         let with = |addendum: f64, alpha_deg: f64| {
-            let rack =
-                BasicRack { addendum, pressure_angle: angle_from_degrees(alpha_deg), ..BasicRack::default() };
+            let rack = BasicRack {
+                addendum,
+                pressure_angle: Angle::from_degrees(alpha_deg),
+                ..BasicRack::default()
+            };
             let bounds = Bounds { sun: 15..=15, planet: 30..=30, planets: 3..=3, rack, ..Bounds::default() };
             let found = bounds.for_ratio(6.0, sun_to_carrier(), 0.0).unwrap();
             (found[0].undercut_sun, found[0].undercut_planet)

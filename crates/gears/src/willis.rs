@@ -14,7 +14,7 @@
 
 use crate::Error;
 use crate::simple_set::BasicRatio;
-use crate::units::{angular_velocity, rad_per_s};
+use epicyclic_units::Physical;
 use uom::si::f64::AngularVelocity;
 
 /// Speeds of the three members of a gear set.
@@ -134,9 +134,12 @@ pub fn planet_speed(
     if planet_to_sun == 0.0 || !planet_to_sun.is_finite() {
         return Err(Error::BasicRatio { i0: planet_to_sun });
     }
-    let carrier = rad_per_s(carrier);
-    let relative = -(rad_per_s(sun) - carrier) / planet_to_sun;
-    Ok(PlanetSpeed { absolute: angular_velocity(carrier + relative), relative: angular_velocity(relative) })
+    let carrier = carrier.si();
+    let relative = -(sun.si() - carrier) / planet_to_sun;
+    Ok(PlanetSpeed {
+        absolute: AngularVelocity::from_si(carrier + relative),
+        relative: AngularVelocity::from_si(relative),
+    })
 }
 
 #[cfg(test)]
@@ -149,14 +152,14 @@ mod tests {
     }
 
     fn omega(value: f64) -> AngularVelocity {
-        angular_velocity(value)
+        AngularVelocity::from_si(value)
     }
 
     #[test]
     fn planet_of_the_excavator_turns_backwards() {
         let planet = planet_speed(2.0, omega(204.1), omega(204.1 / 6.0)).unwrap();
-        assert!((rad_per_s(planet.absolute) - -51.025).abs() < 1e-9);
-        assert!((rad_per_s(planet.relative) - -85.041_666_666_666_67).abs() < 1e-9);
+        assert!((planet.absolute.si() - -51.025).abs() < 1e-9);
+        assert!((planet.relative.si() - -85.041_666_666_666_67).abs() < 1e-9);
     }
 
     #[test]
@@ -187,13 +190,13 @@ mod tests {
         fn any_two_speeds_give_the_third(set in any_set(), sun in -500.0..500.0, carrier in -500.0..500.0) {
             let (sun, carrier) = (omega(sun), omega(carrier));
             let whole = speeds(set, Some(sun), None, Some(carrier)).unwrap();
-            let scale = [sun, carrier, whole.ring].map(|s| rad_per_s(s).abs()).into_iter().fold(1.0, f64::max)
+            let scale = [sun, carrier, whole.ring].map(|s| s.si().abs()).into_iter().fold(1.0, f64::max)
                 * (1.0 + set.get().abs()) / (1.0 - set.get()).abs().min(1.0);
-            prop_assert!(rad_per_s(residual(set, &whole)).abs() <= 1e-13 * scale);
+            prop_assert!(residual(set, &whole).si().abs() <= 1e-13 * scale);
             let from_ring = speeds(set, None, Some(whole.ring), Some(carrier)).unwrap();
-            prop_assert!(rad_per_s(from_ring.sun - sun).abs() <= 1e-13 * scale);
+            prop_assert!((from_ring.sun - sun).si().abs() <= 1e-13 * scale);
             let from_gears = speeds(set, Some(sun), Some(whole.ring), None).unwrap();
-            prop_assert!(rad_per_s(from_gears.carrier - carrier).abs() <= 1e-13 * scale);
+            prop_assert!((from_gears.carrier - carrier).si().abs() <= 1e-13 * scale);
         }
 
         #[test]
@@ -211,9 +214,9 @@ mod tests {
             // Table 2.3: (k − 1)·ω_g = (k + 1)·ω_H − 2·ω_a = 2·k·ω_b − (k + 1)·ω_H.
             let k = crate::simple_set::RingToSunRatio::new(k).unwrap();
             let planet = planet_speed(k.planet_to_sun(), omega(sun), omega(carrier)).unwrap();
-            let ring = rad_per_s(ring_speed(k.into(), omega(sun), omega(carrier)));
+            let ring = ring_speed(k.into(), omega(sun), omega(carrier)).si();
             let k = k.get();
-            let left = (k - 1.0) * rad_per_s(planet.absolute);
+            let left = (k - 1.0) * planet.absolute.si();
             prop_assert!((left - ((k + 1.0) * carrier - 2.0 * sun)).abs() < 1e-11);
             prop_assert!((left - (2.0 * k * ring - (k + 1.0) * carrier)).abs() < 1e-11);
         }

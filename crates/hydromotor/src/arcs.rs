@@ -45,13 +45,15 @@
 use crate::quantity::{ArcsFault, OpenPair, Quantity};
 use std::f64::consts::PI;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
+use crate::Error;
 use crate::machine;
+use crate::modules::length;
 use crate::numbers::MotorNumbers;
+use crate::ranges::{finite_angle, positive_modules};
 use crate::real::Real;
-use crate::units::{angle, finite_angle, length, positive_modules};
-use crate::{Error, units};
 use epicyclic_numerics::roots::bracketed;
 
 /// System (1) in units of the module, solved for two distances; generic, so that its derivatives come with it.
@@ -243,13 +245,13 @@ impl StatorArcs {
     /// `Γ`: angle of arc 1 at its centre.
     #[must_use]
     pub fn trough_angle(&self) -> Angle {
-        angle(self.arcs.gamma)
+        Angle::from_si(self.arcs.gamma)
     }
 
     /// `B`: angle of arc 2 at its centre.
     #[must_use]
     pub fn crest_angle(&self) -> Angle {
-        angle(self.arcs.beta)
+        Angle::from_si(self.arcs.beta)
     }
 
     /// The module that their lengths are multiples of.
@@ -261,7 +263,7 @@ impl StatorArcs {
     /// `θ₃ = π/N`: angle of one of the `2N` pieces of the centrode.
     #[must_use]
     pub fn piece_angle(&self) -> Angle {
-        angle(self.arcs.theta3)
+        Angle::from_si(self.arcs.theta3)
     }
 
     /// `L/(2N)`: length of one of the `2N` pieces of the centrode.
@@ -304,7 +306,7 @@ fn scaled(known: Known, theta3: f64, module: Length) -> Result<Scaled, Error> {
         if value > low && value < high {
             return Ok(Scaled::Gamma(value - low));
         }
-        let [value, low, high] = [value, low, high].map(units::degrees);
+        let [value, low, high] = [value, low, high].map(|end| Angle::from_si(end).degrees());
         Err(Error::OutOfRange { quantity, value, low, high, unit: "°" })
     };
     Ok(match known {
@@ -383,11 +385,9 @@ fn candidates(theta: f64, s: f64, one: Scaled, other: Scaled) -> Vec<Arcs> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
-    use uom::si::angle::radian;
-    use uom::si::length::millimeter;
 
     fn mm(value: f64) -> Length {
-        Length::new::<millimeter>(value)
+        Length::from_mm(value)
     }
 
     fn numbers() -> MotorNumbers {
@@ -431,16 +431,15 @@ mod tests {
         assert_eq!(both.len(), 2);
         assert!(both[0].arcs.gamma < both[1].arcs.gamma);
         for arcs in &both {
-            assert!((arcs.crest_distance() - mm(17.0)).get::<millimeter>().abs() < 1e-12);
-            assert!((arcs.trough_radius() - mm(4.0)).get::<millimeter>().abs() < 1e-12);
+            assert!((arcs.crest_distance() - mm(17.0)).mm().abs() < 1e-12);
+            assert!((arcs.trough_radius() - mm(4.0)).mm().abs() < 1e-12);
         }
     }
 
     #[test]
     fn what_determines_nothing_is_refused() {
         let with = |first, second| StatorArcs::with(numbers(), mm(1.0), [first, second]).unwrap_err();
-        let angle = Angle::new::<radian>;
-        let both = with(Known::TroughAngle(angle(0.3)), Known::CrestAngle(angle(0.9)));
+        let both = with(Known::TroughAngle(Angle::from_si(0.3)), Known::CrestAngle(Angle::from_si(0.9)));
         assert!(matches!(both, Error::PairUndetermined { .. }));
         let twice = with(Known::TroughDistance(mm(40.0)), Known::TroughDistance(mm(40.0)));
         assert!(matches!(twice, Error::PairUndetermined { .. }));
@@ -448,9 +447,9 @@ mod tests {
         assert!(matches!(none, Error::NoArcs { .. }));
         let negative = with(Known::TroughRadius(mm(-1.0)), Known::CrestDistance(mm(15.0)));
         assert!(matches!(negative, Error::NotPositive { quantity: Quantity::TroughRadius, .. }));
-        let wide = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(angle(3.2)));
+        let wide = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(Angle::from_si(3.2)));
         assert!(matches!(wide, Error::OutOfRange { quantity: Quantity::CrestAngle, .. }));
-        let infinite = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(angle(f64::NAN)));
+        let infinite = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(Angle::from_si(f64::NAN)));
         assert!(matches!(infinite, Error::NotFinite { .. }));
         let known = [Known::TroughRadius(mm(1.0)), Known::CrestRadius(mm(15.0))];
         assert!(matches!(StatorArcs::with(numbers(), mm(0.0), known), Err(Error::NotPositive { .. })));
@@ -519,8 +518,8 @@ mod tests {
                 1 => Known::CrestDistance(mm(value)),
                 2 => Known::TroughRadius(mm(value)),
                 3 => Known::CrestRadius(mm(value)),
-                4 => Known::TroughAngle(angle(value)),
-                _ => Known::CrestAngle(angle(value)),
+                4 => Known::TroughAngle(Angle::from_si(value)),
+                _ => Known::CrestAngle(Angle::from_si(value)),
             };
             for (x, y, m) in [(x, y, m), (x.abs(), y.abs(), 1.0), (x.abs() % 60.0, y.abs() % 60.0, 1.0)] {
                 let solved = StatorArcs::with(numbers(), mm(m), [known(first, x), known(second, y)]);

@@ -13,12 +13,14 @@
 use crate::quantity::Quantity;
 use std::f64::consts::FRAC_PI_2;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Curvature, Length};
 
 use crate::Error;
 use crate::contact::{By, Conjugate};
+use crate::modules::curvature;
 use crate::motor::Motor;
-use crate::units::{angle, curvature, finite_angle, finite_modules};
+use crate::ranges::{finite_angle, finite_modules};
 
 /// A wheel of the motor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,8 +160,8 @@ impl Centrode<'_> {
             x: motor.length(rho * cos),
             y: motor.length(rho * sin),
             polar_radius: motor.length(rho),
-            polar_angle: angle(theta),
-            tangent: angle(tangent),
+            polar_angle: Angle::from_si(theta),
+            tangent: Angle::from_si(tangent),
             curvature: curvature(kappa, motor.module()),
         }
     }
@@ -171,17 +173,15 @@ pub(crate) mod tests {
     use crate::closure::Family;
     use crate::closure::tests::any_motor as any_numbers;
     use crate::second_harmonic::{self, HarmonicRange};
-    use crate::units::radians;
     use proptest::prelude::*;
     use std::f64::consts::FRAC_PI_3;
     use uom::si::curvature::radian_per_meter;
-    use uom::si::length::{meter, millimeter};
 
     /// A random motor of two arcs, or of a cosine law, or with a second harmonic, where there is one; module 1 m, so that lengths
     /// are modules.
     pub(crate) fn any_motor() -> impl Strategy<Value = Motor> {
         (any_numbers(), 0..4_u8).prop_filter_map("a rotor that turns", |((numbers, part), kind)| {
-            let module = Length::new::<meter>(1.0);
+            let module = Length::from_si(1.0);
             if let (2, Ok(motor)) = (kind, Motor::of_cosine_law(numbers, module)) {
                 return Some(motor);
             }
@@ -195,18 +195,18 @@ pub(crate) mod tests {
     }
 
     fn m(value: f64) -> Length {
-        Length::new::<meter>(value)
+        Length::from_si(value)
     }
 
     fn get(value: Length) -> f64 {
-        value.get::<meter>()
+        value.si()
     }
 
     const WHEELS: [Wheel; 3] = [Wheel::Stator, Wheel::Rotor, Wheel::Satellite];
 
     #[test]
     fn the_points_of_the_source_lie_on_the_curves() {
-        let mm = Length::new::<millimeter>;
+        let mm = Length::from_mm;
         let motor =
             Motor::of_two_arcs(crate::MotorNumbers::new(5, 3, 55, 10).unwrap(), mm(1.0), mm(40.0)).unwrap();
         let points = [
@@ -217,17 +217,18 @@ pub(crate) mod tests {
             (1.675_516_081_9, 0.628_318_530_7, 23.896_203_924, 13.896_203_924, FRAC_PI_3),
         ];
         for (phase, theta3, rho3, rho1, theta1) in points {
-            let contact = motor.contact(angle(phase)).unwrap();
-            assert!((radians(contact.stator_angle) - theta3).abs() < 1e-9);
-            assert!((radians(contact.rotor_angle) - theta1).abs() < 1e-9);
-            assert!((contact.stator_radius.get::<millimeter>() - rho3).abs() < 1e-8);
-            assert!((contact.rotor_radius.get::<millimeter>() - rho1).abs() < 1e-8);
+            let contact = motor.contact(Angle::from_si(phase)).unwrap();
+            assert!((contact.stator_angle.si() - theta3).abs() < 1e-9);
+            assert!((contact.rotor_angle.si() - theta1).abs() < 1e-9);
+            assert!((contact.stator_radius.mm() - rho3).abs() < 1e-8);
+            assert!((contact.rotor_radius.mm() - rho1).abs() < 1e-8);
         }
         // Curvature radii of the rotor: 7.885…7.852 on the image of arc 2, 272…47.6 on that of arc 1.
         let rotor = motor.centrode(Wheel::Rotor);
         let junction = motor.shape.kink().unwrap();
-        let radius =
-            |phase: f64| 1e3 / rotor.at_rotation(angle(phase)).unwrap().curvature.get::<radian_per_meter>();
+        let radius = |phase: f64| {
+            1e3 / rotor.at_rotation(Angle::from_si(phase)).unwrap().curvature.get::<radian_per_meter>()
+        };
         let radii = [radius(0.0), radius(junction - 1e-9), radius(junction + 1e-9), radius(1.675_516_081_9)];
         for (radius, printed, reach) in [(0, 7.885, 5e-4), (1, 7.852, 5e-4), (2, 272.0, 0.5), (3, 47.6, 0.05)]
         {
@@ -241,10 +242,12 @@ pub(crate) mod tests {
             Motor::of_two_arcs(crate::MotorNumbers::new(5, 3, 55, 10).unwrap(), m(1.0), m(40.0)).unwrap();
         for wheel in WHEELS {
             let curve = motor.centrode(wheel);
-            assert!(curve.at(m(f64::NAN)).is_err() && curve.at_rotation(angle(f64::INFINITY)).is_err());
-            assert!(curve.at_polar_angle(angle(f64::NAN)).is_err());
+            assert!(
+                curve.at(m(f64::NAN)).is_err() && curve.at_rotation(Angle::from_si(f64::INFINITY)).is_err()
+            );
+            assert!(curve.at_polar_angle(Angle::from_si(f64::NAN)).is_err());
         }
-        assert!(motor.contact(angle(f64::NAN)).is_err());
+        assert!(motor.contact(Angle::from_si(f64::NAN)).is_err());
     }
 
     proptest! {
@@ -255,7 +258,7 @@ pub(crate) mod tests {
             for wheel in WHEELS {
                 let curve = motor.centrode(wheel);
                 let end = curve.at(curve.length()).unwrap();
-                prop_assert!((radians(end.polar_angle) - std::f64::consts::TAU).abs() < 1e-11);
+                prop_assert!((end.polar_angle.si() - std::f64::consts::TAU).abs() < 1e-11);
                 prop_assert!(get(end.y).abs() < 1e-9);
             }
         }
@@ -269,10 +272,10 @@ pub(crate) mod tests {
                 let [back, here, front] = [s - h, s, s + h].map(|s| curve.at(m(s)).unwrap());
                 let (dx, dy) = (get(front.x) - get(back.x), get(front.y) - get(back.y));
                 prop_assert!((libm::hypot(dx, dy) / (2.0 * h) - 1.0).abs() < 1e-5);
-                let (sin, cos) = libm::sincos(radians(here.tangent));
+                let (sin, cos) = libm::sincos(here.tangent.si());
                 prop_assert!(((dy * cos - dx * sin) / (2.0 * h)).abs() < 1e-3);
                 let kappa = here.curvature.get::<radian_per_meter>();
-                let turned = (radians(front.tangent) - radians(back.tangent)) / (2.0 * h);
+                let turned = (front.tangent.si() - back.tangent.si()) / (2.0 * h);
                 // Not across the junction of the arcs, where it jumps.
                 let jumps = (front.curvature - back.curvature).get::<radian_per_meter>().abs() > 1e-2 * kappa.abs().max(0.01);
                 prop_assert!(jumps || (turned - kappa).abs() < 1e-3 * kappa.abs().max(0.01), "{wheel:?} {turned} {kappa}");
@@ -283,7 +286,7 @@ pub(crate) mod tests {
         fn the_inverse_functions_return(motor in any_motor(), rotation in -9.0..9.0) {
             for wheel in WHEELS {
                 let curve = motor.centrode(wheel);
-                let point = curve.at_rotation(angle(rotation)).unwrap();
+                let point = curve.at_rotation(Angle::from_si(rotation)).unwrap();
                 let by_angle = curve.at_polar_angle(point.polar_angle).unwrap();
                 let by_arc = curve.at(point.arc_length).unwrap();
                 for other in [by_angle, by_arc] {

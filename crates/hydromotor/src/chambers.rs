@@ -30,9 +30,10 @@ use uom::si::f64::{Angle, Area, Length, Volume};
 
 use crate::Error;
 use crate::contact::{By, Conjugate};
+use crate::modules::{area, volume};
 use crate::motor::Motor;
+use crate::ranges::finite_angle;
 use crate::satellites::Point;
-use crate::units::{area, finite_angle, volume};
 use std::f64::consts::PI;
 
 /// A chamber at an instant.
@@ -209,18 +210,16 @@ pub(crate) fn polygon_area(points: &[[f64; 2]]) -> f64 {
 mod tests {
     use super::*;
     use crate::centrode::tests::any_motor;
-    use crate::units::angle;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
-    use uom::si::area::square_meter;
-    use uom::si::length::meter;
 
     fn get(area: Area) -> f64 {
-        area.get::<square_meter>()
+        area.si()
     }
 
     #[test]
     fn the_vectors_of_the_source_are_met() {
-        let m = Length::new::<meter>;
+        let m = Length::from_si;
         for (numbers, l, difference, displacement) in [
             ((5, 3, 55, 10), 40.0, 94.194_34, 1412.9151),
             ((5, 3, 55, 10), 30.0, 92.008_47, 1380.1271),
@@ -234,7 +233,7 @@ mod tests {
             let volume = motor.displacement(m(2.0)).unwrap();
             assert!((volume.value / 2.0 - displacement).abs() < 5e-5);
             assert!(motor.displacement(m(0.0)).is_err());
-            assert!(motor.chamber_outline(angle(0.0), 0, 0).is_err());
+            assert!(motor.chamber_outline(Angle::from_si(0.0), 0, 0).is_err());
         }
     }
 
@@ -243,7 +242,7 @@ mod tests {
 
             #[test]
             fn areas_sum_to_what_lies_between_the_wheels(motor in any_motor(), rotation in -9.0..9.0, other in -9.0..9.0) {
-                let sum = |rotation: f64| motor.chambers(angle(rotation)).unwrap().iter().map(|c| get(c.area)).sum::<f64>();
+                let sum = |rotation: f64| motor.chambers(Angle::from_si(rotation)).unwrap().iter().map(|c| get(c.area)).sum::<f64>();
                 let scale = get(motor.chamber_extremes()[1]) * f64::from(motor.numbers().satellites());
                 prop_assert!((sum(rotation) - sum(other)).abs() < 1e-11 * scale.max(1.0) * 10.0);
             }
@@ -254,9 +253,9 @@ mod tests {
                 // The error of a polygon falls with the square of the steps; extrapolated.
                 let (coarse, fine) = (polygon(400), polygon(800));
                 let area = fine + (fine - coarse) / 3.0;
-                let chambers = motor.chambers(angle(rotation)).unwrap();
+                let chambers = motor.chambers(Angle::from_si(rotation)).unwrap();
                 let known = get(chambers[(index % motor.numbers().satellites()) as usize].area);
-                let scale = motor.satellite_radius().get::<meter>().powi(2);
+                let scale = motor.satellite_radius().si().powi(2);
     // The junction of the arcs falls between two points and takes part of the extrapolation's gain.
                 prop_assert!((area - known).abs() < 1e-4 * scale, "{area} {known}");
                 prop_assert!((fine - known).abs() < 1e-3 * scale);
@@ -278,7 +277,7 @@ mod tests {
             fn a_chamber_stays_between_its_extremes_and_grows_by_its_rate(motor in any_motor(), rotation in -9.0..9.0) {
                 let [least, greatest] = motor.chamber_extremes().map(get);
                 let h = 1e-5;
-                let at = |rotation: f64| motor.chambers(angle(rotation)).unwrap();
+                let at = |rotation: f64| motor.chambers(Angle::from_si(rotation)).unwrap();
                 for ((back, here), front) in at(rotation - h).iter().zip(at(rotation)).zip(at(rotation + h)) {
                     prop_assert!(get(here.area) > least - 1e-9 && get(here.area) < greatest + 1e-9);
                     let growth = get(front.area - back.area) / (2.0 * h);

@@ -169,10 +169,10 @@ mod tests {
     use super::*;
     use crate::MotorNumbers;
     use crate::closure::Family;
-    use uom::si::length::millimeter;
+    use epicyclic_units::Physical;
 
     fn mm(value: f64) -> Length {
-        Length::new::<millimeter>(value)
+        Length::from_mm(value)
     }
 
     fn motor(l: f64) -> Motor {

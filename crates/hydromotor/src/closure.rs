@@ -57,15 +57,17 @@
 use crate::quantity::{FamilyFault, Quantity};
 use std::f64::consts::PI;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::arcs::{Arcs, StatorArcs, half_length};
 use crate::machine;
+use crate::modules::length;
 use crate::numbers::MotorNumbers;
+use crate::ranges::positive_modules;
 use crate::real::{Dual, Real};
 use crate::tolerance::{CLOSES, EDGE_ANGLE, WITHIN};
-use crate::units::{angle, length, millimetres, positive_modules};
 use epicyclic_numerics::extremes::{Sections, golden_while};
 use epicyclic_numerics::quadrature::quadrature;
 use epicyclic_numerics::roots::bracketed;
@@ -151,7 +153,7 @@ impl Closure {
     /// next.
     #[must_use]
     pub fn open(&self) -> Angle {
-        angle(-self.residual_rad)
+        Angle::from_si(-self.residual_rad)
     }
 
     /// Whether the rotor closes: a half-lobe is open by no more than five digits of `l` and `a` leave, 10⁻⁵
@@ -212,7 +214,7 @@ pub(crate) fn rolling_radius(numbers: MotorNumbers, arcs: &StatorArcs) -> Result
     } else {
         return Ok(r);
     };
-    let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
+    let [value, low] = [value, low].map(|modules| length(modules, arcs.module).mm());
     Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" })
 }
 
@@ -368,10 +370,10 @@ impl Family {
                 };
                 return self.at(length(bracketed(upper.0, lower.0, at).recip(), self.module));
             }
-            let [low, high] = [lower.1, upper.1].map(|a| millimetres(length(a, self.module)));
+            let [low, high] = [lower.1, upper.1].map(|a| length(a, self.module).mm());
             intervals_mm.push((low, high));
         }
-        Err(Error::OutsideFamilyByCrest { a_mm: millimetres(crest_distance), intervals_mm })
+        Err(Error::OutsideFamilyByCrest { a_mm: crest_distance.mm(), intervals_mm })
     }
 
     /// The motor's arcs at a part `0 < t < 1` of the family, even in `1/l` over its intervals, from the least `l` on.
@@ -412,9 +414,9 @@ impl Family {
     }
 
     fn outside(&self, trough_distance: Length) -> Error {
-        let mm = |end: &End| end.arcs.map_or(f64::INFINITY, |arcs| millimetres(arcs.trough_distance()));
+        let mm = |end: &End| end.arcs.map_or(f64::INFINITY, |arcs| arcs.trough_distance().mm());
         let intervals = self.intervals.iter().map(|interval| (mm(&interval.lower), mm(&interval.upper)));
-        Error::OutsideFamily { l_mm: millimetres(trough_distance), intervals_mm: intervals.collect() }
+        Error::OutsideFamily { l_mm: trough_distance.mm(), intervals_mm: intervals.collect() }
     }
 }
 

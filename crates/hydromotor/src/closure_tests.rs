@@ -1,10 +1,11 @@
 use super::*;
 use crate::numbers::Bounds;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::length::millimeter;
+use uom::si::f64::Length;
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn family(n3: u32, n1: u32, z3: u32, zs: u32) -> Family {

@@ -38,10 +38,11 @@ use crate::arcs::half_length;
 use crate::contact::{By, Conjugate, Contact, conjugate_curvature};
 use crate::numbers::MotorNumbers;
 use crate::tolerance::{BESIDE_ROOT, LAST_STEP, WITHIN};
-use crate::units::degrees;
 use epicyclic_numerics::extremes::golden;
 use epicyclic_numerics::quadrature::{few_quadratures, quadrature, quadratures};
 use epicyclic_numerics::roots::{bracketed, inverse};
+use epicyclic_units::Physical;
+use uom::si::f64::Angle;
 
 const PANELS: u32 = 48;
 
@@ -247,7 +248,7 @@ impl Cosine {
         let excess = |amplitude: f64| kernel.excess([amplitude, 0.0], PANELS);
         let left = excess(cusp_amplitude);
         if left >= 0.0 {
-            return Err(Error::NoCosineRotor { cusp_amplitude, excess_deg: degrees(left) });
+            return Err(Error::NoCosineRotor { cusp_amplitude, excess_deg: Angle::from_si(left).degrees() });
         }
         Ok(Self::of_law(of(bracketed(0.0, cusp_amplitude, excess))))
     }
@@ -397,16 +398,15 @@ mod tests {
     fn the_law_of_a_motor_is_that_of_its_rotor() {
         use crate::Motor;
         use uom::si::f64::Length;
-        use uom::si::length::millimeter;
-        let (mm, numbers) = (Length::new::<millimeter>, MotorNumbers::new(8, 6, 88, 10).unwrap());
+        let (mm, numbers) = (Length::from_mm, MotorNumbers::new(8, 6, 88, 10).unwrap());
         let motor = Motor::of_cosine_law(numbers, mm(1.5)).unwrap();
         let law = motor.cosine_law().unwrap();
-        let c = law.mean_radius.get::<millimeter>();
+        let c = law.mean_radius.mm();
         let [crest, trough] =
             [motor.shape.at(By::Phase, 0.0).rho1, motor.shape.trough().rho1].map(|modules| 1.5 * modules);
         assert!((crest - c * (1.0 + law.amplitude)).abs() < 1e-11 * c, "{crest} {law:?}");
         assert!((trough - c * (1.0 - law.amplitude)).abs() < 1e-11 * c, "{trough} {law:?}");
-        let (r, n, cusp) = (motor.satellite_radius().get::<millimeter>(), 6.0, law.cusp_amplitude);
+        let (r, n, cusp) = (motor.satellite_radius().mm(), 6.0, law.cusp_amplitude);
         assert!((2.0 * r * cusp * n * n - c * (1.0 - cusp).powi(2)).abs() < 1e-11 * c, "{law:?}");
         // A motor of two arcs has none.
         let arcs = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10).unwrap(), mm(1.0), mm(40.0)).unwrap();

@@ -18,6 +18,7 @@
 //! Gaps, fluid, friction and discharge coefficient are inputs without defaults: none is measured here, and no result is validated against a made
 //! motor. What the models leave out (flank leaks, bearings, seals, churning, changing viscosity) makes a made motor worse than the map.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
 
 use crate::Error;
@@ -27,10 +28,7 @@ use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::ports::throttling::Through;
 use crate::quantity::{PortSide, Quantity};
-use crate::units::{
-    cubic_metres, flow_of_cubic_metres, newton_metres, positive_pascals, positive_speed, power_of_watts,
-    speed_of_one, torque_of_newton_metres, volume_flow, watts,
-};
+use crate::ranges::{positive, positive_pressure};
 use std::f64::consts::TAU;
 
 /// What losses follow from: inputs, none of them with a default.
@@ -247,15 +245,18 @@ impl Motor {
     }
 
     fn constant(&self, inputs: &LossInputs<'_>) -> Result<Constant, Error> {
-        let one = crate::units::pressure_of_pascals(1.0);
-        let displacement = cubic_metres(self.displacement(inputs.width)?);
+        let one = Pressure::from_si(1.0);
+        let displacement = self.displacement(inputs.width)?.si();
         let [low, high] =
             self.mean_friction_torque(inputs.pressure_angle, inputs.width, one, inputs.friction)?;
-        let drag = self.gap_drag(inputs.gaps, inputs.fluid.viscosity, inputs.bore_radius, speed_of_one())?;
+        let drag = self.gap_drag(
+            inputs.gaps,
+            inputs.fluid.viscosity,
+            inputs.bore_radius,
+            AngularVelocity::from_si(1.0),
+        )?;
         let charge = match inputs.bulk_modulus {
-            Some(modulus) => {
-                cubic_metres(self.dead_volume_charge(inputs.width, one, modulus, inputs.dead_area)?)
-            }
+            Some(modulus) => self.dead_volume_charge(inputs.width, one, modulus, inputs.dead_area)?.si(),
             None => 0.0,
         };
         let throttling = match inputs.ports {
@@ -265,11 +266,11 @@ impl Motor {
                 }
                 let through = Through {
                     width: inputs.width,
-                    speed: speed_of_one(),
+                    speed: AngularVelocity::from_si(1.0),
                     density: inputs.fluid.density,
                     discharge,
                 };
-                let of = |side| plate.throttling(side, through).map(|throttling| watts(throttling.power));
+                let of = |side| plate.throttling(side, through).map(|throttling| throttling.power.si());
                 of(PortSide::High)? + of(PortSide::Low)?
             }
             None => 0.0,
@@ -277,8 +278,8 @@ impl Motor {
         Ok(Constant {
             displacement,
             throttling,
-            flanks: [high, low].map(newton_metres),
-            drag: newton_metres(drag.satellites + drag.rotor),
+            flanks: [high, low].map(Physical::si),
+            drag: (drag.satellites + drag.rotor).si(),
             charge,
         })
     }
@@ -290,12 +291,12 @@ impl Motor {
         speed: AngularVelocity,
         pressure_drop: Pressure,
     ) -> Result<OperatingPoint, Error> {
-        let omega = positive_speed(speed)?;
-        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let omega = positive(Quantity::Speed, speed.si(), "rad/s")?;
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
         let leakage = self.end_leakage(inputs.gaps, inputs.fluid, pressure_drop)?;
         let ideal_flow = constant.displacement * omega / TAU;
         let charge = constant.charge * drop * omega / TAU;
-        let inlet = ideal_flow + volume_flow(leakage.total) + charge;
+        let inlet = ideal_flow + leakage.total.si() + charge;
         let ideal_torque = constant.displacement * drop / TAU;
         let drag = constant.drag * omega;
         let throttling = constant.throttling * omega.powi(3);
@@ -306,15 +307,15 @@ impl Motor {
         Ok(OperatingPoint {
             speed,
             pressure_drop,
-            ideal_flow: flow_of_cubic_metres(ideal_flow),
-            ideal_torque: torque_of_newton_metres(ideal_torque),
+            ideal_flow: VolumeRate::from_si(ideal_flow),
+            ideal_torque: Torque::from_si(ideal_torque),
             leakage,
-            charge: flow_of_cubic_metres(charge),
-            inlet_flow: flow_of_cubic_metres(inlet),
-            flank_friction: flanks.map(torque_of_newton_metres),
-            gap_drag: torque_of_newton_metres(drag),
-            throttling: power_of_watts(throttling),
-            torque: torque.map(torque_of_newton_metres),
+            charge: VolumeRate::from_si(charge),
+            inlet_flow: VolumeRate::from_si(inlet),
+            flank_friction: flanks.map(Torque::from_si),
+            gap_drag: Torque::from_si(drag),
+            throttling: Power::from_si(throttling),
+            torque: torque.map(Torque::from_si),
             volumetric,
             mechanical,
             total: mechanical.map(|mechanical| mechanical * volumetric),

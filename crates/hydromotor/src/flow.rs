@@ -43,9 +43,10 @@ use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque
 
 use crate::Error;
 use crate::contact::Conjugate;
+use crate::modules::{area, volume};
 use crate::motor::Motor;
+use crate::ranges::{finite_angle, finite_pressure, finite_speed};
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
-use crate::units::{area, finite_angle, finite_pressure, finite_speed, power, torque, volume, volume_rate};
 use std::f64::consts::TAU;
 
 /// Pieces in which a smooth stretch of the flow is looked at.
@@ -161,7 +162,7 @@ impl Motor {
     /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the speed.
     pub fn mean_flow(&self, width: Length, speed: AngularVelocity) -> Result<VolumeRate, Error> {
         let (width, speed) = (crate::machine::width(width)?, finite_speed(speed)?);
-        Ok(volume_rate(volume(self.displacement_kernel() / TAU, self.module(), width), speed))
+        Ok(volume(self.displacement_kernel() / TAU, self.module(), width) * speed)
     }
 
     /// Theoretical torque, the mean over a revolution without leaks and friction: `M = q·Δp/(2π)`.
@@ -190,7 +191,7 @@ impl Motor {
     pub fn theoretical_torque(&self, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
         let width = crate::machine::width(width)?;
         let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
-        Ok(torque(volume(self.displacement_kernel() / TAU, self.module(), width), pressure_drop))
+        Ok((volume(self.displacement_kernel() / TAU, self.module(), width) * pressure_drop).into())
     }
 
     /// Torque without leaks and friction after a rotation of the rotor.
@@ -201,7 +202,7 @@ impl Motor {
         let width = crate::machine::width(width)?;
         let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
         let (flow, _) = self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?);
-        Ok(torque(volume(flow, self.module(), width), pressure_drop))
+        Ok((volume(flow, self.module(), width) * pressure_drop).into())
     }
 
     /// Theoretical power at a speed: `M·ω`.
@@ -214,7 +215,7 @@ impl Motor {
         pressure_drop: Pressure,
         speed: AngularVelocity,
     ) -> Result<Power, Error> {
-        Ok(power(self.theoretical_torque(width, pressure_drop)?, finite_speed(speed)?))
+        Ok(self.theoretical_torque(width, pressure_drop)? * finite_speed(speed)?)
     }
 }
 
@@ -253,18 +254,16 @@ fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (
 mod tests {
     use super::*;
     use crate::centrode::tests::any_motor;
-    use crate::units::angle;
     use epicyclic_numerics::quadrature::quadrature;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
-    use uom::si::area::square_meter;
-    use uom::si::length::meter;
 
     fn m(value: f64) -> Length {
-        Length::new::<meter>(value)
+        Length::from_si(value)
     }
 
     fn get(area: Area) -> f64 {
-        area.get::<square_meter>()
+        area.si()
     }
 
     #[test]
@@ -337,7 +336,7 @@ mod tests {
     /// as sharp as a needle there; the neighbourhood of the best by golden section.
     fn sampled_extremes(motor: &Motor, start: f64) -> [f64; 2] {
         let period = motor.period();
-        let flow = |rotation: f64| get(motor.flow_per_width(angle(rotation)).unwrap());
+        let flow = |rotation: f64| get(motor.flow_per_width(Angle::from_si(rotation)).unwrap());
         let even: Vec<f64> = (0..=2000).map(|i| period * f64::from(i) / 2000.0).collect();
         let near = breaks(motor).into_iter().flat_map(|place: f64| {
             let place = (place - start).rem_euclid(period);
@@ -375,9 +374,9 @@ mod tests {
         /// The flow by growing chambers is half of all growths without their signs.
         #[test]
         fn the_flow_is_half_of_what_all_chambers_change(motor in any_motor(), rotation in -9.0..9.0) {
-            let chambers = motor.chambers(angle(rotation)).unwrap();
+            let chambers = motor.chambers(Angle::from_si(rotation)).unwrap();
             let half: f64 = chambers.iter().map(|chamber| get(chamber.growth).abs()).sum::<f64>() / 2.0;
-            let flow = get(motor.flow_per_width(angle(rotation)).unwrap());
+            let flow = get(motor.flow_per_width(Angle::from_si(rotation)).unwrap());
             prop_assert!((half - flow).abs() < 1e-9 * get(motor.ripple().mean), "{half} {flow}");
         }
 
@@ -422,14 +421,14 @@ mod tests {
         #[test]
         fn torque_and_power_agree_with_the_flow(motor in any_motor(), drop in -3e7..3e7, speed in -50.0..50.0) {
             let width = m(0.1);
-            let pressure = Pressure::new::<uom::si::pressure::pascal>(drop);
-            let omega = AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(speed);
+            let pressure = Pressure::from_si(drop);
+            let omega = AngularVelocity::from_si(speed);
             let power = motor.theoretical_power(width, pressure, omega).unwrap().value;
             let flow = motor.mean_flow(width, omega).unwrap().value;
             prop_assert!((power - flow * drop).abs() <= 1e-12 * power.abs());
             prop_assert!(motor.theoretical_torque(m(-1.0), pressure).is_err());
-            let torque = motor.torque(angle(0.3), width, pressure).unwrap().value;
-            let flow = get(motor.flow_per_width(angle(0.3)).unwrap());
+            let torque = motor.torque(Angle::from_si(0.3), width, pressure).unwrap().value;
+            let flow = get(motor.flow_per_width(Angle::from_si(0.3)).unwrap());
             prop_assert!((torque - flow * 0.1 * drop).abs() <= 1e-12 * torque.abs());
         }
     }

@@ -19,12 +19,13 @@
 //! Left out: inertia, friction. The contact forces of the teeth, which share `F` between stator and rotor, are in [`crate::flanks`].
 
 use crate::quantity::Quantity;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
-use crate::units::{angle, finite_angle, finite_pressure, force};
+use crate::ranges::{finite_angle, finite_pressure};
 
 /// The force of the pressures on a satellite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,9 +113,9 @@ impl Motor {
                 index,
                 pressure_behind,
                 pressure_in_front,
-                ray: angle(contact.theta3),
+                ray: Angle::from_si(contact.theta3),
                 chord,
-                force: force(chord, width, pressure_behind - pressure_in_front),
+                force: chord * width * (pressure_behind - pressure_in_front),
             }
         };
         Ok((0..count).map(on_satellite).collect())
@@ -129,7 +130,7 @@ impl Motor {
         let apart = libm::hypot(one[0] - other[0], one[1] - other[1]);
         let port = |behind: f64, crest: u32| Port {
             centre_radius: self.length(libm::hypot(x, y)),
-            angle: angle(behind * libm::atan2(y, x) + 2.0 * to_trough * f64::from(crest)),
+            angle: Angle::from_si(behind * libm::atan2(y, x) + 2.0 * to_trough * f64::from(crest)),
             greatest_diameter: self.length(2.0 * self.shape.satellite_radius() - apart),
         };
         let crests = 0..self.numbers().stator_lobes();
@@ -137,8 +138,8 @@ impl Motor {
         Ports {
             high: crests.clone().map(|crest| port(1.0, crest)).collect(),
             low: crests.map(|crest| port(-1.0, crest)).collect(),
-            covered: angle(covered),
-            open: angle(2.0 * to_crest - covered),
+            covered: Angle::from_si(covered),
+            open: Angle::from_si(2.0 * to_crest - covered),
         }
     }
 }
@@ -147,14 +148,10 @@ impl Motor {
 mod tests {
     use super::*;
     use crate::centrode::tests::any_motor;
-    use crate::units::radians;
     use proptest::prelude::*;
-    use uom::si::force::newton;
-    use uom::si::length::meter;
-    use uom::si::pressure::pascal;
 
     fn m(value: f64) -> Length {
-        Length::new::<meter>(value)
+        Length::from_si(value)
     }
 
     proptest! {
@@ -163,19 +160,19 @@ mod tests {
         #[test]
         fn the_forces_do_the_work_of_the_torque(motor in any_motor(), rotation in -9.0..9.0, drop in 1.0..3e7) {
             // Each satellite sweeps f·dφ and so does the work (p_back − p_front)·b·f·dφ.
-            let pressure = |value| Pressure::new::<pascal>(value);
-            let forces = motor.satellite_forces(angle(rotation), m(0.5), pressure(drop), pressure(0.0)).unwrap();
+            let pressure = Pressure::from_si;
+            let forces = motor.satellite_forces(Angle::from_si(rotation), m(0.5), pressure(drop), pressure(0.0)).unwrap();
             let work: f64 = forces.iter().map(|force| {
-                let (back, front) = (force.pressure_behind.get::<pascal>(), force.pressure_in_front.get::<pascal>());
+                let (back, front) = (force.pressure_behind.si(), force.pressure_in_front.si());
                 (back - front) * 0.5 * motor.shape.at(By::Phase, motor.phase(rotation, force.index)).flow()
             }).sum();
-            let torque = motor.torque(angle(rotation), m(0.5), pressure(drop)).unwrap().value;
+            let torque = motor.torque(Angle::from_si(rotation), m(0.5), pressure(drop)).unwrap().value;
             prop_assert!((work - torque).abs() < 1e-9 * torque.abs(), "{work} {torque}");
             for force in &forces {
-                let chord = force.chord.get::<meter>();
-                prop_assert!(chord > 0.0 && chord <= 2.0 * motor.satellite_radius().get::<meter>() + 1e-12);
-                let step = (force.pressure_behind - force.pressure_in_front).get::<pascal>();
-                prop_assert!((force.force.get::<newton>() - step * chord * 0.5).abs() <= 1e-9 * drop * chord);
+                let chord = force.chord.si();
+                prop_assert!(chord > 0.0 && chord <= 2.0 * motor.satellite_radius().si() + 1e-12);
+                let step = (force.pressure_behind - force.pressure_in_front).si();
+                prop_assert!((force.force.si() - step * chord * 0.5).abs() <= 1e-9 * drop * chord);
             }
         }
 
@@ -183,12 +180,12 @@ mod tests {
         fn a_port_sees_one_growing_chamber_and_no_other(motor in any_motor(), part in 0.0..1.0) {
             // While no satellite covers the centre of a high port, the chamber about it grows.
             let ports = motor.ports();
-            let r = motor.satellite_radius().get::<meter>();
+            let r = motor.satellite_radius().si();
             let port = &ports.high[0];
-            let radius = port.greatest_diameter.get::<meter>() / 2.0;
+            let radius = port.greatest_diameter.si() / 2.0;
             prop_assume!(radius > 0.0);
-            let (sin, cos) = libm::sincos(radians(port.angle));
-            let centre = [port.centre_radius.get::<meter>() * cos, port.centre_radius.get::<meter>() * sin];
+            let (sin, cos) = libm::sincos(port.angle.si());
+            let centre = [port.centre_radius.si() * cos, port.centre_radius.si() * sin];
             let rotation = part * motor.chamber_phase();
             let places: Vec<_> = (0..motor.numbers().satellites()).map(|j| motor.place(rotation, j)).collect();
             let covered = places.iter().any(|place| {
@@ -212,9 +209,13 @@ mod tests {
     fn bad_inputs_are_refused() {
         let numbers = crate::MotorNumbers::new(5, 3, 55, 10).unwrap();
         let motor = Motor::of_two_arcs(numbers, m(1.0), m(40.0)).unwrap();
-        let pressure = |value| Pressure::new::<pascal>(value);
-        assert!(motor.satellite_forces(angle(0.0), m(0.0), pressure(1.0), pressure(0.0)).is_err());
-        assert!(motor.satellite_forces(angle(0.0), m(1.0), pressure(f64::NAN), pressure(0.0)).is_err());
-        assert!(motor.satellite_forces(angle(f64::NAN), m(1.0), pressure(1.0), pressure(0.0)).is_err());
+        let pressure = Pressure::from_si;
+        assert!(motor.satellite_forces(Angle::from_si(0.0), m(0.0), pressure(1.0), pressure(0.0)).is_err());
+        assert!(
+            motor.satellite_forces(Angle::from_si(0.0), m(1.0), pressure(f64::NAN), pressure(0.0)).is_err()
+        );
+        assert!(
+            motor.satellite_forces(Angle::from_si(f64::NAN), m(1.0), pressure(1.0), pressure(0.0)).is_err()
+        );
     }
 }

@@ -32,6 +32,7 @@
 //! # Left out
 //! Friction of bearings and shaft seals, of faces that touch, at third contacts; the change of `N` by friction itself, of second order in `μ_f`; churning.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, DynamicViscosity, Length, Pressure, Torque};
 
 use crate::Error;
@@ -39,10 +40,7 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::leakage::EndGaps;
 use crate::motor::Motor;
 use crate::quantity::Quantity;
-use crate::units::{
-    angle, finite_angle, metres, micrometres, newtons, positive_pascals, positive_viscosity, radians,
-    ranging, speed_from_zero, torque_of_newton_metres,
-};
+use crate::ranges::{finite_angle, positive, positive_pressure, ranging};
 use epicyclic_numerics::quadrature::quadrature;
 use std::f64::consts::{PI, TAU};
 
@@ -95,18 +93,18 @@ impl Motor {
         width: Length,
         drop: Pressure,
     ) -> Result<f64, Error> {
-        let forces = self.flank_forces(pressure_angle, angle(rotation), width, drop)?;
+        let forces = self.flank_forces(pressure_angle, Angle::from_si(rotation), width, drop)?;
         let arm = self.mean_sliding_arm(pressure_angle);
         let of_satellite = |force: &crate::flanks::FlankForce| {
             let contact = self.shape.at(By::Phase, self.phase(rotation, force.index));
-            newtons(force.force) * sliding(&contact)
+            force.force.si() * sliding(&contact)
         };
         Ok(arm * forces.iter().map(of_satellite).sum::<f64>())
     }
 
     /// `p_b/4` in metres.
     fn mean_sliding_arm(&self, pressure_angle: Angle) -> f64 {
-        0.25 * PI * metres(self.module()) * libm::cos(radians(pressure_angle))
+        0.25 * PI * self.module().si() * libm::cos(pressure_angle.si())
     }
 
     /// The friction torque of the flanks after a rotation, for the least and the greatest coefficient.
@@ -121,10 +119,10 @@ impl Motor {
         pressure_drop: Pressure,
         friction: FrictionRange,
     ) -> Result<[Torque; 2], Error> {
-        positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        positive_pressure(Quantity::PressureDrop, pressure_drop)?;
         let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let over = self.loss_over_friction(pressure_angle, rotation, width, pressure_drop)?;
-        Ok(friction.ends().map(|friction| torque_of_newton_metres(friction * over)))
+        Ok(friction.ends().map(|friction| Torque::from_si(friction * over)))
     }
 
     /// The mean friction torque of the flanks over a revolution, for the least and the greatest coefficient.
@@ -154,9 +152,9 @@ impl Motor {
         pressure_drop: Pressure,
         friction: FrictionRange,
     ) -> Result<[Torque; 2], Error> {
-        positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        positive_pressure(Quantity::PressureDrop, pressure_drop)?;
         // Every satellite goes through the same: two loaded ranges of 2π/N in a cycle.
-        self.flank_forces(pressure_angle, angle(0.0), width, pressure_drop)?;
+        self.flank_forces(pressure_angle, Angle::from_si(0.0), width, pressure_drop)?;
         let numbers = self.numbers();
         let half = PI / f64::from(numbers.stator_lobes());
         let arm = self.mean_sliding_arm(pressure_angle);
@@ -177,8 +175,8 @@ impl Motor {
             for pair in ends.windows(2) {
                 let failed = std::cell::RefCell::new(&mut failed);
                 sum += quadrature(pair[0], pair[1], PANELS, |phase| {
-                    match self.flank_forces(pressure_angle, angle(phase), width, pressure_drop) {
-                        Ok(forces) => newtons(forces[0].force) * sliding(&self.shape.at(By::Phase, phase)),
+                    match self.flank_forces(pressure_angle, Angle::from_si(phase), width, pressure_drop) {
+                        Ok(forces) => forces[0].force.si() * sliding(&self.shape.at(By::Phase, phase)),
                         Err(error) => {
                             **failed.borrow_mut() = Some(error);
                             f64::NAN
@@ -191,7 +189,7 @@ impl Motor {
             return Err(error);
         }
         let per_turn = f64::from(numbers.stator_lobes() * numbers.rotor_lobes()) / TAU;
-        Ok(friction.ends().map(|friction| torque_of_newton_metres(friction * arm * per_turn * sum)))
+        Ok(friction.ends().map(|friction| Torque::from_si(friction * arm * per_turn * sum)))
     }
 
     /// The drag of the end gaps at a speed, the mean over a revolution; of a gap of 0, the ideal face that neither leaks nor drags, none.
@@ -205,18 +203,17 @@ impl Motor {
         bore_radius: Length,
         speed: AngularVelocity,
     ) -> Result<GapDrag, Error> {
-        let gap = |quantity, gap: Length| {
-            ranging(quantity, micrometres(gap), [0.0, f64::INFINITY], "µm").map(|_| metres(gap))
-        };
+        let gap =
+            |quantity, gap: Length| ranging(quantity, gap.um(), [0.0, f64::INFINITY], "µm").map(|_| gap.si());
         let satellite_gap = gap(Quantity::SatelliteGap, gaps.satellite)?;
         let rotor_gap = gap(Quantity::RotorGap, gaps.rotor)?;
         let over_gap = |value: f64, gap: f64| if gap > 0.0 { value / gap } else { 0.0 };
-        let viscosity = positive_viscosity(viscosity)?;
-        let speed = speed_from_zero(speed)?;
-        let inner = 0.5 * crate::units::millimetres(self.envelope().rotor_inner);
-        ranging(Quantity::BoreRadius, crate::units::millimetres(bore_radius), [0.0, inner], "mm")?;
-        let module = metres(self.module());
-        let r = metres(self.satellite_radius());
+        let viscosity = positive(Quantity::Viscosity, viscosity.si(), "Pa·s")?;
+        let speed = ranging(Quantity::Speed, speed.si(), [0.0, f64::INFINITY], "rad/s")?;
+        let inner = 0.5 * self.envelope().rotor_inner.mm();
+        ranging(Quantity::BoreRadius, bore_radius.mm(), [0.0, inner], "mm")?;
+        let module = self.module().si();
+        let r = self.satellite_radius().si();
         let trough = self.shape.trough();
         let kinks = self.shape.kink();
         let over = |by: By, f: &dyn Fn(&Contact) -> f64| -> f64 {
@@ -236,12 +233,9 @@ impl Motor {
             * f64::from(self.numbers().rotor_lobes())
             * over(By::RotorAngle, &|contact| 0.25 * contact.rho1.powi(4))
             * module.powi(4)
-            - 0.5 * PI * metres(bore_radius).powi(4);
+            - 0.5 * PI * bore_radius.si().powi(4);
         let of_rotor = over_gap(2.0 * viscosity * face * speed, rotor_gap);
-        Ok(GapDrag {
-            satellites: torque_of_newton_metres(of_satellites),
-            rotor: torque_of_newton_metres(of_rotor),
-        })
+        Ok(GapDrag { satellites: Torque::from_si(of_satellites), rotor: Torque::from_si(of_rotor) })
     }
 }
 

@@ -23,16 +23,17 @@
 //! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in (4) the copy lost
 //! the root; (6)–(8) are restored by integrating the rolling, of which (5) is the primitive.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::arcs::{Arcs, StatorArcs};
 use crate::closure::rolling_radius;
 use crate::contact::{By, Conjugate as _};
+use crate::modules::length;
 use crate::motor::SatelliteContact;
 use crate::numbers::MotorNumbers;
 use crate::two_arcs::TwoArcs;
-use crate::units::{angle, length};
 
 /// The junction of the rotor's arcs, and what formulas (2)–(8) pass on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,9 +94,9 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
         h,
         k,
         stator_radius: length(op, arcs.module),
-        stator_angle: angle(t),
+        stator_angle: Angle::from_si(t),
         rotor_radius: length(twice * (below + 2.0 * half_sine * half_sine) / op, arcs.module),
-        rotor_angle: angle(2.0 * k * libm::atan(h * arcs.arcs.tan_gamma) - gamma - t),
+        rotor_angle: Angle::from_si(2.0 * k * libm::atan(h * arcs.arcs.tan_gamma) - gamma - t),
     })
 }
 
@@ -145,13 +146,11 @@ mod tests {
     use crate::closure::tests::any_motor;
     use crate::closure::{Family, closure, is_smooth};
     use crate::quantity::Quantity;
-    use crate::units::radians;
     use epicyclic_numerics::quadrature::quadrature;
     use proptest::prelude::*;
-    use uom::si::length::millimeter;
 
     fn mm(value: f64) -> Length {
-        Length::new::<millimeter>(value)
+        Length::from_mm(value)
     }
 
     #[test]
@@ -193,10 +192,10 @@ mod tests {
                 cos_mu / rho3 * r1
             });
             let scale = end3;
-            prop_assert!((found.stator_radius.get::<millimeter>() - end3).abs() < 1e-13 * scale);
-            prop_assert!((found.rotor_radius.get::<millimeter>() - end1).abs() < 1e-12 * scale);
-            prop_assert!((radians(found.stator_angle) - on_stator).abs() < 1e-11);
-            prop_assert!((radians(found.rotor_angle) - angle).abs() < 1e-11);
+            prop_assert!((found.stator_radius.mm() - end3).abs() < 1e-13 * scale);
+            prop_assert!((found.rotor_radius.mm() - end1).abs() < 1e-12 * scale);
+            prop_assert!((found.stator_angle.si() - on_stator).abs() < 1e-11);
+            prop_assert!((found.rotor_angle.si() - angle).abs() < 1e-11);
         }
     }
 
@@ -248,9 +247,9 @@ mod tests {
                 }
             }
             let rolled = rolled(numbers, &arcs, 7).unwrap();
-            let found = radians(rolled[14].rotor_angle);
+            let found = rolled[14].rotor_angle.si();
             prop_assert!((found - span).abs() < 1e-5 * found, "{found} {span}");
-            let open = radians(closure(numbers, &arcs).unwrap().open());
+            let open = closure(numbers, &arcs).unwrap().open().si();
             let by_closure = std::f64::consts::PI / f64::from(numbers.rotor_lobes()) - open;
             prop_assert!((found - by_closure).abs() < 1e-11 * found, "{found} {by_closure}");
         }

@@ -16,12 +16,13 @@
 //!
 //! which is decided by two numbers, without sampling. The least chamber is known in closed form ([`crate::chambers`]).
 
+use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
 use crate::Error;
 use crate::quantity::Quantity;
+use crate::ranges::{positive_length, ranging};
 use crate::tolerance::SLACK;
-use crate::units::{millimetres, positive_length, ranging};
 
 /// Least and greatest module of a motor, mm.
 pub const MODULE_MM: [f64; 2] = [1e-3, 1e3];
@@ -52,7 +53,7 @@ fn bounded(quantity: Quantity, value: Length, range_mm: [f64; 2]) -> Result<Leng
     let [low, high] = range_mm;
     // What is given as an end is not refused by rounding.
     let slack = [low * (1.0 - SLACK), high * (1.0 + SLACK)];
-    let value_mm = millimetres(positive);
+    let value_mm = positive.mm();
     if ranging(quantity, value_mm, slack, "mm").is_ok() {
         Ok(value)
     } else {
@@ -69,20 +70,18 @@ mod tests {
     use crate::closure::tests::any_motor as any_numbers;
     use crate::motor::Motor;
     use crate::second_harmonic;
-    use crate::units::angle;
     use proptest::prelude::*;
     use std::f64::consts::TAU;
-    use uom::si::area::square_meter;
-    use uom::si::length::{meter, millimeter};
+    use uom::si::f64::Angle;
 
     fn mm(value: f64) -> Length {
-        Length::new::<millimeter>(value)
+        Length::from_mm(value)
     }
 
     /// Any motor that closes, whether its rotor turns or not.
     fn any_closed() -> impl Strategy<Value = Motor> {
         (any_numbers(), 0..4_u8).prop_map(|((numbers, part), kind)| {
-            let metre = Length::new::<meter>(1.0);
+            let metre = Length::from_si(1.0);
             let laws = if kind == 0 { second_harmonic::laws(numbers, 9, 0.01) } else { vec![] };
             if let Some(law) = laws.get((9.0 * part) as usize) {
                 return Motor::of_law(numbers, metre, *law);
@@ -100,8 +99,8 @@ mod tests {
         let count = outer * inner * 2 * 48_u32.div_ceil(inner);
         let whole = TAU / f64::from(count);
         let point = |i: u32| {
-            let at = curve.at_polar_angle(angle(whole * f64::from(i))).unwrap();
-            [whole * f64::from(i), libm::hypot(at.x.get::<meter>(), at.y.get::<meter>())]
+            let at = curve.at_polar_angle(Angle::from_si(whole * f64::from(i))).unwrap();
+            [whole * f64::from(i), libm::hypot(at.x.si(), at.y.si())]
         };
         (0..count).map(point).collect()
     }
@@ -141,8 +140,8 @@ mod tests {
                 Ok(motor) => {
                     prop_assert!(found < 1e-3 * stator, "{found} {rotor} {stator}");
                     for i in 0..60 {
-                        let chambers = motor.chambers(angle(0.1 * f64::from(i))).unwrap();
-                        prop_assert!(chambers.iter().all(|chamber| chamber.area.get::<square_meter>() > 0.0));
+                        let chambers = motor.chambers(Angle::from_si(0.1 * f64::from(i))).unwrap();
+                        prop_assert!(chambers.iter().all(|chamber| chamber.area.si() > 0.0));
                     }
                 }
                 Err(Error::RotorInStator { .. }) => {

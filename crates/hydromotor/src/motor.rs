@@ -5,6 +5,7 @@
 //! the rotor is counter-clockwise from where one of its crests is on the x axis too, with satellite 0 between.
 
 use crate::quantity::Quantity;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
@@ -13,10 +14,11 @@ use crate::closure::arcs_at;
 use crate::contact::{By, Conjugate, Contact};
 use crate::cosine::{Cosine, Law};
 use crate::machine;
+use crate::modules::length;
 use crate::numbers::MotorNumbers;
+use crate::ranges::{finite_angle, finite_modules};
 use crate::second_harmonic::{self, HarmonicLaw};
 use crate::two_arcs::TwoArcs;
-use crate::units::{angle, finite_angle, finite_modules, length, millimetres, square_millimetres};
 
 /// A closed motor.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,12 +112,11 @@ impl Motor {
     pub(crate) fn turning(self) -> Result<Self, Error> {
         let [rotor, stator] = self.facing_radii();
         if rotor >= stator {
-            let [rotor_mm, stator_mm] =
-                [rotor, stator].map(|value| millimetres(length(value, self.module())));
+            let [rotor_mm, stator_mm] = [rotor, stator].map(|value| length(value, self.module()).mm());
             return Err(Error::RotorInStator { rotor_mm, stator_mm });
         }
         let [least, _] = self.chamber_extremes();
-        let area_mm2 = square_millimetres(least);
+        let area_mm2 = least.mm2();
         if area_mm2 > 0.0 { Ok(self) } else { Err(Error::NoChamber { area_mm2 }) }
     }
 
@@ -233,12 +234,12 @@ impl SatelliteContact {
     /// From a contact in modules.
     pub(crate) fn of(contact: &Contact, module: Length) -> Self {
         Self {
-            rotation: angle(contact.phase),
-            stator_angle: angle(contact.theta3),
+            rotation: Angle::from_si(contact.phase),
+            stator_angle: Angle::from_si(contact.theta3),
             stator_radius: length(contact.rho3, module),
-            rotor_angle: angle(contact.theta1),
+            rotor_angle: Angle::from_si(contact.theta1),
             rotor_radius: length(contact.rho1, module),
-            slope_angle: angle(contact.mu),
+            slope_angle: Angle::from_si(contact.mu),
             stator_arc: length(contact.s3, module),
             rotor_arc: length(contact.s1, module),
         }
@@ -339,17 +340,16 @@ mod tests {
     use crate::checks::ToothHeights;
     use proptest::prelude::*;
     use uom::si::f64::{AngularVelocity, Pressure};
-    use uom::si::length::meter;
 
     fn m(value: f64) -> Length {
-        Length::new::<meter>(value)
+        Length::from_si(value)
     }
 
     /// Everything a motor answers.
     fn ask(motor: &Motor, x: f64) {
-        let (rotation, length) = (angle(x), m(x));
-        let pressure = Pressure::new::<uom::si::pressure::pascal>(x);
-        let speed = AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(x);
+        let (rotation, length) = (Angle::from_si(x), m(x));
+        let pressure = Pressure::from_si(x);
+        let speed = AngularVelocity::from_si(x);
         let _ = (motor.contact(rotation), motor.contact_at_stator_arc(length), motor.satellites(rotation));
         for wheel in [Wheel::Stator, Wheel::Rotor, Wheel::Satellite] {
             let curve = motor.centrode(wheel);

@@ -8,12 +8,13 @@
 //! ```
 
 use crate::quantity::Quantity;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
-use crate::units::{angle, finite_angle};
+use crate::ranges::finite_angle;
 use epicyclic_numerics::extremes::golden;
 
 /// A point of the stator's frame.
@@ -77,7 +78,7 @@ impl Motor {
             Satellite {
                 index,
                 centre: point(centre),
-                rotation: angle(contact.theta3 - contact.mu - contact.s3 / r),
+                rotation: Angle::from_si(contact.theta3 - contact.mu - contact.s3 / r),
                 on_stator: point(on_stator),
                 on_rotor: point(on_rotor),
             }
@@ -110,7 +111,7 @@ impl Motor {
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
         let (distance, phase) = self.least_neighbour_kernel();
-        (self.length(distance), angle(phase))
+        (self.length(distance), Angle::from_si(phase))
     }
 
     /// The distance of two neighbours, the one behind at a phase, in units of the module.
@@ -169,12 +170,10 @@ mod tests {
     use super::*;
     use crate::centrode::Wheel;
     use crate::centrode::tests::any_motor;
-    use crate::units::radians;
     use proptest::prelude::*;
-    use uom::si::length::meter;
 
     fn xy(point: Point) -> [f64; 2] {
-        [point.x.get::<meter>(), point.y.get::<meter>()]
+        [point.x.si(), point.y.si()]
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -189,9 +188,9 @@ mod tests {
     proptest! {
         #[test]
         fn satellites_touch_both_wheels_at_every_angle(motor in any_motor(), rotation in -20.0..20.0) {
-            let r = motor.satellite_radius().get::<meter>();
+            let r = motor.satellite_radius().si();
             let contact_slack = 1e-9;
-            for satellite in motor.satellites(angle(rotation)).unwrap() {
+            for satellite in motor.satellites(Angle::from_si(rotation)).unwrap() {
                 let centre = xy(satellite.centre);
                 prop_assert!((distance(centre, xy(satellite.on_stator)) - r).abs() < contact_slack);
                 prop_assert!((distance(centre, xy(satellite.on_rotor)) - r).abs() < contact_slack);
@@ -202,9 +201,9 @@ mod tests {
                     let point = turned(xy(point), -turn);
                     let centre = turned(centre, -turn);
                     let polar = libm::atan2(point[1], point[0]);
-                    let curve = motor.centrode(wheel).at_polar_angle(angle(polar)).unwrap();
-                    prop_assert!(distance(point, [curve.x.get::<meter>(), curve.y.get::<meter>()]) < contact_slack, "{wheel:?}");
-                    let (sin, cos) = libm::sincos(radians(curve.tangent));
+                    let curve = motor.centrode(wheel).at_polar_angle(Angle::from_si(polar)).unwrap();
+                    prop_assert!(distance(point, [curve.x.si(), curve.y.si()]) < contact_slack, "{wheel:?}");
+                    let (sin, cos) = libm::sincos(curve.tangent.si());
                     let along = (centre[0] - point[0]) * cos + (centre[1] - point[1]) * sin;
                     prop_assert!(along.abs() < contact_slack * 10.0, "{wheel:?} {along:e}");
                 }
@@ -214,19 +213,19 @@ mod tests {
         #[test]
         fn satellites_roll_without_slip_on_both_wheels(motor in any_motor(), rotation in -9.0..9.0) {
             let h = 1e-5;
-            let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
+            let at = |rotation: f64| motor.satellites(Angle::from_si(rotation)).unwrap();
             let (back, here, front) = (at(rotation - h), at(rotation), at(rotation + h));
             for ((back, here), front) in back.iter().zip(&here).zip(&front) {
                 let rate = |get: &dyn Fn(&Satellite) -> f64| (get(front) - get(back)) / (2.0 * h);
                 let velocity = [rate(&|s| xy(s.centre)[0]), rate(&|s| xy(s.centre)[1])];
-                let spin = rate(&|s| radians(s.rotation));
+                let spin = rate(&|s| s.rotation.si());
                 let centre = xy(here.centre);
                 let of_satellite = |at: [f64; 2]| {
                     [velocity[0] - spin * (at[1] - centre[1]), velocity[1] + spin * (at[0] - centre[0])]
                 };
                 // On the resting stator no velocity; on the rotor that of the rotor, which turns by 1.
                 let (on_stator, on_rotor) = (xy(here.on_stator), xy(here.on_rotor));
-                let scale = libm::hypot(velocity[0], velocity[1]) + spin.abs() * motor.satellite_radius().get::<meter>();
+                let scale = libm::hypot(velocity[0], velocity[1]) + spin.abs() * motor.satellite_radius().si();
                 prop_assert!(distance(of_satellite(on_stator), [0.0, 0.0]) < 1e-4 * scale.max(1.0));
                 prop_assert!(distance(of_satellite(on_rotor), [-on_rotor[1], on_rotor[0]]) < 1e-4 * scale.max(1.0));
             }
@@ -235,7 +234,7 @@ mod tests {
         #[test]
         fn a_turn_of_a_lobe_brings_the_next_satellite(motor in any_motor(), rotation in -3.0..3.0) {
             let lobe = motor.chamber_phase();
-            let (now, then) = (motor.satellites(angle(rotation)).unwrap(), motor.satellites(angle(rotation + lobe)).unwrap());
+            let (now, then) = (motor.satellites(Angle::from_si(rotation)).unwrap(), motor.satellites(Angle::from_si(rotation + lobe)).unwrap());
             for (next, moved) in now.iter().skip(1).chain(&now[..1]).zip(&then) {
                 prop_assert!(distance(xy(next.centre), xy(moved.centre)) < 1e-10);
             }
@@ -243,8 +242,8 @@ mod tests {
 
         #[test]
         fn no_pair_is_nearer_than_the_least_distance(motor in any_motor(), rotation in -9.0..9.0) {
-            let least = motor.least_neighbour_distance().0.get::<meter>();
-            let satellites = motor.satellites(angle(rotation)).unwrap();
+            let least = motor.least_neighbour_distance().0.si();
+            let satellites = motor.satellites(Angle::from_si(rotation)).unwrap();
             for (one, other) in satellites.iter().zip(satellites.iter().skip(1).chain(&satellites[..1])) {
                 prop_assert!(distance(xy(one.centre), xy(other.centre)) >= least - 1e-9);
             }

@@ -29,14 +29,15 @@
 //! # Source
 //! Not in rotary-hydromotor. The conjugation is that of [`crate::closure`] with the wheels changed.
 
-use uom::si::f64::Length;
+use epicyclic_units::Physical;
+use uom::si::f64::{Angle, Length};
 
 use crate::Error;
 use crate::cosine::{Cosine, Law, Numbers};
 use crate::machine;
+use crate::modules::length;
 use crate::numbers::MotorNumbers;
 use crate::quantity::Quantity;
-use crate::units::{degrees, length};
 use epicyclic_numerics::extremes::golden;
 use epicyclic_numerics::roots::bracketed;
 
@@ -140,8 +141,8 @@ pub struct HarmonicRange {
 /// ```
 pub fn range(numbers: MotorNumbers) -> Result<HarmonicRange, Error> {
     let kernel = Numbers::of(numbers);
-    let ends =
-        part_ends(&kernel).map_err(|left| Error::NoSecondHarmonicRotor { excess_deg: degrees(left) })?;
+    let ends = part_ends(&kernel)
+        .map_err(|left| Error::NoSecondHarmonicRotor { excess_deg: Angle::from_si(left).degrees() })?;
     let end = |part: f64, flat: HarmonicLimit| {
         let is_flat = part.abs() >= 1.0;
         // At a cusp the law is that of the cusp; at a flat end that of the closure.

@@ -4,13 +4,13 @@ use super::*;
 use crate::Motor;
 use crate::contact::{By, Conjugate};
 use crate::numbers::Bounds;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
 use std::f64::consts::PI;
-use uom::si::area::square_millimeter;
-use uom::si::length::millimeter;
+use uom::si::f64::Length;
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn numbers(n: (u32, u32, u32, u32)) -> MotorNumbers {
@@ -26,14 +26,14 @@ fn the_figures_of_the_six_by_four_motor_are_met() {
         [(0.0, 21.0321, 0.10893, 92.647, true), (0.015, 21.0176, 0.10702, 96.395, false)]
     {
         let law = closure(numbers(SIX), mm(1.0), second).unwrap();
-        assert!((law.mean_radius.get::<millimeter>() - c).abs() < 5e-5, "{law:?}");
+        assert!((law.mean_radius.mm() - c).abs() < 5e-5, "{law:?}");
         assert!((law.amplitude - amplitude).abs() < 5e-6, "{law:?}");
         assert_eq!(law.least_stretch < 0.0, cusp, "{law:?}");
         // The areas of the law, with cusps or without.
         let kernel = Numbers::of(numbers(SIX)).at_second(second).unwrap();
         let motor = Motor::of_law(numbers(SIX), mm(1.0), kernel);
         let [least, greatest] = motor.chamber_extremes();
-        assert!(((greatest - least).get::<square_millimeter>() - swing).abs() < 5e-4);
+        assert!(((greatest - least).mm2() - swing).abs() < 5e-4);
         assert_eq!(Motor::of_second_harmonic(numbers(SIX), mm(1.0), second).is_err(), cusp);
     }
     // More than the best motor of two arcs, 96.19.
@@ -41,7 +41,7 @@ fn the_figures_of_the_six_by_four_motor_are_met() {
     let swing = |part: f64| {
         let l = family.at_part(part).unwrap().trough_distance();
         let [least, greatest] = Motor::of_two_arcs(numbers(SIX), mm(1.0), l).unwrap().chamber_extremes();
-        (greatest - least).get::<square_millimeter>()
+        (greatest - least).mm2()
     };
     let best = -golden(0.01, 0.99, 60, |part| -swing(part)).1;
     let scanned = (1..200).map(|i| swing(f64::from(i) / 200.0)).fold(0.0, f64::max);
@@ -56,7 +56,7 @@ fn a_law_keeps_both_closures() {
         let law = motor.harmonic_law().unwrap();
         assert_eq!(law.second_amplitude, second);
         assert!(motor.cosine_law().is_none() && motor.arcs().is_none());
-        let (c, lobes) = (law.mean_radius.get::<millimeter>(), f64::from(n.1));
+        let (c, lobes) = (law.mean_radius.mm(), f64::from(n.1));
         let rho = |theta: f64| {
             c * (1.0 + law.amplitude * libm::cos(lobes * theta) + second * libm::cos(2.0 * lobes * theta))
         };

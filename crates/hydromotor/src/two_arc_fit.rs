@@ -20,12 +20,13 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use epicyclic_numerics::linear::fixed_solution;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Curvature, Length};
 
 use crate::contact::{By, Conjugate};
+use crate::modules::curvature;
 use crate::motor::Motor;
 use crate::tolerance::{BETTER, DIFFERENCE, FINER, LEVEL, NOISE, REACH, SINGULAR};
-use crate::units::{angle, curvature};
 
 /// Places along the half-lobe at which the distance is looked at.
 const PLACES: u32 = 400;
@@ -181,7 +182,7 @@ impl Motor {
             crest_curvature: curvature(crest.curvature, self.module()),
             trough_curvature: curvature(trough.curvature, self.module()),
             deviation: self.length(deviation),
-            kink: angle((crest.normal_angle(point) - trough.normal_angle(point)).abs()),
+            kink: Angle::from_si((crest.normal_angle(point) - trough.normal_angle(point)).abs()),
         })
     }
 
@@ -344,18 +345,17 @@ mod tests {
     use crate::centrode::tests::any_motor;
     use epicyclic_numerics::values::largest_absolute;
     use proptest::prelude::*;
-    use uom::si::length::meter;
 
     #[test]
     fn the_arcs_miss_the_vectors_of_the_source_by_hundredths_of_a_module() {
-        let m = Length::new::<meter>;
+        let m = Length::from_si;
         let mut deviations = Vec::new();
         for (numbers, l) in [((5, 3, 55, 10), 40.0), ((5, 3, 55, 10), 30.0), ((6, 4, 66, 10), 40.0)] {
             let numbers = MotorNumbers::new(numbers.0, numbers.1, numbers.2, numbers.3).unwrap();
             let motor = Motor::of_two_arcs(numbers, m(1.0), m(l)).unwrap();
-            deviations.push(motor.two_arc_fit().deviation.get::<meter>());
+            deviations.push(motor.two_arc_fit().deviation.si());
             let circles = motor.published_circles().unwrap();
-            assert!(circles.deviation.get::<meter>() > 1.8 * deviations[deviations.len() - 1]);
+            assert!(circles.deviation.si() > 1.8 * deviations[deviations.len() - 1]);
             assert!(circles.kink.value > 0.016 && circles.kink.value < 0.031);
         }
         assert!(deviations.iter().all(|&d| d > 0.0105 && d < 0.0225), "{deviations:?}");

@@ -318,14 +318,14 @@ mod tests {
     use super::*;
     use crate::closure::Family;
     use crate::closure::tests::any_motor;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
     use uom::si::f64::Length;
-    use uom::si::length::meter;
 
     proptest! {
         #[test]
         fn the_short_way_to_the_flow_is_that_of_the_contact(motor in any_motor(), part in 0.001..0.999) {
-            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let arcs = Family::new(motor.0, Length::from_si(1.0)).unwrap().at_part(motor.1).unwrap();
             let r = f64::from(motor.0.satellite_teeth()) / 2.0;
             let lobe = TwoArcs::new(&arcs.arcs, r);
             let phase = part * lobe.end_phase;
@@ -339,7 +339,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_ends_of_the_arcs_have_the_extremes_of_the_curvature(motor in any_motor()) {
-            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let arcs = Family::new(motor.0, Length::from_si(1.0)).unwrap().at_part(motor.1).unwrap();
             let lobe = TwoArcs::new(&arcs.arcs, f64::from(motor.0.satellite_teeth()) / 2.0);
             let kink = lobe.junction.phase;
             let places = (0..=4000).map(|i| lobe.end_phase * f64::from(i) / 4000.0);
@@ -353,7 +353,7 @@ mod tests {
 
         #[test]
         fn the_short_way_to_the_centre_is_that_of_the_contact(motor in any_motor(), phase in -20.0..20.0) {
-            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let arcs = Family::new(motor.0, Length::from_si(1.0)).unwrap().at_part(motor.1).unwrap();
             let r = f64::from(motor.0.satellite_teeth()) / 2.0;
             let lobe = TwoArcs::new(&arcs.arcs, r);
             let contact = lobe.at(By::Phase, phase);

@@ -1,7 +1,7 @@
 //! A torque over time: constant, a table, harmonic.
 
 use crate::Error;
-use crate::units::{n_m, rad_per_s, radians, seconds};
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::f64::{Angle, AngularVelocity, Time, Torque};
 
@@ -69,7 +69,7 @@ impl Course {
     /// # Errors
     /// [`Error::Value`] unless finite.
     pub fn constant(torque: Torque) -> Result<Self, Error> {
-        Ok(Self { form: Form::Constant(finite("the torque in N·m", n_m(torque))?), is_clipped: false })
+        Ok(Self { form: Form::Constant(finite("the torque in N·m", torque.si())?), is_clipped: false })
     }
 
     /// Linear between points in order of time.
@@ -78,8 +78,7 @@ impl Course {
     /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of a time before that of the point
     /// before, or of three points at one time.
     pub fn table(points: &[(Time, Torque)]) -> Result<Self, Error> {
-        let points: Vec<[f64; 2]> =
-            points.iter().map(|(time, torque)| [seconds(*time), n_m(*torque)]).collect();
+        let points: Vec<[f64; 2]> = points.iter().map(|(time, torque)| [time.si(), torque.si()]).collect();
         if points.is_empty() {
             return Err(Error::NoPoints { field: "a torque over time".into() });
         }
@@ -113,16 +112,16 @@ impl Course {
         frequency: AngularVelocity,
         phase: Angle,
     ) -> Result<Self, Error> {
-        let frequency = finite("the angular frequency in rad/s", rad_per_s(frequency))?;
+        let frequency = finite("the angular frequency in rad/s", frequency.si())?;
         if frequency <= 0.0 {
             let field = "the angular frequency in rad/s".into();
             return Err(Error::Value { field, value: frequency, allowed: "it is above 0" });
         }
         let form = Form::Harmonic {
-            mean: finite("the mean torque in N·m", n_m(mean))?,
-            amplitude: finite("the amplitude in N·m", n_m(amplitude))?,
+            mean: finite("the mean torque in N·m", mean.si())?,
+            amplitude: finite("the amplitude in N·m", amplitude.si())?,
             frequency,
-            phase: finite("the phase in rad", radians(phase))?,
+            phase: finite("the phase in rad", phase.si())?,
         };
         Ok(Self { form, is_clipped: false })
     }
@@ -130,7 +129,7 @@ impl Course {
     /// The torque at a time.
     #[must_use]
     pub fn at(&self, time: Time) -> Torque {
-        crate::units::torque(self.piece(seconds(time)).at(seconds(time)))
+        Torque::from_si(self.piece(time.si()).at(time.si()))
     }
 
     /// The same as the capacity of a friction element: a harmonic below 0 is 0, and a constant or a table below 0 is refused.
@@ -220,12 +219,15 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angle, angular_velocity, time, torque};
 
     #[test]
     fn a_table_is_linear_between_its_points_and_level_beyond() {
-        let course = Course::table(&[(time(1.0), torque(2.0)), (time(3.0), torque(6.0))]).unwrap();
-        let at = |t| n_m(course.at(time(t)));
+        let course = Course::table(&[
+            (Time::from_si(1.0), Torque::from_si(2.0)),
+            (Time::from_si(3.0), Torque::from_si(6.0)),
+        ])
+        .unwrap();
+        let at = |t| course.at(Time::from_si(t)).si();
         assert_eq!([at(0.0), at(1.0), at(2.0), at(3.0), at(9.0)], [2.0, 2.0, 4.0, 6.0, 6.0]);
         assert_eq!(course.next_kink(1.0), Some(3.0));
         assert_eq!(course.next_kink(3.0), None);
@@ -233,7 +235,13 @@ mod tests {
 
     #[test]
     fn a_clipped_harmonic_has_kinks_at_its_zeros() {
-        let course = Course::harmonic(torque(1.0), torque(2.0), angular_velocity(3.0), angle(0.4)).unwrap();
+        let course = Course::harmonic(
+            Torque::from_si(1.0),
+            Torque::from_si(2.0),
+            AngularVelocity::from_si(3.0),
+            Angle::from_si(0.4),
+        )
+        .unwrap();
         assert_eq!(course.next_kink(0.0), None);
         let course = course.into_capacity("C").unwrap();
         let mut t = 0.0;
@@ -250,16 +258,21 @@ mod tests {
 
     #[test]
     fn what_is_no_course_is_refused() {
-        let nan = torque(f64::NAN);
+        let nan = Torque::from_si(f64::NAN);
         assert!(matches!(Course::constant(nan), Err(Error::Value { .. })));
         assert!(matches!(Course::table(&[]), Err(Error::NoPoints { .. })));
-        let back = [(time(1.0), torque(0.0)), (time(0.5), torque(0.0))];
+        let back = [(Time::from_si(1.0), Torque::from_si(0.0)), (Time::from_si(0.5), Torque::from_si(0.0))];
         assert!(matches!(Course::table(&back), Err(Error::Order { place: 2, .. })));
-        let thrice = [(time(1.0), torque(0.0)); 3];
+        let thrice = [(Time::from_si(1.0), Torque::from_si(0.0)); 3];
         assert!(matches!(Course::table(&thrice), Err(Error::Order { place: 3, .. })));
-        let still = Course::harmonic(torque(1.0), torque(1.0), angular_velocity(0.0), angle(0.0));
+        let still = Course::harmonic(
+            Torque::from_si(1.0),
+            Torque::from_si(1.0),
+            AngularVelocity::from_si(0.0),
+            Angle::from_si(0.0),
+        );
         assert!(matches!(still, Err(Error::Value { .. })));
-        let negative = Course::constant(torque(-1.0)).unwrap();
+        let negative = Course::constant(Torque::from_si(-1.0)).unwrap();
         assert!(matches!(negative.into_capacity("C"), Err(Error::Value { .. })));
     }
 }

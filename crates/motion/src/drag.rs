@@ -19,8 +19,8 @@
 
 use crate::mechanism::Place;
 use crate::table;
-use crate::units::{n_m, rad_per_s};
 use epicyclic_train::drag::{Beyond, DragCurve};
+use epicyclic_units::Physical;
 
 /// A drag between two links.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,8 +51,7 @@ pub(crate) struct Curve {
 
 impl Curve {
     pub(crate) fn new(curve: &DragCurve) -> Self {
-        let given: Vec<[f64; 2]> =
-            curve.points().map(|(speed, torque)| [rad_per_s(speed), n_m(torque)]).collect();
+        let given: Vec<[f64; 2]> = curve.points().map(|(speed, torque)| [speed.si(), torque.si()]).collect();
         let is_refused = curve.beyond() == Beyond::Refused;
         let first = given.first().copied().unwrap_or_default();
         let starts_at_rest = first[0] == 0.0;
@@ -61,7 +60,7 @@ impl Curve {
         let lower = upper.clone().rev().map(|[speed, torque]| [-speed, -torque]);
         Self {
             dry,
-            range: curve.speeds().map(rad_per_s),
+            range: curve.speeds().map(Physical::si),
             is_refused,
             has_gap: is_refused && (!starts_at_rest || given.len() == 1),
             points: lower.chain(upper.clone()).collect(),
@@ -100,10 +99,14 @@ impl Curve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angular_velocity as omega, torque};
+    use uom::si::f64::{AngularVelocity, Torque};
+
+    fn omega(value: f64) -> AngularVelocity {
+        AngularVelocity::from_si(value)
+    }
 
     fn curve(points: &[(f64, f64)], beyond: Beyond) -> Curve {
-        let points: Vec<_> = points.iter().map(|&(speed, on)| (omega(speed), torque(on))).collect();
+        let points: Vec<_> = points.iter().map(|&(speed, on)| (omega(speed), Torque::from_si(on))).collect();
         Curve::new(&DragCurve::new(&points, beyond).unwrap())
     }
 
@@ -118,13 +121,14 @@ mod tests {
             &[(7.0, 1.5)],
         ] {
             let made = curve(points, Beyond::Constant);
-            let given: Vec<_> = points.iter().map(|&(speed, on)| (omega(speed), torque(on))).collect();
+            let given: Vec<_> =
+                points.iter().map(|&(speed, on)| (omega(speed), Torque::from_si(on))).collect();
             let given = DragCurve::new(&given, Beyond::Constant).unwrap();
             for slip in [0.5, 5.0, 7.5, 10.0, 20.0, 40.0] {
                 for sign in [1.0, -1.0] {
                     let slip = sign * slip;
                     let found = made.at(made.segment(slip), slip) + sign * made.dry;
-                    let due = sign * n_m(given.at(omega(slip)).unwrap());
+                    let due = sign * given.at(omega(slip)).unwrap().si();
                     assert!((found - due).abs() < 1e-14, "{points:?} {slip}: {found} {due}");
                     assert!(!made.is_outside(made.segment(slip)));
                 }

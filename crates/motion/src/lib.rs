@@ -92,7 +92,6 @@ mod step;
 mod table;
 mod tolerance;
 mod torque_law;
-mod units;
 
 pub use converter::Converter;
 pub use course::Course;

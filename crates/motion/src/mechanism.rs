@@ -41,12 +41,12 @@ mod sets;
 
 use crate::Error;
 use crate::tolerance::{PIVOT, RANK};
-use crate::units::{inertia, kg_m2};
 use epicyclic_dynamics::gearbox::Masses;
 use epicyclic_numerics::linear::{Matrix, Triangles, independent};
 use epicyclic_numerics::values::dot;
 use epicyclic_train::groups::Groups;
 use epicyclic_train::{GROUND, Gearbox, LinkId};
+use epicyclic_units::Physical;
 use uom::si::f64::MomentOfInertia;
 
 /// A body: a node or a planet by its row; none is the housing.
@@ -228,7 +228,7 @@ impl Mechanism {
         if self.links.iter().any(|link| link == name) {
             return Err(Error::Duplicate { what: "link", name: name.to_owned() });
         }
-        let value = not_negative(format!("the inertia of {name} in kg·m²"), kg_m2(inertia))?;
+        let value = not_negative(format!("the inertia of {name} in kg·m²"), inertia.si())?;
         if value == 0.0 {
             return Err(Error::NoInertia { links: vec![name.to_owned()], missing: 1 });
         }
@@ -274,7 +274,9 @@ impl Mechanism {
     #[must_use]
     pub fn mass_matrix(&self) -> Vec<Vec<MomentOfInertia>> {
         let matrix = self.masses();
-        (0..matrix.rows()).map(|row| matrix.row(row).iter().map(|&entry| inertia(entry)).collect()).collect()
+        (0..matrix.rows())
+            .map(|row| matrix.row(row).iter().map(|&entry| MomentOfInertia::from_si(entry)).collect())
+            .collect()
     }
 
     /// Speeds of a link over those of the coordinates; all 0 of one piece with the housing.
@@ -296,7 +298,7 @@ impl Mechanism {
         let factors = self.speed_factors(link)?;
         let triangles = Triangles::new(self.masses(), PIVOT).ok_or(Error::NoFreedom)?;
         let mobility = dot(&factors, &triangles.solution(&factors));
-        if mobility > 0.0 { Ok(inertia(1.0 / mobility)) } else { Err(Error::NoFreedom) }
+        if mobility > 0.0 { Ok(MomentOfInertia::from_si(1.0 / mobility)) } else { Err(Error::NoFreedom) }
     }
 
     /// Whether two links are one piece: joined for ever, or by an engaged shift element that never slips.
@@ -344,7 +346,7 @@ impl Mechanism {
     }
 
     fn add_inertia(&mut self, link: &str, inertia: MomentOfInertia) -> Result<(), Error> {
-        let value = not_negative(format!("the inertia of {link} in kg·m²"), kg_m2(inertia))?;
+        let value = not_negative(format!("the inertia of {link} in kg·m²"), inertia.si())?;
         if let Some(node) = self.place(link)? {
             self.inertias[node] += value;
         }

@@ -9,10 +9,10 @@ use crate::shaft::{Joint, Shaft};
 use crate::table;
 use crate::tolerance::RANK;
 use crate::torque_law::{Law, TorqueLaw};
-use crate::units::{rad_per_s, seconds};
 use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_train::GROUND;
 use epicyclic_train::drag::DragCurve;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A mechanism with sources, loads, shift elements and thresholds.
@@ -200,8 +200,7 @@ impl Model {
         if points.is_empty() {
             return Err(Error::NoPoints { field: field() });
         }
-        let points: Vec<[f64; 2]> =
-            points.iter().map(|(speed, factor)| [rad_per_s(*speed), *factor]).collect();
+        let points: Vec<[f64; 2]> = points.iter().map(|(speed, factor)| [speed.si(), *factor]).collect();
         for (place, [speed, factor]) in points.iter().enumerate() {
             not_negative(format!("a speed in rad/s of the {}", field()), *speed)?;
             not_negative(format!("a factor of the {}", field()), *factor)?;
@@ -223,7 +222,7 @@ impl Model {
     /// The factor of a friction element's capacity at a slip speed of either sign; 1 of one whose friction depends on none, and of other elements.
     #[must_use]
     pub fn friction_factor(&self, name: &str, slip: AngularVelocity) -> f64 {
-        let speed = rad_per_s(slip).abs();
+        let speed = slip.si().abs();
         match self.elements.iter().find(|one| one.name == name).map(|one| &one.kind) {
             Some(Kind::Friction { curve, .. }) if !curve.is_empty() => {
                 table::value(curve, table::segment(curve, speed, true), speed)
@@ -275,7 +274,7 @@ impl Model {
             return Err(Error::NoPoints { field: field() });
         }
         let program: Vec<(f64, bool)> =
-            program.iter().map(|&(time, is_engaged)| (seconds(time), is_engaged)).collect();
+            program.iter().map(|&(time, is_engaged)| (time.si(), is_engaged)).collect();
         for (place, &(time, _)) in program.iter().enumerate() {
             crate::course::finite(&format!("a time in s of {}", field()), time)?;
             if place > 0 && time <= program[place - 1].0 {
@@ -290,7 +289,7 @@ impl Model {
             }
         }
         let limit = limit.map_or(Ok(f64::INFINITY), |limit| {
-            not_negative(format!("the largest slip in rad/s at which {name} engages"), rad_per_s(limit))
+            not_negative(format!("the largest slip in rad/s at which {name} engages"), limit.si())
         })?;
         self.join(name, links, Kind::Dog { program, limit })
     }
@@ -396,7 +395,7 @@ impl Model {
     pub fn threshold(&mut self, name: &str, link: &str, speed: AngularVelocity) -> Result<(), Error> {
         self.check_name(name)?;
         let factors = self.mechanism.speed_factors(link)?;
-        let speed = crate::course::finite("the speed of a threshold in rad/s", rad_per_s(speed))?;
+        let speed = crate::course::finite("the speed of a threshold in rad/s", speed.si())?;
         self.thresholds.push(Threshold { name: name.to_owned(), factors, speed });
         Ok(())
     }

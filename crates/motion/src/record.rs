@@ -3,8 +3,8 @@
 use crate::field::Field;
 use crate::pattern::Way;
 use crate::shaft::Contact;
-use crate::units::{angle, angular_acceleration, angular_velocity, energy, joules, power, time, torque};
 use epicyclic_numerics::values::{dot, largest_absolute};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
 
 /// What an element does.
@@ -130,7 +130,7 @@ impl Sample {
             let of = |node: &Option<usize>| node.map_or(0.0, |node| dot(mechanism.speeds.row(node), values));
             mechanism.node.iter().map(of).collect()
         };
-        let torques = |values: &[f64]| values.iter().map(|&value| torque(value)).collect();
+        let torques = |values: &[f64]| values.iter().map(|&value| Torque::from_si(value)).collect();
         let sets = mechanism.sets.iter().enumerate().map(|(place, set)| {
             let mut bodies: Vec<f64> = vec![0.0; set.centrals.iter().max().map_or(0, |most| most + 1)];
             let held = field.held_torque(place);
@@ -150,18 +150,22 @@ impl Sample {
                 }
             }
             let centrals = set.centrals.iter().map(|&body| bodies[body]);
-            centrals.chain([carrier]).map(|on| torque(-on)).collect()
+            centrals.chain([carrier]).map(|on| Torque::from_si(-on)).collect()
         });
         let mesh_power = |(mesh, one): (usize, &crate::mechanism::MeshForce)| {
-            power(-field.meshes[mesh] * dot(&one.rolling, y))
+            Power::from_si(-field.meshes[mesh] * dot(&one.rolling, y))
         };
-        let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
+        let energies =
+            |from: usize, to: usize| y[from..to].iter().map(|&value| Energy::from_si(value)).collect();
         let (elements, drags) = shared(field, t);
         let twists = &y[field.parts.twist..field.parts.size];
         Self {
-            time: time(t),
-            speeds: of_links(y).into_iter().map(angular_velocity).collect(),
-            accelerations: of_links(&field.accelerations).into_iter().map(angular_acceleration).collect(),
+            time: Time::from_si(t),
+            speeds: of_links(y).into_iter().map(AngularVelocity::from_si).collect(),
+            accelerations: of_links(&field.accelerations)
+                .into_iter()
+                .map(AngularAcceleration::from_si)
+                .collect(),
             torques: torques(&field.applied),
             states: states(field),
             heats: energies(field.parts.heat, field.parts.heat + elements.len()),
@@ -170,13 +174,13 @@ impl Sample {
             sets: sets.collect(),
             mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),
             shafts: torques(&field.shafts),
-            twists: twists.iter().map(|&twist| angle(twist)).collect(),
+            twists: twists.iter().map(|&twist| Angle::from_si(twist)).collect(),
             contacts: twists
                 .iter()
                 .zip(&field.pattern.flanks)
                 .map(|(&twist, flank)| flank.contact(twist))
                 .collect(),
-            converters: field.converters.iter().map(|on| on.map(torque)).collect(),
+            converters: field.converters.iter().map(|on| on.map(Torque::from_si)).collect(),
             drags: torques(&drags),
             drag_losses: energies(field.parts.drag, field.parts.twist),
         }
@@ -277,22 +281,22 @@ impl Audit {
     /// energies; what is stored is kinetic and elastic.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        let sum = |of: &[Energy]| of.iter().map(|one| joules(*one)).sum::<f64>();
-        let stored = joules(self.after) - joules(self.before) + joules(self.elastic_after)
-            - joules(self.elastic_before);
+        let sum = |of: &[Energy]| of.iter().map(|one| one.si()).sum::<f64>();
+        let stored = self.after.si() - self.before.si() + self.elastic_after.si() - self.elastic_before.si();
         let of_joints = sum(&self.converters) + sum(&self.damping);
         let lost = sum(&self.heat) + sum(&self.drags) + sum(&self.mesh_losses) + of_joints;
-        let balance = sum(&self.work) - lost - joules(self.impacts);
+        let balance = sum(&self.work) - lost - self.impacts.si();
         let single = [&self.before, &self.after, &self.elastic_before, &self.elastic_after, &self.impacts];
         let lists = [&self.work, &self.heat, &self.drags, &self.mesh_losses, &self.converters, &self.damping];
         let all = lists.into_iter().flatten().chain(single);
-        let largest = largest_absolute(all.map(|one| joules(*one)));
+        let largest = largest_absolute(all.map(|one| one.si()));
         if largest == 0.0 { 0.0 } else { (stored - balance) / largest }
     }
 
     pub(crate) fn of(field: &Field, y: &[f64], impacts: f64, [before, elastic_before]: [f64; 2]) -> Self {
         let parts = field.parts;
-        let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
+        let energies =
+            |from: usize, to: usize| y[from..to].iter().map(|&value| Energy::from_si(value)).collect();
         Self {
             work: energies(parts.work, parts.heat),
             heat: energies(parts.heat, parts.heat + field.model.own_elements()),
@@ -301,11 +305,11 @@ impl Audit {
             inner_losses: energies(parts.inner, parts.oil),
             converters: energies(parts.oil, parts.damping),
             damping: energies(parts.damping, parts.drag),
-            impacts: energy(impacts),
-            before: energy(before),
-            after: energy(field.model.mechanism.kinetic_energy(&y[..parts.work])),
-            elastic_before: energy(elastic_before),
-            elastic_after: energy(field.elastic_energy(y)),
+            impacts: Energy::from_si(impacts),
+            before: Energy::from_si(before),
+            after: Energy::from_si(field.model.mechanism.kinetic_energy(&y[..parts.work])),
+            elastic_before: Energy::from_si(elastic_before),
+            elastic_after: Energy::from_si(field.elastic_energy(y)),
         }
     }
 }

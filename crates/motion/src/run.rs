@@ -21,9 +21,9 @@ use crate::step::Stepper;
 use crate::tolerance::{
     ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, SLIP, STEP_ERROR,
 };
-use crate::units::{seconds, time};
 use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_train::GROUND;
+use epicyclic_units::Physical;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use uom::si::f64::Time;
@@ -67,9 +67,9 @@ impl Model {
                 Err(Error::Value { field: field.into(), value, allowed: "it is finite and above 0" })
             }
         };
-        let end = positive("the end in s", seconds(end))?;
+        let end = positive("the end in s", end.si())?;
         let every =
-            sample_every.map(|every| positive("the interval of samples in s", seconds(every))).transpose()?;
+            sample_every.map(|every| positive("the interval of samples in s", every.si())).transpose()?;
         let mut runner = Runner::new(self, start, end, every)?;
         let y = &runner.stepper.y;
         let before =
@@ -226,7 +226,7 @@ impl<'m> Runner<'m> {
     fn advance(&mut self, stop: f64, watch: &mut Watch<'_>) -> Result<Stretch, Error> {
         let shortest = SHORTEST * self.end;
         loop {
-            if watch(time(self.stepper.t)).is_break() {
+            if watch(Time::from_si(self.stepper.t)).is_break() {
                 return Ok(Stretch::Left);
             }
             let left = stop - self.stepper.t;

@@ -28,7 +28,7 @@
 use crate::Error;
 use crate::course::finite;
 use crate::mechanism::{Place, not_negative};
-use crate::units::{n_m, rad_per_s, radians};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Torque};
 
 /// Stiffness, damping and backlash of a shaft between two links.
@@ -59,8 +59,8 @@ impl Shaft {
     /// # Errors
     /// [`Error::Value`] unless both are finite and above 0.
     pub fn new(torque: Torque, twist: Angle) -> Result<Self, Error> {
-        let torque = positive("the torque that twists a shaft in N·m", n_m(torque))?;
-        let twist = positive("its twist in rad", radians(twist))?;
+        let torque = positive("the torque that twists a shaft in N·m", torque.si())?;
+        let twist = positive("its twist in rad", twist.si())?;
         let stiffness = positive("the stiffness of a shaft in N·m/rad", torque / twist)?;
         Ok(Self { stiffness, damping: 0.0, backlash: 0.0 })
     }
@@ -70,8 +70,8 @@ impl Shaft {
     /// # Errors
     /// [`Error::Value`] of a torque that is not finite or below 0, and of a speed that is not finite and above 0.
     pub fn damping(self, torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
-        let torque = not_negative("the damping torque of a shaft in N·m".into(), n_m(torque))?;
-        let speed = positive("its speed in rad/s", rad_per_s(speed))?;
+        let torque = not_negative("the damping torque of a shaft in N·m".into(), torque.si())?;
+        let speed = positive("its speed in rad/s", speed.si())?;
         let damping = not_negative("the damping of a shaft in N·m·s/rad".into(), torque / speed)?;
         Ok(Self { damping, ..self })
     }
@@ -81,7 +81,7 @@ impl Shaft {
     /// # Errors
     /// [`Error::Value`] of a play that is not finite or below 0.
     pub fn backlash(self, play: Angle) -> Result<Self, Error> {
-        let backlash = not_negative("the backlash of a shaft in rad".into(), radians(play))?;
+        let backlash = not_negative("the backlash of a shaft in rad".into(), play.si())?;
         Ok(Self { backlash, ..self })
     }
 }

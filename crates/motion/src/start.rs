@@ -4,9 +4,9 @@ use crate::Error;
 use crate::mechanism::Mechanism;
 use crate::shaft::Joint;
 use crate::tolerance::{PIVOT, RANK, SLIP};
-use crate::units::{rad_per_s, radians};
 use epicyclic_numerics::linear::{Matrix, Triangles, independent};
 use epicyclic_numerics::values::{dot, largest_absolute};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity};
 
 /// Speeds of links from which those of all others follow, and twists of shafts.
@@ -28,14 +28,14 @@ impl Start {
     /// These links at these speeds.
     #[must_use]
     pub fn speeds(speeds: &[(&str, AngularVelocity)]) -> Self {
-        let speeds = speeds.iter().map(|(link, speed)| ((*link).to_owned(), rad_per_s(*speed))).collect();
+        let speeds = speeds.iter().map(|(link, speed)| ((*link).to_owned(), speed.si())).collect();
         Self { speeds, ..Self::default() }
     }
 
     /// With these shafts twisted; the others stand in the middle of their backlash, without torque.
     #[must_use]
     pub fn twisted(mut self, twists: &[(&str, Angle)]) -> Self {
-        self.twists.extend(twists.iter().map(|(shaft, twist)| ((*shaft).to_owned(), radians(*twist))));
+        self.twists.extend(twists.iter().map(|(shaft, twist)| ((*shaft).to_owned(), twist.si())));
         self
     }
 

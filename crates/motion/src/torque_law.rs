@@ -18,7 +18,7 @@
 use crate::Error;
 use crate::course::{Course, Piece, finite};
 use crate::table;
-use crate::units::{n_m, rad_per_s, torque, watts};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Time, Torque};
 
 /// A torque on a link, positive along the axis.
@@ -74,8 +74,8 @@ impl TorqueLaw {
     /// # Errors
     /// [`Error::Value`] of a number that is not finite, and of `ω_0 = 0`.
     pub fn linear(at_rest: Torque, no_load: AngularVelocity) -> Result<Self, Error> {
-        let at_rest = finite("the torque at rest in N·m", n_m(at_rest))?;
-        let no_load = not_zero("the no-load speed in rad/s", rad_per_s(no_load))?;
+        let at_rest = finite("the torque at rest in N·m", at_rest.si())?;
+        let no_load = not_zero("the no-load speed in rad/s", no_load.si())?;
         Ok(Self(Law::Linear { at_rest, slope: -at_rest / no_load }))
     }
 
@@ -103,7 +103,8 @@ impl TorqueLaw {
                 return Err(Error::Value { field, value: *opening, allowed: "it is from 0 to 1" });
             }
         }
-        let throttle: Vec<_> = throttle.iter().map(|&(time, opening)| (time, torque(opening))).collect();
+        let throttle: Vec<_> =
+            throttle.iter().map(|&(time, opening)| (time, Torque::from_si(opening))).collect();
         let throttle = Course::table(&throttle)?;
         let [closed, full] = [speed_table(closed)?, speed_table(full)?];
         let mut speeds: Vec<f64> = closed.iter().chain(&full).map(|point| point[0]).collect();
@@ -121,8 +122,8 @@ impl TorqueLaw {
     /// # Errors
     /// [`Error::Value`] of a power or torque that is not finite or is 0, and of two that have different signs.
     pub fn constant_power(power: Power, limit: Torque) -> Result<Self, Error> {
-        let power = not_zero("the constant power in W", watts(power))?;
-        let limit = not_zero("the limit torque of a constant power in N·m", n_m(limit))?;
+        let power = not_zero("the constant power in W", power.si())?;
+        let limit = not_zero("the limit torque of a constant power in N·m", limit.si())?;
         if power * limit < 0.0 {
             return Err(Error::Value {
                 field: "the limit torque of a constant power in N·m".into(),
@@ -156,20 +157,19 @@ impl TorqueLaw {
     /// # Errors
     /// [`Error::Value`] of a number that is not finite, of a slip that is not above 0, and of `ω_0 = 0`.
     pub fn kloss(peak: Torque, peak_slip: f64, synchronous: AngularVelocity) -> Result<Self, Error> {
-        let peak = finite("the peak torque in N·m", n_m(peak))?;
+        let peak = finite("the peak torque in N·m", peak.si())?;
         let field = "the slip at the peak torque";
         if finite(field, peak_slip)? <= 0.0 {
             return Err(Error::Value { field: field.into(), value: peak_slip, allowed: "it is above 0" });
         }
-        let synchronous = not_zero("the synchronous speed in rad/s", rad_per_s(synchronous))?;
+        let synchronous = not_zero("the synchronous speed in rad/s", synchronous.si())?;
         Ok(Self(Law::Kloss { peak, peak_slip, synchronous }))
     }
 }
 
 /// Points of a torque over speed.
 fn speed_table(points: &[(AngularVelocity, Torque)]) -> Result<Vec<[f64; 2]>, Error> {
-    let points: Vec<[f64; 2]> =
-        points.iter().map(|(speed, torque)| [rad_per_s(*speed), n_m(*torque)]).collect();
+    let points: Vec<[f64; 2]> = points.iter().map(|(speed, torque)| [speed.si(), torque.si()]).collect();
     if points.is_empty() {
         return Err(Error::NoPoints { field: "a torque over speed".into() });
     }
@@ -198,8 +198,8 @@ fn not_zero(field: &str, value: f64) -> Result<f64, Error> {
 }
 
 fn resistance(torque: Torque, speed: AngularVelocity) -> Result<[f64; 2], Error> {
-    let torque = crate::mechanism::not_negative("the resisting torque in N·m".into(), n_m(torque))?;
-    let speed = finite("its speed in rad/s", rad_per_s(speed))?;
+    let torque = crate::mechanism::not_negative("the resisting torque in N·m".into(), torque.si())?;
+    let speed = finite("its speed in rad/s", speed.si())?;
     if speed <= 0.0 {
         return Err(Error::Value {
             field: "its speed in rad/s".into(),
@@ -277,7 +277,6 @@ impl Law {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::angular_velocity;
 
     fn at(law: &TorqueLaw, speed: f64) -> f64 {
         law.0.at(&law.0.piece(0.0), law.0.segment(speed, true), 0.0, speed)
@@ -285,17 +284,21 @@ mod tests {
 
     #[test]
     fn every_law_by_hand() {
-        let omega = angular_velocity;
-        assert_eq!(at(&TorqueLaw::constant(torque(7.0)).unwrap(), 3.0), 7.0);
-        assert_eq!(at(&TorqueLaw::linear(torque(40.0), omega(100.0)).unwrap(), 25.0), 30.0);
-        assert_eq!(at(&TorqueLaw::viscous(torque(8.0), omega(2.0)).unwrap(), -3.0), 12.0);
-        assert_eq!(at(&TorqueLaw::quadratic(torque(8.0), omega(2.0)).unwrap(), -3.0), 18.0);
-        let motor = TorqueLaw::kloss(torque(60.0), 0.2, omega(100.0)).unwrap();
+        let omega = AngularVelocity::from_si;
+        assert_eq!(at(&TorqueLaw::constant(Torque::from_si(7.0)).unwrap(), 3.0), 7.0);
+        assert_eq!(at(&TorqueLaw::linear(Torque::from_si(40.0), omega(100.0)).unwrap(), 25.0), 30.0);
+        assert_eq!(at(&TorqueLaw::viscous(Torque::from_si(8.0), omega(2.0)).unwrap(), -3.0), 12.0);
+        assert_eq!(at(&TorqueLaw::quadratic(Torque::from_si(8.0), omega(2.0)).unwrap(), -3.0), 18.0);
+        let motor = TorqueLaw::kloss(Torque::from_si(60.0), 0.2, omega(100.0)).unwrap();
         assert!((at(&motor, 80.0) - 60.0).abs() < 1e-12);
         assert_eq!(at(&motor, 100.0), 0.0);
-        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(30.0)).unwrap();
+        let power = TorqueLaw::constant_power(Power::from_si(600.0), Torque::from_si(30.0)).unwrap();
         assert_eq!([-5.0, 10.0, 20.0, 40.0].map(|speed| at(&power, speed)), [30.0, 30.0, 30.0, 15.0]);
-        let table = [(omega(0.0), torque(1.0)), (omega(2.0), torque(5.0)), (omega(4.0), torque(0.0))];
+        let table = [
+            (omega(0.0), Torque::from_si(1.0)),
+            (omega(2.0), Torque::from_si(5.0)),
+            (omega(4.0), Torque::from_si(0.0)),
+        ];
         let table = TorqueLaw::over_speed(&table).unwrap();
         let found = [-1.0, 0.0, 1.0, 2.0, 3.0, 9.0].map(|speed| at(&table, speed));
         assert_eq!(found, [1.0, 1.0, 3.0, 5.0, 2.5, 0.0]);
@@ -303,22 +306,22 @@ mod tests {
 
     #[test]
     fn what_is_no_law_is_refused() {
-        let omega = angular_velocity;
-        assert!(matches!(TorqueLaw::linear(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
-        assert!(matches!(TorqueLaw::viscous(torque(-1.0), omega(1.0)), Err(Error::Value { .. })));
-        assert!(matches!(TorqueLaw::quadratic(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
-        assert!(matches!(TorqueLaw::kloss(torque(1.0), 0.0, omega(1.0)), Err(Error::Value { .. })));
-        let curve = [(omega(0.0), torque(1.0))];
-        let wide = TorqueLaw::map(&curve, &curve, &[(crate::units::time(0.0), 1.1)]);
+        let omega = AngularVelocity::from_si;
+        assert!(matches!(TorqueLaw::linear(Torque::from_si(1.0), omega(0.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::viscous(Torque::from_si(-1.0), omega(1.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::quadratic(Torque::from_si(1.0), omega(0.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::kloss(Torque::from_si(1.0), 0.0, omega(1.0)), Err(Error::Value { .. })));
+        let curve = [(omega(0.0), Torque::from_si(1.0))];
+        let wide = TorqueLaw::map(&curve, &curve, &[(Time::from_si(0.0), 1.1)]);
         assert!(matches!(wide, Err(Error::Value { .. })));
         assert!(matches!(
-            TorqueLaw::map(&curve, &[], &[(crate::units::time(0.0), 1.0)]),
+            TorqueLaw::map(&curve, &[], &[(Time::from_si(0.0), 1.0)]),
             Err(Error::NoPoints { .. })
         ));
-        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(-30.0));
+        let power = TorqueLaw::constant_power(Power::from_si(600.0), Torque::from_si(-30.0));
         assert!(matches!(power, Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::over_speed(&[]), Err(Error::NoPoints { .. })));
-        let level = [(omega(1.0), torque(1.0)), (omega(1.0), torque(2.0))];
+        let level = [(omega(1.0), Torque::from_si(1.0)), (omega(1.0), Torque::from_si(2.0))];
         assert!(matches!(TorqueLaw::over_speed(&level), Err(Error::Order { .. })));
     }
 }

@@ -3,7 +3,7 @@
 use epicyclic_drawing::{Align, Color, Error, Point, Scene, Shape, Style, Text};
 use epicyclic_gears::geometry::ToothedGear;
 
-use crate::units::{mm, rad};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 /// Sun, planets and ring of a simple set.
@@ -53,9 +53,9 @@ impl GearSet<'_> {
     /// # Errors
     /// As [`Scene::check`]: for gears larger than 100 m.
     pub fn scene(&self) -> Result<Scene, Error> {
-        let radius = |gear: &Circles| 0.5 * mm(gear.tip_diameter);
+        let radius = |gear: &Circles| 0.5 * gear.tip_diameter.mm();
         // Lines and letters keep their proportion to the set, whatever its size.
-        let outside = 0.5 * mm(self.ring.root_diameter);
+        let outside = 0.5 * self.ring.root_diameter.mm();
         let unit = outside / 60.0;
         let mut scene = Scene::new("The gear set along its axis");
         let axes = scene.layer("axes", Style::centre_line().width(0.15 * unit))?;
@@ -64,13 +64,13 @@ impl GearSet<'_> {
         let planets = scene.layer("planets", body.fill(Color::new(214, 228, 242)))?;
         let sun = scene.layer("sun", body.fill(Color::new(246, 226, 206)))?;
         let labels = scene.layer("labels", Style::line(0.1))?;
-        let circle = |centre: Point, diameter: Length| Shape::Circle { centre, radius: 0.5 * mm(diameter) };
+        let circle = |centre: Point, diameter: Length| Shape::Circle { centre, radius: 0.5 * diameter.mm() };
         let centre = Point::default();
         scene.add(ring, Shape::Circle { centre, radius: outside + 5.0 * unit });
         scene.add_styled(ring, body.fill(Color::WHITE), circle(centre, self.ring.tip_diameter));
         let thin = Style::line(0.15 * unit);
         scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter));
-        let orbit = Shape::Circle { centre, radius: mm(self.centre_distance) };
+        let orbit = Shape::Circle { centre, radius: self.centre_distance.mm() };
         let mut gear = |layer, centre: Point, gear: &Circles| {
             scene.add(layer, circle(centre, gear.tip_diameter));
             scene.add_styled(layer, thin, circle(centre, gear.root_diameter));
@@ -82,7 +82,7 @@ impl GearSet<'_> {
         };
         gear(sun, centre, &self.sun);
         for angle in self.angles {
-            gear(planets, Point::polar(centre, mm(self.centre_distance), rad(*angle)), &self.planet);
+            gear(planets, Point::polar(centre, self.centre_distance.mm(), angle.si()), &self.planet);
         }
         scene.add(axes, circle(centre, self.ring.pitch_diameter));
         scene.add(axes, orbit);
@@ -93,11 +93,11 @@ impl GearSet<'_> {
             format!("ring z₃ = {}", self.ring.teeth),
             format!(
                 "pitch diameters {}, {}, {} mm",
-                short(mm(self.sun.pitch_diameter)),
-                short(mm(self.planet.pitch_diameter)),
-                short(mm(self.ring.pitch_diameter))
+                short(self.sun.pitch_diameter.mm()),
+                short(self.planet.pitch_diameter.mm()),
+                short(self.ring.pitch_diameter.mm())
             ),
-            format!("centre distance {} mm", short(mm(self.centre_distance))),
+            format!("centre distance {} mm", short(self.centre_distance.mm())),
         ];
         for (line, y) in lines.into_iter().zip([16.0, 8.0, 0.0, -8.0, -16.0]) {
             scene.add(labels, Text::new([x, y * unit], 3.0 * unit, line).align(Align::Left));
@@ -119,19 +119,17 @@ mod tests {
     use epicyclic_drawing::text::overlaps;
     use epicyclic_gears::geometry::{BasicRack, GearKind};
     use epicyclic_gears::teeth::ToothCount;
-    use uom::si::angle::radian;
-    use uom::si::length::millimeter;
 
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
-        let module = Length::new::<millimeter>(8.0);
+        let module = Length::from_mm(8.0);
         let gear = |kind, teeth| {
             ToothedGear::new(kind, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
         };
         let [sun, planet] = [18, 36].map(|teeth| Circles::of(&gear(GearKind::External, teeth)));
         let ring = Circles::of(&gear(GearKind::Internal, 90));
-        let angles = [0.0, 2.0, 4.0].map(Angle::new::<radian>);
-        let centre_distance = Length::new::<millimeter>(216.0);
+        let angles = [0.0, 2.0, 4.0].map(Angle::from_si);
+        let centre_distance = Length::from_mm(216.0);
         let set = GearSet { sun, planet, ring, centre_distance, angles: &angles };
         let scene = set.scene().unwrap();
         assert_eq!(overlaps(&scene), vec![]);

@@ -24,6 +24,5 @@ pub mod motor;
 pub mod plot;
 mod tolerance;
 pub mod toothed_sets;
-mod units;
 
 pub use error::Error;

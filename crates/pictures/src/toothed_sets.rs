@@ -1,10 +1,10 @@
 //! Planet sets seen along their axis with every tooth in mesh: exact involutes and fillets.
 
 use crate::Error;
-use crate::units::{deg, mm};
 use epicyclic_drawing::{Align, Color, Point, Scene, Shape, Style, Text};
 use epicyclic_gears::involute::PlanetSet;
 use epicyclic_gears::involute::curve::ToothCurve;
+use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
 /// A set to draw.
@@ -37,7 +37,7 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
     let labels = scene.layer("labels", Style::line(0.1))?;
     let mut left = 0.0;
     for ToothedSet { name, set, module } in sets {
-        let m = mm(*module);
+        let m = module.mm();
         let [sun, planet, ring] = set.tooth_curves()?;
         // A rim of some modules about the roots; letters keep their proportion to the set.
         let rim = m * (ring.root_radius() + 3.0);
@@ -68,7 +68,7 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
         }
         let shift = |place: usize| set.gears()[place].shift();
         let a = m * set.centre_distance();
-        let helix = (deg(sun.gear().profile().helix_angle) * PART_OF_DEGREE).round() / PART_OF_DEGREE;
+        let helix = (sun.gear().profile().helix_angle.degrees() * PART_OF_DEGREE).round() / PART_OF_DEGREE;
         let lines = [
             format!("set {name}: {}/{}/{}", sun.gear().teeth(), planet.gear().teeth(), ring.gear().teeth()),
             format!("x = {:.4}, {:.4}, {:.4}", shift(0), shift(1), shift(2)),
@@ -91,7 +91,6 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::of_mm;
     use epicyclic_drawing::text::overlaps;
     use epicyclic_gears::ToothCount;
     use epicyclic_gears::involute::closing::Closing;
@@ -101,7 +100,7 @@ mod tests {
         let set = |name: &str, counts: [u32; 3], module| {
             let teeth = counts.map(|count| ToothCount::new(count).unwrap());
             let set = Closing::default().close(teeth).unwrap().set;
-            ToothedSet { name: name.to_owned(), set, module: of_mm(module) }
+            ToothedSet { name: name.to_owned(), set, module: Length::from_mm(module) }
         };
         let scene = scene("two", &[set("1", [18, 36, 93], 2.0), set("2", [21, 43, 108], 1.75)]).unwrap();
         assert_eq!(overlaps(&scene), []);

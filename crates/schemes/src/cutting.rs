@@ -5,7 +5,7 @@
 
 use crate::Error;
 use crate::quantity::Quantity;
-use crate::units::{metres, metres_per_second, newtons};
+use epicyclic_units::Physical;
 use uom::si::f64::{Force, Length, Velocity};
 
 /// Cutting speed of a chain cutter.
@@ -94,8 +94,8 @@ pub fn drum_speed(
 /// (2.3).
 pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, Error> {
     speed(Quantity::CuttingSpeed, cutting)?;
-    positive(Quantity::CuttingForce, newtons(force), "N")?;
-    positive(Quantity::OtherCuttingForce, newtons(other_force), "N")?;
+    positive(Quantity::CuttingForce, force.si(), "N")?;
+    positive(Quantity::OtherCuttingForce, other_force.si(), "N")?;
     Ok(cutting * (force / other_force).value)
 }
 
@@ -114,11 +114,11 @@ pub fn matching_feed(feed: Velocity, cutting: Velocity, other_cutting: Velocity)
 }
 
 fn lengths(of: [(Quantity, Length); 2]) -> Result<(), Error> {
-    of.into_iter().try_for_each(|(what, length)| positive(what, metres(length), "m"))
+    of.into_iter().try_for_each(|(what, length)| positive(what, length.si(), "m"))
 }
 
 fn speed(what: Quantity, speed: Velocity) -> Result<(), Error> {
-    positive(what, metres_per_second(speed), "m/s")
+    positive(what, speed.si(), "m/s")
 }
 
 pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<(), Error> {
@@ -128,36 +128,33 @@ pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
-    use uom::si::force::newton;
     use uom::si::length::centimeter;
-    use uom::si::length::meter;
-    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn the_sources_units_give_its_factors() {
-        let (feed, chip) = (Velocity::new::<meter_per_second>(5.0 / 60.0), Length::new::<centimeter>(4.0));
-        let chain = chain_speed(Length::new::<meter>(0.4), feed, chip).unwrap();
-        assert!((chain.get::<meter_per_second>() - 1.07 * 0.4 * 5.0 / 4.0).abs() < 1e-12);
-        let drum = drum_speed(Length::new::<meter>(1.25), feed, chip, 3).unwrap();
-        assert!((drum.get::<meter_per_second>() - 5.24 * 1.25 * 5.0 / (4.0 * 3.0)).abs() < 1e-12);
+        let (feed, chip) = (Velocity::from_si(5.0 / 60.0), Length::new::<centimeter>(4.0));
+        let chain = chain_speed(Length::from_si(0.4), feed, chip).unwrap();
+        assert!((chain.si() - 1.07 * 0.4 * 5.0 / 4.0).abs() < 1e-12);
+        let drum = drum_speed(Length::from_si(1.25), feed, chip, 3).unwrap();
+        assert!((drum.si() - 5.24 * 1.25 * 5.0 / (4.0 * 3.0)).abs() < 1e-12);
     }
 
     #[test]
     fn harder_rock_is_cut_slower_at_the_same_chip() {
-        let v = Velocity::new::<meter_per_second>;
-        let slower = speed_at_force(v(3.0), Force::new::<newton>(4e3), Force::new::<newton>(6e3)).unwrap();
-        assert!((slower.get::<meter_per_second>() - 2.0).abs() < 1e-12);
+        let v = Velocity::from_si;
+        let slower = speed_at_force(v(3.0), Force::from_si(4e3), Force::from_si(6e3)).unwrap();
+        assert!((slower.si() - 2.0).abs() < 1e-12);
         let feed = matching_feed(v(0.09), v(3.0), slower).unwrap();
-        assert!((feed.get::<meter_per_second>() - 0.06).abs() < 1e-12);
+        assert!((feed.si() - 0.06).abs() < 1e-12);
     }
 
     #[test]
     fn what_does_not_cut_is_refused() {
-        let (v, l) = (Velocity::new::<meter_per_second>, Length::new::<meter>);
+        let (v, l) = (Velocity::from_si, Length::from_si);
         assert!(chain_speed(l(0.4), v(0.0), l(0.04)).is_err());
         assert!(drum_speed(l(1.4), v(0.1), l(-1.0), 2).is_err());
         assert!(drum_speed(l(1.4), v(0.1), l(0.05), 0).is_err());
-        assert!(speed_at_force(v(1.0), Force::new::<newton>(f64::NAN), Force::new::<newton>(1.0)).is_err());
+        assert!(speed_at_force(v(1.0), Force::from_si(f64::NAN), Force::from_si(1.0)).is_err());
         assert!(matching_feed(v(1.0), v(0.0), v(1.0)).is_err());
     }
 }

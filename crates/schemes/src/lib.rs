@@ -36,7 +36,6 @@ pub mod rotor;
 pub mod standing;
 pub mod structures;
 mod tolerance;
-mod units;
 
 pub use error::Error;
 pub use ratio_series::RatioSeries;

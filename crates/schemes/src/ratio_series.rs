@@ -22,7 +22,7 @@
 
 use crate::Error;
 use crate::quantity::SeriesParameter;
-use crate::units::metres_per_second;
+use epicyclic_units::Physical;
 use uom::si::f64::Velocity;
 
 /// Which speeds the gearbox gives by slowing down, which by speeding up.
@@ -71,7 +71,7 @@ impl RatioSeries {
         counts(count, direct)?;
         let mut before = 0.0;
         for (place, speed) in speeds.iter().enumerate() {
-            let speed = metres_per_second(*speed);
+            let speed = speed.si();
             if !(speed > before && speed.is_finite()) {
                 return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
             }
@@ -289,10 +289,9 @@ impl PrintedSeries {
 mod tests {
     use super::*;
     use proptest::prelude::*;
-    use uom::si::velocity::meter_per_second;
 
     fn speeds(values: &[f64]) -> Vec<Velocity> {
-        values.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect()
+        values.iter().map(|v| Velocity::from_si(*v)).collect()
     }
 
     #[test]

@@ -8,14 +8,14 @@
 use crate::Error;
 use crate::cutting::positive;
 use crate::quantity::{FlightFault, Quantity};
-use crate::units::{acceleration, angular_velocity, degrees, m_per_s2, metres, rad_per_s, radians};
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
+use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length, Time, Velocity};
 
 /// Standard acceleration of fall.
 #[must_use]
 pub fn standard_gravity() -> Acceleration {
-    acceleration(9.806_65)
+    Velocity::from_si(9.806_65) / Time::from_si(1.0)
 }
 
 /// Optimal speed of the wheel: a bucket passes while the boom advances by the width of a chip.
@@ -48,14 +48,14 @@ pub fn optimal_speed(
     buckets: u32,
     boom_angle: Angle,
 ) -> Result<AngularVelocity, Error> {
-    positive(Quantity::BoomRadius, metres(boom_radius), "m")?;
-    positive(Quantity::SlewingSpeed, rad_per_s(slewing), "rad/s")?;
-    positive(Quantity::ChipWidth, metres(chip_width), "m")?;
+    positive(Quantity::BoomRadius, boom_radius.si(), "m")?;
+    positive(Quantity::SlewingSpeed, slewing.si(), "rad/s")?;
+    positive(Quantity::ChipWidth, chip_width.si(), "m")?;
     positive(Quantity::Buckets, f64::from(buckets), "")?;
-    let cos = libm::cos(radians(boom_angle));
-    let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
+    let cos = libm::cos(boom_angle.si());
+    let is_acute = boom_angle.si().abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(Error::BoomAngle { degrees: radians(boom_angle).to_degrees() });
+        return Err(Error::BoomAngle { degrees: boom_angle.si().to_degrees() });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }
@@ -74,9 +74,9 @@ pub fn optimal_speed(
 /// # Source
 /// (2.5), restored.
 pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error> {
-    let omega_rad_s = rad_per_s(optimal);
+    let omega_rad_s = optimal.si();
     positive(Quantity::OptimalSpeed, omega_rad_s, "rad/s")?;
-    Ok(angular_velocity(0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt())))
+    Ok(AngularVelocity::from_si(0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt())))
 }
 
 /// Least speed of the wheel in light and medium rock: `ω_min = √(Ω·g/R_p)`.
@@ -98,10 +98,10 @@ pub fn least_speed(
     wheel_radius: Length,
 ) -> Result<AngularVelocity, Error> {
     positive(Quantity::Discharge, discharge, "")?;
-    positive(Quantity::FallAcceleration, m_per_s2(gravity), "m/s²")?;
-    positive(Quantity::WheelRadius, metres(wheel_radius), "m")?;
-    let squared = discharge * m_per_s2(gravity) / metres(wheel_radius);
-    Ok(angular_velocity(squared.sqrt()))
+    positive(Quantity::FallAcceleration, gravity.value, "m/s²")?;
+    positive(Quantity::WheelRadius, wheel_radius.si(), "m")?;
+    let squared = discharge * gravity.value / wheel_radius.si();
+    Ok(AngularVelocity::from_si(squared.sqrt()))
 }
 
 /// Discharge parameter `Ω = ω²·R_p/g` at which what leaves a bucket just clears the chute's edge.
@@ -127,9 +127,13 @@ pub fn least_speed(
 /// # Source
 /// (2.8).
 pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, Error> {
-    let (tau1, tau) = (radians(release), radians(chute));
-    let refuse =
-        |why| Error::NoFlight { release_deg: degrees(release), chute_deg: degrees(chute), radius_ratio, why };
+    let (tau1, tau) = (release.si(), chute.si());
+    let refuse = |why| Error::NoFlight {
+        release_deg: release.degrees(),
+        chute_deg: chute.degrees(),
+        radius_ratio,
+        why,
+    };
     if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
         return Err(refuse(FlightFault::OutOfRange));
     }
@@ -156,8 +160,8 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// # Source
 /// (2.9).
 pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, Error> {
-    positive(Quantity::GreatestSpeed, rad_per_s(greatest), "rad/s")?;
-    positive(Quantity::LeastSpeed, rad_per_s(least), "rad/s")?;
+    positive(Quantity::GreatestSpeed, greatest.si(), "rad/s")?;
+    positive(Quantity::LeastSpeed, least.si(), "rad/s")?;
     Ok((greatest / least).value)
 }
 
@@ -167,37 +171,33 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::TestRunner;
     use std::cell::Cell;
-    use uom::si::angle::degree;
-    use uom::si::angle::radian;
-    use uom::si::angular_velocity::radian_per_second;
-    use uom::si::length::meter;
 
     fn omega(value: f64) -> AngularVelocity {
-        AngularVelocity::new::<radian_per_second>(value)
+        AngularVelocity::from_si(value)
     }
 
     #[test]
     fn a_wheel_by_hand() {
         // 2π·20·0.02/(0.3·8·cos 60°) = 2.0944 rad/s
-        let (radius, width) = (Length::new::<meter>(20.0), Length::new::<meter>(0.3));
-        let optimal = optimal_speed(radius, omega(0.02), width, 8, Angle::new::<degree>(60.0)).unwrap();
-        assert!((optimal.get::<radian_per_second>() - TAU * 20.0 * 0.02 / 1.2).abs() < 1e-12);
-        let greatest = greatest_speed(omega(0.6)).unwrap().get::<radian_per_second>();
+        let (radius, width) = (Length::from_si(20.0), Length::from_si(0.3));
+        let optimal = optimal_speed(radius, omega(0.02), width, 8, Angle::from_degrees(60.0)).unwrap();
+        assert!((optimal.si() - TAU * 20.0 * 0.02 / 1.2).abs() < 1e-12);
+        let greatest = greatest_speed(omega(0.6)).unwrap().si();
         assert!((greatest * greatest - 0.6 * greatest - 0.37).abs() < 1e-14);
-        let least = least_speed(0.3, standard_gravity(), Length::new::<meter>(3.0)).unwrap();
-        assert!((least.get::<radian_per_second>() - 0.980_665_f64.sqrt()).abs() < 1e-14);
+        let least = least_speed(0.3, standard_gravity(), Length::from_si(3.0)).unwrap();
+        assert!((least.si() - 0.980_665_f64.sqrt()).abs() < 1e-14);
         assert!((speed_range(omega(2.0), omega(0.5)).unwrap() - 4.0).abs() < 1e-15);
     }
 
     #[test]
     fn what_no_wheel_can_do_is_refused() {
-        let degrees = Angle::new::<degree>;
+        let degrees = Angle::from_degrees;
         assert!(discharge(degrees(-10.0), degrees(120.0), 0.5).is_err());
         assert!(discharge(degrees(60.0), degrees(0.0), 0.9).is_err());
         assert!(discharge(degrees(60.0), degrees(60.0), 1.5).is_err());
         assert!(discharge(degrees(60.0), degrees(90.0), 2.0).is_err());
         assert!(greatest_speed(omega(0.0)).is_err());
-        let radius = Length::new::<meter>(20.0);
+        let radius = Length::from_si(20.0);
         assert!(optimal_speed(radius, omega(0.02), radius, 8, degrees(90.0)).is_err());
         assert!(optimal_speed(radius, omega(0.02), radius, 0, degrees(0.0)).is_err());
         assert!(least_speed(f64::INFINITY, standard_gravity(), radius).is_err());
@@ -209,7 +209,7 @@ mod tests {
         let (flown, refused) = (Cell::new(0_u32), Cell::new(0_u32));
         let strategy = (0.2..2.5_f64, -1.0..3.5_f64, 0.1..0.95_f64, 0.5..10.0_f64);
         let fly = |(tau1, tau, epsilon, radius): (f64, f64, f64, f64)| {
-            let angle = Angle::new::<radian>;
+            let angle = Angle::from_si;
             let Ok(found) = discharge(angle(tau1), angle(tau), epsilon) else {
                 refused.set(refused.get() + 1);
                 // The chute lies behind the release, or above its tangent.

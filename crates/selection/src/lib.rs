@@ -46,7 +46,6 @@ pub mod search;
 pub mod size;
 mod threads;
 mod tolerance;
-mod units;
 
 pub use candidate::{Candidate, Criterion, Engagement, Evidence, GearReport, Verdict};
 pub use drawing::NotDrawable;

@@ -32,9 +32,9 @@
 
 use super::Error;
 use crate::quantity::Rated;
-use crate::units::{metres, n_m, pascal};
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::ToothNumbers;
+use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
 
@@ -74,8 +74,8 @@ impl Rating {
             return Err(Error::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
         }
         if let Some((torque, load_factor)) = self.load {
-            check(Rated::InputTorque, n_m(torque), "N·m")?;
-            check(Rated::LoadFactor, pascal(load_factor), "Pa")?;
+            check(Rated::InputTorque, torque.si(), "N·m")?;
+            check(Rated::LoadFactor, load_factor.si(), "Pa")?;
         }
         Ok(())
     }
@@ -90,7 +90,7 @@ impl Rating {
     #[must_use]
     pub fn unit(&self) -> Option<Length> {
         let (torque, load_factor) = self.load?;
-        Some(metres(libm::cbrt(2.0 * n_m(torque) / (self.face_width_ratio * pascal(load_factor)))))
+        Some(Length::from_si(libm::cbrt(2.0 * torque.si() / (self.face_width_ratio * load_factor.si()))))
     }
 }
 
@@ -139,7 +139,6 @@ pub(crate) fn working_over_reference(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{pressure, torque};
     use epicyclic_gears::ToothCount;
     use epicyclic_gears::involute::closing::Closing;
 
@@ -147,7 +146,7 @@ mod tests {
     #[test]
     fn the_mesh_carries_the_load_factor_it_was_sized_for() {
         let rating = Rating {
-            load: Some((torque(1200.0), pressure(2.5e6))),
+            load: Some((Torque::from_si(1200.0), Pressure::from_si(2.5e6))),
             face_width_ratio: 0.8,
             mesh_load_factors: [1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6],
             planets: 4,
@@ -168,7 +167,8 @@ mod tests {
     #[test]
     fn planets_of_sets_with_an_offset_count_with_their_own_teeth() {
         let teeth = |count| ToothCount::new(count).unwrap();
-        let rating = Rating { load: Some((torque(1200.0), pressure(2.5e6))), ..Rating::default() };
+        let rating =
+            Rating { load: Some((Torque::from_si(1200.0), Pressure::from_si(2.5e6))), ..Rating::default() };
         let shift = ProfileShift { offsets: -3..=3, closing: Closing::default() };
         for planet in [36, 37, 38, 39] {
             let set = ToothNumbers { sun: teeth(18), planet: teeth(planet), ring: teeth(93), planets: 3 };
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn a_size_without_a_torque_is_relative() {
         assert_eq!(Rating::default().unit(), None);
-        let bad = Rating { load: Some((torque(0.0), pressure(1e6))), ..Rating::default() };
+        let bad = Rating { load: Some((Torque::from_si(0.0), Pressure::from_si(1e6))), ..Rating::default() };
         assert!(matches!(bad.check(), Err(Error::Rating { .. })));
     }
 }

@@ -25,9 +25,10 @@
 //! # Source
 //! ISO 281:2007, formulas (31) to (36) for radial bearings.
 
-use crate::units::{hours, mm, mm2_s, newtons, not_negative, positive, rpm, time_from_hours, whole, within};
+use crate::checks::{not_negative, positive, whole, within};
 use crate::{Error, Quantity};
 use epicyclic_gears::life::{Rolling, basic_rating_life};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time};
 
 /// Part of bearings that reach the life.
@@ -116,8 +117,8 @@ pub fn life_modification(
 ) -> Result<f64, Error> {
     let kappa = within(Quantity::ViscosityRatio, viscosity_ratio, [0.1, f64::MAX], "")?.min(4.0);
     let contamination = within(Quantity::Contamination, contamination, [0.0, 1.0], "")?;
-    let limit = not_negative(Quantity::FatigueLoadLimit, newtons(fatigue_limit), "N")?;
-    let load = positive(Quantity::BearingLoad, newtons(load), "N")?;
+    let limit = not_negative(Quantity::FatigueLoadLimit, fatigue_limit.si(), "N")?;
+    let load = positive(Quantity::BearingLoad, load.si(), "N")?;
     let ratio = contamination * limit / load;
     let (balls, rollers, exponent) = if kappa < 0.4 {
         (2.2649, 1.3993, 0.054_381)
@@ -143,9 +144,9 @@ pub fn viscosity_ratio(
     speed: AngularVelocity,
     mean_diameter: Length,
 ) -> Result<f64, Error> {
-    let viscosity = positive(Quantity::Viscosity, mm2_s(viscosity), "mm²/s")?;
-    let turns = positive(Quantity::Speed, rpm(speed).abs(), "rpm")?;
-    let diameter = positive(Quantity::MeanDiameter, mm(mean_diameter), "mm")?;
+    let viscosity = positive(Quantity::Viscosity, viscosity.mm2_s(), "mm²/s")?;
+    let turns = positive(Quantity::Speed, speed.rpm().abs(), "rpm")?;
+    let diameter = positive(Quantity::MeanDiameter, mean_diameter.mm(), "mm")?;
     let needed = if turns < 1000.0 {
         45_000.0 * libm::pow(turns, -0.83) / diameter.sqrt()
     } else {
@@ -181,27 +182,23 @@ pub fn life_over_duty(
     duty: &[BearingStep],
     reliability: Reliability,
 ) -> Result<Option<Time>, Error> {
-    positive(Quantity::LoadRating, newtons(load_rating), "N")?;
+    positive(Quantity::LoadRating, load_rating.si(), "N")?;
     let (mut sum, mut wear) = (0.0, 0.0);
     for step in duty {
         sum += not_negative(Quantity::Share, step.share, "")?;
         let modification = positive(Quantity::LifeModification, step.modification, "")?;
         if let Some(life) = basic_rating_life(rolling, load_rating, step.load, step.speed)? {
-            wear += step.share / (hours(life) * modification * reliability.factor());
+            wear += step.share / (life.hours() * modification * reliability.factor());
         }
     }
     whole(sum)?;
-    Ok((wear > 0.0).then(|| time_from_hours(1.0 / wear)))
+    Ok((wear > 0.0).then(|| Time::from_hours(1.0 / wear)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use uom::si::angular_velocity::revolution_per_minute;
     use uom::si::force::kilonewton;
-    use uom::si::kinematic_viscosity::square_millimeter_per_second;
-    use uom::si::length::millimeter;
-    use uom::si::time::hour;
 
     fn kn(value: f64) -> Force {
         Force::new::<kilonewton>(value)
@@ -229,11 +226,11 @@ mod tests {
         let step = BearingStep {
             share: 1.0,
             load: kn(10.0),
-            speed: AngularVelocity::new::<revolution_per_minute>(3000.0),
+            speed: AngularVelocity::from_rpm(3000.0),
             modification: 1.0,
         };
         let of = |duty: &[BearingStep], reliability| {
-            life_over_duty(Rolling::Balls, kn(55.3), duty, reliability).unwrap().unwrap().get::<hour>()
+            life_over_duty(Rolling::Balls, kn(55.3), duty, reliability).unwrap().unwrap().hours()
         };
         let life = of(&[step], Reliability::Percent90);
         assert!((life - 940.0).abs() < 0.5, "{life}");
@@ -248,9 +245,9 @@ mod tests {
     #[test]
     fn needed_viscosity_joins_at_1000_rpm() {
         let of = |rpm| {
-            let viscosity = KinematicViscosity::new::<square_millimeter_per_second>(20.0);
-            let speed = AngularVelocity::new::<revolution_per_minute>(rpm);
-            viscosity_ratio(viscosity, speed, Length::new::<millimeter>(70.0)).unwrap()
+            let viscosity = KinematicViscosity::from_mm2_s(20.0);
+            let speed = AngularVelocity::from_rpm(rpm);
+            viscosity_ratio(viscosity, speed, Length::from_mm(70.0)).unwrap()
         };
         assert!((of(999.999) / of(1000.0) - 1.0).abs() < 0.03);
         assert!(of(500.0) < of(2000.0));

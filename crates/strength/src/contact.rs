@@ -36,8 +36,8 @@
 use crate::Error;
 use crate::factor::{Edition, Symbol};
 use crate::material::{Class, Material};
-use crate::units;
 use epicyclic_gears::involute::Pair;
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 
 /// `Z_H`, of the helix angle at the base cylinder, rad.
@@ -53,7 +53,7 @@ pub fn zone_factor(pair: &Pair, base_helix: f64) -> f64 {
 #[must_use]
 pub fn elasticity_factor(materials: [&Material; 2]) -> f64 {
     let yielding = |material: &Material| {
-        (1.0 - material.poisson_ratio * material.poisson_ratio) / units::mpa(material.youngs_modulus)
+        (1.0 - material.poisson_ratio * material.poisson_ratio) / material.youngs_modulus.mpa()
     };
     (PI * (yielding(materials[0]) + yielding(materials[1]))).sqrt().recip()
 }
@@ -68,7 +68,7 @@ pub fn contact_ratio_factor(transverse: f64, overlap: f64) -> f64 {
 /// `Z_β`.
 #[must_use]
 pub fn helix_factor(pair: &Pair, edition: Edition) -> f64 {
-    let root = libm::cos(units::radians(pair.gears()[0].profile().helix_angle)).sqrt();
+    let root = libm::cos(pair.gears()[0].profile().helix_angle.si()).sqrt();
     match edition {
         Edition::Iso2006 => root,
         Edition::Iso2006Corrected => root.recip(),

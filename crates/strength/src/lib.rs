@@ -30,6 +30,7 @@
 //! See `examples/spur_pair.rs`.
 
 pub mod bearing;
+mod checks;
 pub mod contact;
 pub mod error;
 pub mod factor;
@@ -46,6 +47,5 @@ pub mod sizing;
 pub mod spectrum;
 mod symbol;
 mod tolerance;
-mod units;
 
 pub use error::{Error, Quantity};

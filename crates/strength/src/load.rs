@@ -38,13 +38,14 @@
 //! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`: [`load_sharing`]. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red` 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061,
 //! `K_Fβ` 1.94/1.14.
 
+use crate::checks::{not_negative, positive};
 use crate::factor::{Document, Factor, Reference};
 use crate::material::{Class, Material};
 use crate::symbol::Symbol;
-use crate::units::{kg_m3, mm, mpa, n_per_um, not_negative, positive, radians, um};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
+use epicyclic_units::Physical;
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 use uom::si::f64::{Length, SurfaceTension};
@@ -216,7 +217,7 @@ pub(crate) fn face_exponent(heights: [f64; 2], face_width: f64) -> f64 {
 
 /// Running-in allowance of a deviation, µm.
 fn running_in(material: &Material, speed: f64, deviation: f64) -> f64 {
-    let limit = mpa(material.contact_limit);
+    let limit = material.contact_limit.mpa();
     match material.class {
         Class::Structural | Class::ThroughHardened | Class::NodularPearlitic | Class::Malleable => {
             let most = most_running_in(speed, 12_800.0 / limit);
@@ -262,7 +263,7 @@ fn flexibility([pinion, wheel]: [&InvoluteGear; 2], narrowing: f64) -> f64 {
 fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor: f64) -> Result<f64, Error> {
     let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
     let [first, second] = pair.gears();
-    let helix = radians(first.profile().helix_angle);
+    let helix = first.profile().helix_angle.si();
     let narrowing = libm::cos(base_helix).powi(2) * libm::cos(helix);
     let q = match first.teeth().cmp(&second.teeth()) {
         Ordering::Less => flexibility([first, second], narrowing),
@@ -275,7 +276,7 @@ fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor
     let rack = |gear: &InvoluteGear| {
         let rack = &gear.profile().rack;
         let depth = rack.addendum + rack.clearance;
-        (1.0 + 0.5 * (1.2 - depth)) * (1.0 - 0.02 * (20.0 - radians(rack.pressure_angle).to_degrees()))
+        (1.0 + 0.5 * (1.2 - depth)) * (1.0 - 0.02 * (20.0 - rack.pressure_angle.si().to_degrees()))
     };
     let [e1, e2] = moduli;
     let elasticity = 2.0 * e1 * e2 / (e1 + e2) / STEEL;
@@ -301,16 +302,17 @@ fn whole_stiffness(single: f64, transverse: f64) -> f64 {
 /// # Source
 /// ISO 6336-1:2006, clause 9: see the [module](self).
 pub fn mesh_stiffness(pair: &Pair, face_width: Length) -> Result<SurfaceTension, Error> {
-    let width_mm = positive(Quantity::FaceWidth, mm(face_width), "mm")?;
+    let width_mm = positive(Quantity::FaceWidth, face_width.mm(), "mm")?;
     let base_helix = pair.gears()[0].profile().base_helix_rad();
     let single = single_stiffness(pair, [STEEL; 2], base_helix, 1.0)?;
-    Ok(n_per_um(whole_stiffness(single, pair.transverse_contact_ratio()) * width_mm))
+    let stiffness_n_um = whole_stiffness(single, pair.transverse_contact_ratio()) * width_mm;
+    Ok(SurfaceTension::from_si(stiffness_n_um * 1e6))
 }
 
 impl Swinging<'_> {
     /// What running-in leaves of a deviation of the mesh, µm.
     fn left(&self, deviations: [Length; 2], quantity: Quantity) -> Result<f64, Error> {
-        let [first, second] = deviations.map(um);
+        let [first, second] = deviations.map(Physical::um);
         let deviation = not_negative(quantity, first, "µm")?.max(not_negative(quantity, second, "µm")?);
         let [one, other] = self.materials.map(|material| running_in(material, self.speed, deviation));
         Ok(deviation - f64::midpoint(one, other))
@@ -318,7 +320,7 @@ impl Swinging<'_> {
 
     /// `c'`.
     pub(crate) fn single_stiffness(&self, blank_factor: f64) -> Result<f64, Error> {
-        let moduli = self.materials.map(|material| mpa(material.youngs_modulus));
+        let moduli = self.materials.map(|material| material.youngs_modulus.mpa());
         single_stiffness(self.pair, moduli, self.base_helix, blank_factor)
     }
 
@@ -332,7 +334,7 @@ impl Swinging<'_> {
         let [first, second] = self.pair.gears();
         let external = |gear: &InvoluteGear, material: &Material, rim: Option<Length>| {
             let mean = f64::midpoint(gear.tip_diameter(), gear.root_diameter()) * self.module_mm;
-            let bore = rim.map_or(0.0, mm);
+            let bore = rim.map_or(0.0, Physical::mm);
             if !(0.0..mean).contains(&bore) {
                 return Err(Error::OutOfRange {
                     quantity: Quantity::Bore,
@@ -343,7 +345,7 @@ impl Swinging<'_> {
                 });
             }
             let base = gear.base_diameter() * self.module_mm;
-            Ok(PI / 8.0 * kg_m3(material.density) / MM3_IN_M3 * (mean.powi(4) - bore.powi(4)) / (base * base))
+            Ok(PI / 8.0 * material.density.si() / MM3_IN_M3 * (mean.powi(4) - bore.powi(4)) / (base * base))
         };
         let [own, mate] = self.materials;
         let one = external(first, own, dynamics.rims[0])?;
@@ -358,15 +360,16 @@ impl Swinging<'_> {
             }
             Arrangement::Pair if self.pair.is_internal() => {
                 let mean = f64::midpoint(second.tip_diameter(), second.root_diameter()) * self.module_mm;
-                let outside =
-                    dynamics.rims[1].map(mm).filter(|outside| *outside > mean).ok_or(Error::NotAbove {
+                let outside = dynamics.rims[1].map(Physical::mm).filter(|outside| *outside > mean).ok_or(
+                    Error::NotAbove {
                         quantity: Quantity::RingOutside,
-                        value: dynamics.rims[1].map_or(0.0, mm),
+                        value: dynamics.rims[1].map_or(0.0, Physical::mm),
                         low: mean,
                         unit: "mm",
-                    })?;
+                    },
+                )?;
                 let base = second.base_diameter() * self.module_mm;
-                let other = PI / 8.0 * kg_m3(mate.density) / MM3_IN_M3 * (outside.powi(4) - mean.powi(4))
+                let other = PI / 8.0 * mate.density.si() / MM3_IN_M3 * (outside.powi(4) - mean.powi(4))
                     / (base * base);
                 Ok(one * other / (one + other))
             }
@@ -413,7 +416,7 @@ impl Swinging<'_> {
         let b_f = single * self.left(dynamics.profile_deviations, Quantity::ProfileDeviation)? / line_load;
         let b_k = match dynamics.tip_relief {
             Some(relief) => {
-                (1.0 - single * not_negative(Quantity::TipRelief, um(relief), "µm")? / line_load).abs()
+                (1.0 - single * not_negative(Quantity::TipRelief, relief.um(), "µm")? / line_load).abs()
             }
             None => 1.0,
         };

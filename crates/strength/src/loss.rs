@@ -18,9 +18,10 @@
 //! # Source
 //! `H_V` after Ohlendorf. Tested against the FZG gear type C (0.1986) and the NREL reference wind gearbox (0.149).
 
-use crate::units::{not_negative, power as in_watts, watts};
+use crate::checks::not_negative;
 use crate::{Error, Quantity};
 use epicyclic_gears::involute::Pair;
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 use uom::si::f64::Power;
 
@@ -43,6 +44,8 @@ pub fn ohlendorf_loss_factor(pair: &Pair) -> f64 {
 /// # Errors
 /// [`Error::Negative`] for a friction or power below 0 or not finite.
 pub fn power_loss(pair: &Pair, power: Power, friction: f64) -> Result<Power, Error> {
-    let power_w = not_negative(Quantity::Power, watts(power), "W")?;
-    Ok(in_watts(power_w * ohlendorf_loss_factor(pair) * not_negative(Quantity::Friction, friction, "")?))
+    let power_w = not_negative(Quantity::Power, power.si(), "W")?;
+    Ok(Power::from_si(
+        power_w * ohlendorf_loss_factor(pair) * not_negative(Quantity::Friction, friction, "")?,
+    ))
 }

@@ -11,8 +11,9 @@
 //! | case-hardened, induction- or flame-hardened | Eh, IF |
 //! | nitriding steel nitrided; through-hardened steel nitrided, nitrocarburized | NT (nitr.), NV (nitr.), NV (nitrocar.) |
 
-use crate::units::{density, positive, pressure, within};
-use crate::{Error, Quantity, units};
+use crate::checks::{positive, within};
+use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use uom::si::f64::{MassDensity, Pressure};
 
 epicyclic_gears::words! {
@@ -73,9 +74,9 @@ impl Material {
             root_limit,
             hardness: None,
             strength: None,
-            youngs_modulus: pressure(206_000.0),
+            youngs_modulus: Pressure::from_mpa(206_000.0),
             poisson_ratio: 0.3,
-            density: density(7830.0),
+            density: MassDensity::from_si(7830.0),
         }
     }
 
@@ -84,16 +85,16 @@ impl Material {
     /// # Errors
     /// [`Error::NotPositive`], [`Error::OutOfRange`] for a Poisson's ratio outside 0 to 0.5.
     pub fn check(&self) -> Result<(), Error> {
-        positive(Quantity::ContactLimit, units::mpa(self.contact_limit), "N/mm²")?;
-        positive(Quantity::RootLimit, units::mpa(self.root_limit), "N/mm²")?;
-        positive(Quantity::YoungsModulus, units::mpa(self.youngs_modulus), "N/mm²")?;
+        positive(Quantity::ContactLimit, self.contact_limit.mpa(), "N/mm²")?;
+        positive(Quantity::RootLimit, self.root_limit.mpa(), "N/mm²")?;
+        positive(Quantity::YoungsModulus, self.youngs_modulus.mpa(), "N/mm²")?;
         within(Quantity::PoissonRatio, self.poisson_ratio, [0.0, 0.5], "")?;
-        positive(Quantity::Density, units::kg_m3(self.density), "kg/m³")?;
+        positive(Quantity::Density, self.density.si(), "kg/m³")?;
         if let Some(hardness) = self.hardness {
             positive(Quantity::Hardness, hardness, "HBW")?;
         }
         if let Some(strength) = self.strength {
-            positive(Quantity::Strength, units::mpa(strength), "N/mm²")?;
+            positive(Quantity::Strength, strength.mpa(), "N/mm²")?;
         }
         Ok(())
     }
@@ -133,8 +134,8 @@ pub fn listed(designation: &str) -> Option<Listed> {
 pub fn all() -> [Listed; 2] {
     let steel = |class, contact, root, hardness, strength| Material {
         hardness,
-        strength: Some(pressure(strength)),
-        ..Material::steel(class, pressure(contact), pressure(root))
+        strength: Some(Pressure::from_mpa(strength)),
+        ..Material::steel(class, Pressure::from_mpa(contact), Pressure::from_mpa(root))
     };
     [
         Listed {

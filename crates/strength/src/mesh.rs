@@ -5,8 +5,8 @@ use crate::load::{Dynamics, Floating};
 use crate::material::Material;
 use crate::root::factors::Bending;
 use crate::root::section::Shaper;
-use crate::units::{force, mm, n_m};
 use epicyclic_gears::involute::Pair;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
 
 /// A gear of the mesh beyond its geometry.
@@ -53,7 +53,7 @@ impl Mesh {
     /// `F_t = 2·T/d_1` at the reference cylinders, of a torque on the first gear.
     #[must_use]
     pub fn tangential_force(&self, torque: Torque) -> Force {
-        force(2000.0 * n_m(torque) / (self.pair.gears()[0].reference_diameter() * mm(self.module)))
+        Force::from_si(2000.0 * torque.si() / (self.pair.gears()[0].reference_diameter() * self.module.mm()))
     }
 }
 

@@ -29,10 +29,10 @@
 //! | `M` | moment that tilts one planet, about the tangent of its orbit | N·m |
 
 use crate::mesh::Load;
-use crate::units::{mm, newtons, radians, torque};
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::Pair;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 
 /// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without their signs.
@@ -95,9 +95,9 @@ pub fn axial_forces(
     module: Length,
     tangential: [Force; 2],
 ) -> AxialForces {
-    let tan = libm::tan(radians(sun_mesh.gears()[0].profile().helix_angle));
+    let tan = libm::tan(sun_mesh.gears()[0].profile().helix_angle.si());
     let forces = tangential.map(|force| force * tan);
     let diameters = [sun_mesh.working_diameters()[1], ring_mesh.working_diameters()[0]];
-    let moments = [0, 1].map(|mesh| newtons(forces[mesh]) * diameters[mesh] / 2.0);
-    AxialForces { forces, tilting_moment: torque((moments[0] + moments[1]) * mm(module) / 1000.0) }
+    let moments = [0, 1].map(|mesh| forces[mesh].si() * diameters[mesh] / 2.0);
+    AxialForces { forces, tilting_moment: Torque::from_si((moments[0] + moments[1]) * module.mm() / 1000.0) }
 }

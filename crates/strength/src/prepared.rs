@@ -1,15 +1,17 @@
 //! The part of a calculation that does not depend on the load, and what a load makes of it.
 
+use crate::checks::{positive, within};
 use crate::factor::{Document, Factor, Given, Origin, Reference, Side, Symbol};
 use crate::life::{self, Line};
 use crate::load::{self, Dynamics, LoadFactors, Swinging};
 use crate::mesh::{Mesh, Method};
 use crate::root::factors;
 use crate::root::section::{RootSection, section_of};
-use crate::units::{self, mm, mm2_s, mpa, newtons, positive, radians, um, within};
 use crate::{Error, Quantity, contact};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
+use uom::si::f64::Torque;
 
 const fn part(document: Document, place: &'static str) -> Reference {
     Reference::new(document, place)
@@ -120,21 +122,21 @@ pub(crate) fn part_of<T>(rated: Result<T, Error>) -> Result<Result<T, Error>, Er
 
 impl<'a> Prepared<'a> {
     pub(crate) fn new(mesh: &'a Mesh, method: &'a Method) -> Result<Self, Error> {
-        let module_mm = positive(Quantity::Module, mm(mesh.module), "mm")?;
-        let face_mm = positive(Quantity::FaceWidth, mm(mesh.face_width), "mm")?;
-        positive(Quantity::Viscosity, mm2_s(mesh.viscosity), "mm²/s")?;
+        let module_mm = positive(Quantity::Module, mesh.module.mm(), "mm")?;
+        let face_mm = positive(Quantity::FaceWidth, mesh.face_width.mm(), "mm")?;
+        positive(Quantity::Viscosity, mesh.viscosity.mm2_s(), "mm²/s")?;
         within(Quantity::LongLifeFactor, method.long_life_factor, [0.85, 1.0], "")?;
         // Grades of ISO 1328-1:1995; those of 2013 are 1 to 11.
         within(Quantity::AccuracyGrade, f64::from(method.accuracy_grade), [0.0, 12.0], "")?;
         for (gear, kind) in mesh.gears.iter().zip(mesh.pair.gears().map(|gear| gear.kind())) {
             gear.material.check()?;
-            positive(Quantity::FlankRoughness, um(gear.flank_roughness), "µm")?;
-            positive(Quantity::RootRoughness, um(gear.root_roughness), "µm")?;
+            positive(Quantity::FlankRoughness, gear.flank_roughness.um(), "µm")?;
+            positive(Quantity::RootRoughness, gear.root_roughness.um(), "µm")?;
             let rim = match kind {
                 GearKind::External => Quantity::Rim,
                 GearKind::Internal => Quantity::RingRim,
             };
-            gear.rim.map_or(Ok(0.0), |thickness| positive(rim, mm(thickness), "mm"))?;
+            gear.rim.map_or(Ok(0.0), |thickness| positive(rim, thickness.mm(), "mm"))?;
         }
         let transverse =
             within(Quantity::TransverseContactRatio, mesh.pair.transverse_contact_ratio(), [1.0, 2.5], "")?;
@@ -171,7 +173,7 @@ impl<'a> Prepared<'a> {
 
     /// `F_t`, N, of the torque in N·m.
     pub(crate) fn force(&self, torque: f64) -> f64 {
-        newtons(self.mesh.tangential_force(units::torque(torque)))
+        self.mesh.tangential_force(Torque::from_si(torque)).si()
     }
 
     /// `v`, m/s, of the first gear's speed in rpm.
@@ -314,10 +316,10 @@ impl<'a> Prepared<'a> {
     pub(crate) fn flank_limit(&self, side: Side, speed: f64) -> Result<FlankLimit<'_>, Error> {
         let given = &self.method.given;
         let flank = self.gears[side as usize].contact.as_ref().map_err(Clone::clone)?;
-        let lower = self.mesh.gears.map(|gear| mpa(gear.material.contact_limit));
+        let lower = self.mesh.gears.map(|gear| gear.material.contact_limit.mpa());
         let lower = lower[0].min(lower[1]);
-        let viscosity = mm2_s(self.mesh.viscosity);
-        let roughness = [0, 1].map(|index: usize| um(self.mesh.gears[index].flank_roughness));
+        let viscosity = self.mesh.viscosity.mm2_s();
+        let roughness = [0, 1].map(|index: usize| self.mesh.gears[index].flank_roughness.um());
         let radius = contact::reduced_radius(&self.mesh.pair) * self.module_mm;
         let film = part2("clause 12");
         let own = side as usize;
@@ -374,7 +376,7 @@ impl PreparedFlank {
             singles.clone().map(|factors| factors[side as usize])
         })?;
         Ok(Self {
-            limit: mpa(material.contact_limit),
+            limit: material.contact_limit.mpa(),
             single_contact,
             size: given.or(side, Symbol::SizeContact, part2("clause 14"), || Ok(1.0))?,
             line: life::contact_line(material.class, method.pitting_allowed, method.long_life_factor),
@@ -405,7 +407,7 @@ impl PreparedRoot {
             .any(|symbol| given.of(side, *symbol).is_none());
         let section =
             if needs_section { Some(section_of(gear, transverse, own.shaper, base_helix)?) } else { None };
-        let alpha = radians(profile.rack.pressure_angle);
+        let alpha = profile.rack.pressure_angle.si();
         let of_section = |symbol, of: &dyn Fn(&RootSection) -> Result<f64, Error>| match &section {
             Some(section) => of(section),
             None => Err(Error::MissingFactor { symbol, because: "no critical section was calculated" }),
@@ -417,13 +419,13 @@ impl PreparedRoot {
             of_section(Symbol::StressCorrection, &factors::stress_correction)
         })?;
         let helix = take(Symbol::HelixRoot, part3("clause 8.2"), &|| {
-            Ok(factors::helix_factor(overlap, radians(profile.helix_angle)))
+            Ok(factors::helix_factor(overlap, profile.helix_angle.si()))
         })?;
         let height = (gear.tip_diameter() - gear.root_diameter()).abs() / 2.0;
         let rim = take(Symbol::RimThickness, part3("clause 9.2"), &|| match (own.rim, gear.kind()) {
             (None, _) => Ok(1.0),
-            (Some(rim), GearKind::External) => factors::rim_factor_external(mm(rim) / (height * module_mm)),
-            (Some(rim), GearKind::Internal) => factors::rim_factor_internal(mm(rim) / module_mm),
+            (Some(rim), GearKind::External) => factors::rim_factor_external(rim.mm() / (height * module_mm)),
+            (Some(rim), GearKind::Internal) => factors::rim_factor_internal(rim.mm() / module_mm),
         })?;
         let narrowing = libm::cos(base_helix).powi(2);
         let deep = take(Symbol::DeepTooth, part3("clause 10.2"), &|| {
@@ -437,7 +439,7 @@ impl PreparedRoot {
             })
         })?;
         let surface = take(Symbol::SurfaceRoot, part3("clause 14.3"), &|| {
-            factors::surface_factor(class, um(own.root_roughness))
+            factors::surface_factor(class, own.root_roughness.um())
         })?;
         let size_root =
             take(Symbol::SizeRoot, part3("clause 15"), &|| Ok(factors::size_factor(class, module_mm)))?;
@@ -447,7 +449,7 @@ impl PreparedRoot {
             factors::static_notch_sensitivity(class, correction.value)
         });
 
-        let limit = mpa(material.root_limit) * test_gear.value * mean_stress.value;
+        let limit = material.root_limit.mpa() * test_gear.value * mean_stress.value;
         Ok(Self {
             section,
             stress: [form, correction, helix, rim, deep],

@@ -27,13 +27,14 @@
 //! ISO 6336-2:2006, clause 5; ISO 6336-3:2006, clause 5; the factors as in [`contact`](crate::contact), [`factors`](crate::root::factors),
 //! [`load`](crate::load), [`life`](crate::life).
 
+use crate::checks::positive;
 use crate::factor::{Edition, Factor, Side, Symbol};
 use crate::load::LoadFactors;
 use crate::mesh::{Load, Mesh, Method};
 use crate::prepared::{Prepared, part_of};
 use crate::root::section::RootSection;
-use crate::units::{self, n_m, positive, pressure, rpm};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use std::iter;
 use uom::si::f64::{Force, Pressure, Torque, Velocity};
 
@@ -192,9 +193,9 @@ impl MeshRating {
 /// See `examples/spur_pair.rs`, and `spec-cases/wind-gearbox` for the stage of a wind gearbox.
 pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
-    let torque = positive(Quantity::Torque, n_m(load.torque), "N·m")?;
-    let speed_rpm = positive(Quantity::Speed, rpm(load.speed), "rpm")?;
-    let hours = positive(Quantity::Life, units::hours(load.life), "h")?;
+    let torque = positive(Quantity::Torque, load.torque.si(), "N·m")?;
+    let speed_rpm = positive(Quantity::Speed, load.speed.rpm(), "rpm")?;
+    let hours = positive(Quantity::Life, load.life.hours(), "h")?;
     let force = prepared.force(torque);
     let load_factors = prepared.load_factors(force, speed_rpm, method.given, method.dynamics.as_ref())?;
     let speed = prepared.speed(speed_rpm);
@@ -206,7 +207,7 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
         let stress = prepared.contact_stress(flank, force, &load_factors);
         Ok(ContactRating {
             single_contact: flank.single_contact,
-            stress: pressure(stress),
+            stress: Pressure::from_mpa(stress),
             limit_factors: [
                 at.life,
                 limit.lubricant,
@@ -215,7 +216,7 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
                 limit.work_hardening,
                 flank.size,
             ],
-            limit: pressure(at.stress),
+            limit: Pressure::from_mpa(at.stress),
             safety: at.stress / stress,
         })
     };
@@ -226,10 +227,10 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
         Ok(RootRating {
             section: root.section,
             stress_factors: root.stress,
-            nominal: pressure(prepared.nominal_root(root, force)),
-            stress: pressure(stress),
+            nominal: Pressure::from_mpa(prepared.nominal_root(root, force)),
+            stress: Pressure::from_mpa(stress),
             limit_factors: [root.test_gear, at.life, root.notch, root.surface, root.size, root.mean_stress],
-            limit: pressure(at.stress),
+            limit: Pressure::from_mpa(at.stress),
             safety: at.stress / stress,
         })
     };
@@ -243,11 +244,11 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
     };
     Ok(MeshRating {
         edition: method.edition,
-        tangential_force: units::force(force),
-        speed: units::velocity(speed),
+        tangential_force: Force::from_si(force),
+        speed: Velocity::from_si(speed),
         load_factors,
         contact_factors: prepared.contact_factors,
-        nominal_contact: pressure(nominal_contact),
+        nominal_contact: Pressure::from_mpa(nominal_contact),
         gears: [gear(Side::First)?, gear(Side::Second)?],
     })
 }
@@ -277,7 +278,7 @@ pub struct OverloadRating {
 /// Those of [`rate`]. [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
 pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<OverloadRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
-    let force = prepared.force(positive(Quantity::Torque, n_m(torque), "N·m")?);
+    let force = prepared.force(positive(Quantity::Torque, torque.si(), "N·m")?);
     let given = method.given.with(Symbol::Application, 1.0).with(Symbol::Dynamic, 1.0);
     let factors = prepared.load_factors(force, 0.0, given, method.dynamics.as_ref())?;
     let gears = prepared.gears.each_ref().map(|own| Overload {

@@ -19,13 +19,14 @@
 //! # Source
 //! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
 
+use crate::checks::{not_negative, positive, whole};
 use crate::factor::{Edition, Side};
 use crate::life::Line;
 use crate::load::LoadFactors;
 use crate::mesh::{Mesh, Method};
 use crate::prepared::{Prepared, part_of};
-use crate::units::{hours, n_m, not_negative, positive, rpm, time_from_hours, whole};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A step of a duty.
@@ -113,16 +114,16 @@ pub fn rate_duty(
     contacts: [f64; 2],
     method: &Method,
 ) -> Result<DutyRating, Error> {
-    let life_h = positive(Quantity::Life, hours(life), "h")?;
+    let life_h = positive(Quantity::Life, life.hours(), "h")?;
     check_shares(duty.iter().map(|step| step.share))?;
     for step in duty {
-        not_negative(Quantity::Torque, n_m(step.torque), "N·m")?;
-        not_negative(Quantity::Speed, rpm(step.speed), "rpm")?;
+        not_negative(Quantity::Torque, step.torque.si(), "N·m")?;
+        not_negative(Quantity::Speed, step.speed.rpm(), "rpm")?;
     }
     let prepared = Prepared::new(mesh, method)?;
     let mut steps = vec![];
     for step in duty {
-        let (torque, speed) = (n_m(step.torque), rpm(step.speed));
+        let (torque, speed) = (step.torque.si(), step.speed.rpm());
         if step.share == 0.0 || torque == 0.0 || speed == 0.0 {
             continue;
         }
@@ -166,7 +167,7 @@ fn worn(cycles: &[Cycle], life_h: f64) -> Worn {
     Worn {
         damage: as_it_is,
         safety: safety(cycles),
-        life: (as_it_is > 0.0).then(|| time_from_hours(life_h / as_it_is)),
+        life: (as_it_is > 0.0).then(|| Time::from_hours(life_h / as_it_is)),
     }
 }
 
@@ -228,7 +229,7 @@ mod tests {
         let cycles: Vec<Cycle> = [(1500.0, 2e5), (1100.0, 1e6), (760.0, 8e7), (300.0, 1e9)]
             .map(|(stress, cycles)| Cycle { stress, cycles, line: line() })
             .to_vec();
-        let life = hours(worn(&cycles, 1000.0).life.unwrap());
+        let life = worn(&cycles, 1000.0).life.unwrap().hours();
         assert!((life_by_running(&cycles, 1000.0) / life - 1.0).abs() < 1e-3);
     }
 
@@ -243,7 +244,7 @@ mod tests {
     fn a_stress_above_the_static_limit_ends_the_life_and_a_small_one_does_nothing() {
         let of = |stress| worn(&[Cycle { stress, cycles: 10.0, line: line() }], 100.0);
         assert_eq!(of(3000.0).damage, f64::INFINITY);
-        assert_eq!(of(3000.0).life.map(hours), Some(0.0));
+        assert_eq!(of(3000.0).life.map(Physical::hours), Some(0.0));
         assert_eq!((of(10.0).damage, of(10.0).life), (0.0, None));
         assert!((of(10.0).safety - 2250.0 / 10.0).abs() < 1e-9);
     }

@@ -22,9 +22,9 @@
 use crate::error::DragFault;
 use crate::power_flow::MeshPower;
 use crate::tolerance::{LARGEST_LOAD, POWER, SPEED};
-use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
 use crate::{Analysis, Error, Gearbox, LinkId, Place, State};
 use epicyclic_numerics::values::largest_absolute;
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What a curve says beyond its last point, and before its first.
@@ -70,15 +70,14 @@ impl DragCurve {
         if points.is_empty() {
             return Err(DragFault::NoPoints);
         }
-        let points: Vec<[f64; 2]> =
-            points.iter().map(|(speed, torque)| [rad_per_s(*speed), n_m(*torque)]).collect();
+        let points: Vec<[f64; 2]> = points.iter().map(|(speed, torque)| [speed.si(), torque.si()]).collect();
         let is_allowed = |value: f64| (0.0..=LARGEST_LOAD).contains(&value);
         for (place, [speed, torque]) in points.iter().enumerate() {
             if !is_allowed(*speed) {
-                return Err(DragFault::Speed { place, speed: angular_velocity(*speed) });
+                return Err(DragFault::Speed { place, speed: AngularVelocity::from_si(*speed) });
             }
             if !is_allowed(*torque) {
-                return Err(DragFault::Torque { place, torque: crate::units::torque(*torque) });
+                return Err(DragFault::Torque { place, torque: Torque::from_si(*torque) });
             }
             if place > 0 && *speed <= points[place - 1][0] {
                 return Err(DragFault::NotAscending { place });
@@ -90,7 +89,7 @@ impl DragCurve {
     /// The torque at a relative speed of any sign; `None` outside the curve.
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> Option<Torque> {
-        let speed = rad_per_s(speed).abs();
+        let speed = speed.si().abs();
         let next = self.points.partition_point(|point| point[0] < speed);
         let point = |place: Option<usize>| place.and_then(|place| self.points.get(place)).copied();
         let value = match [point(next.checked_sub(1)), point(Some(next))] {
@@ -101,20 +100,20 @@ impl DragCurve {
             }
             _ => return None,
         };
-        Some(torque(value))
+        Some(Torque::from_si(value))
     }
 
     /// The first and the last speed.
     #[must_use]
     pub fn speeds(&self) -> [AngularVelocity; 2] {
         let last = self.points.len() - 1;
-        [self.points[0][0], self.points[last][0]].map(angular_velocity)
+        [self.points[0][0], self.points[last][0]].map(AngularVelocity::from_si)
     }
 
     /// Its points, ascending.
     #[must_use]
     pub fn points(&self) -> impl DoubleEndedIterator<Item = (AngularVelocity, Torque)> + '_ {
-        self.points.iter().map(|&[speed, size]| (angular_velocity(speed), torque(size)))
+        self.points.iter().map(|&[speed, size]| (AngularVelocity::from_si(speed), Torque::from_si(size)))
     }
 
     /// What it says outside its points.
@@ -211,32 +210,34 @@ impl WithDrags {
     /// Power that enters at the input; negative where it leaves.
     #[must_use]
     pub fn input_power(&self) -> Power {
-        power(n_m(self.input) * rad_per_s(self.input_speed))
+        Power::from_si(self.input.si() * self.input_speed.si())
     }
 
     /// Power that enters at the output; negative where it leaves.
     #[must_use]
     pub fn output_power(&self) -> Power {
-        power(n_m(self.output) * rad_per_s(self.output_speed))
+        Power::from_si(self.output.si() * self.output_speed.si())
     }
 
     /// Power that the meshes of a set take.
     #[must_use]
     pub fn loss_of_set(&self, set: usize) -> Power {
         let meshes = self.meshes.get(set).and_then(Option::as_ref);
-        power(meshes.into_iter().flatten().map(|mesh| mesh.enters - mesh.leaves).sum())
+        Power::from_si(meshes.into_iter().flatten().map(|mesh| mesh.enters - mesh.leaves).sum())
     }
 
     /// Power that all meshes take.
     #[must_use]
     pub fn mesh_loss(&self) -> Power {
-        (0..self.meshes.len()).map(|set| self.loss_of_set(set)).fold(power(0.0), |sum, loss| sum + loss)
+        (0..self.meshes.len())
+            .map(|set| self.loss_of_set(set))
+            .fold(Power::from_si(0.0), |sum, loss| sum + loss)
     }
 
     /// Power that all drags take.
     #[must_use]
     pub fn drag_loss(&self) -> Power {
-        power(self.drags.iter().map(|drag| watts(drag.loss)).sum())
+        Power::from_si(self.drags.iter().map(|drag| drag.loss.si()).sum())
     }
 
     /// What the balance of energy leaves: powers that enter less all losses, each from its own torque, force or speed. Rounding
@@ -249,8 +250,8 @@ impl WithDrags {
     /// Power that leaves over power that enters, from input to output or back; `None` where all that enters is lost, or none does.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
-        let (input, output) = (watts(self.input_power()), watts(self.output_power()));
-        let nothing = POWER * watts(self.largest);
+        let (input, output) = (self.input_power().si(), self.output_power().si());
+        let nothing = POWER * self.largest.si();
         if input > nothing && output < -nothing {
             Some(-output / input)
         } else if output > nothing && input < -nothing {
@@ -307,7 +308,7 @@ impl Analysis<'_> {
         drags: &[Drag],
     ) -> Result<WithDrags, Error> {
         let not_driven = || Error::NotDriven { state: self.state().to_string() };
-        let of_input = |link: LinkId| self.speed(link).map(|speed| speed * rad_per_s(input_speed));
+        let of_input = |link: LinkId| self.speed(link).map(|speed| speed * input_speed.si());
         let ends = [self.gear.input, self.gear.output];
         let [Some(_), Some(output_speed)] = ends.map(of_input) else { return Err(not_driven()) };
         if *self.kinematic_state() != State::Driven {
@@ -317,7 +318,7 @@ impl Analysis<'_> {
             Load::Input(torque) => (0, torque),
             Load::Output(torque) => (1, torque),
         };
-        let enters = n_m(given) * [rad_per_s(input_speed), output_speed][known] * [1.0, -1.0][known] > 0.0;
+        let enters = given.si() * [input_speed.si(), output_speed][known] * [1.0, -1.0][known] > 0.0;
         if enters && matches!(self.state(), State::SelfLocking { .. }) {
             return Err(not_driven());
         }
@@ -327,7 +328,7 @@ impl Analysis<'_> {
         let node = |link: LinkId| self.topology.node[link.index()];
         let mut on_node: Vec<(LinkId, usize, f64)> = vec![];
         for (drag, at) in drags.iter().zip(&at_work) {
-            let on_first = -n_m(at.torque) * rad_per_s(at.slip).signum();
+            let on_first = -at.torque.si() * at.slip.si().signum();
             for (link, torque) in drag.links.into_iter().zip([on_first, -on_first]) {
                 let Some(place) = node(link).filter(|_| torque != 0.0) else { continue };
                 match on_node.iter_mut().find(|(_, other, _)| *other == place) {
@@ -342,38 +343,38 @@ impl Analysis<'_> {
         };
         let own = take(ends[known]);
         let of_other = take(ends[1 - known]);
-        let mut torques = vec![(ends[known], torque(n_m(given) + own))];
-        torques.extend(on_node.iter().map(|(link, _, own)| (*link, torque(*own))));
+        let mut torques = vec![(ends[known], Torque::from_si(given.si() + own))];
+        torques.extend(on_node.iter().map(|(link, _, own)| (*link, Torque::from_si(*own))));
         let state = self.gearbox.with_inputs(&self.gear, &[(ends[0], input_speed)], &torques)?;
         let found = state.load.ok_or_else(not_driven)?;
         // Its terminals have the input first, its output second; where they are one link, the second stands for both.
         let of_terminal = |end: LinkId| {
             let one = found.terminals.iter().find(|terminal| terminal.link == end);
-            one.map_or(0.0, |terminal| n_m(terminal.torque))
+            one.map_or(0.0, |terminal| terminal.torque.si())
         };
         let mut at_ends = [given, given];
-        at_ends[1 - known] = torque(of_terminal(ends[1 - known]) - of_other);
+        at_ends[1 - known] = Torque::from_si(of_terminal(ends[1 - known]) - of_other);
         let members = found.members.iter().flatten().copied();
-        let largest_torque = largest_absolute(torques.iter().map(|(_, torque)| n_m(*torque)).chain(members));
+        let largest_torque = largest_absolute(torques.iter().map(|(_, torque)| torque.si()).chain(members));
         let lets_go = |place: &usize| {
             self.gearbox.shift_elements()[*place].is_one_way()
-                && found.shift_elements[*place].is_some_and(|torque| n_m(torque) < -POWER * largest_torque)
+                && found.shift_elements[*place].is_some_and(|torque| torque.si() < -POWER * largest_torque)
         };
         let mut found_at = WithDrags {
             input_speed,
-            output_speed: angular_velocity(output_speed),
+            output_speed: AngularVelocity::from_si(output_speed),
             input: at_ends[0],
             output: at_ends[1],
             meshes: vec![],
             released: self.gear.engaged().iter().copied().filter(lets_go).collect(),
-            largest: power(found.power.largest),
+            largest: Power::from_si(found.power.largest),
             drags: at_work,
         };
         let others = found_at.drags.iter().map(|drag| drag.loss);
         let others = others.chain([found_at.input_power(), found_at.output_power()]);
         found_at.largest = others.fold(found_at.largest, |most, power| most.max(power.abs()));
         // What rounding leaves in an idle mesh is no power.
-        let nothing = POWER * watts(found_at.largest);
+        let nothing = POWER * found_at.largest.si();
         let busy = |mesh: MeshPower| if mesh.enters > nothing { mesh } else { MeshPower::default() };
         let meshes = (0..self.gearbox.sets().len()).map(|set| found.meshes(self.gearbox, set));
         let meshes = meshes.map(|of_set| Some(of_set?.into_iter().map(busy).collect()));
@@ -383,7 +384,11 @@ impl Analysis<'_> {
 
     fn drag(&self, drag: &Drag, speed: impl Fn(LinkId) -> Option<f64>) -> Result<DragAtWork, Error> {
         let refuse = |fault| Error::Drag { drag: drag.name.clone(), fault };
-        let idle = DragAtWork { slip: angular_velocity(0.0), torque: torque(0.0), loss: power(0.0) };
+        let idle = DragAtWork {
+            slip: AngularVelocity::from_si(0.0),
+            torque: Torque::from_si(0.0),
+            loss: Power::from_si(0.0),
+        };
         if drag.shift_element.is_some_and(|element| self.gear.engaged().contains(&element)) {
             return Ok(idle);
         }
@@ -396,9 +401,9 @@ impl Analysis<'_> {
         if slip.abs() <= SPEED * first.abs().max(second.abs()) {
             return Ok(idle);
         }
-        let slip = angular_velocity(slip);
+        let slip = AngularVelocity::from_si(slip);
         let outside = || refuse(DragFault::Outside { slip: slip.abs(), speeds: drag.curve.speeds() });
         let found = drag.curve.at(slip).ok_or_else(outside)?;
-        Ok(DragAtWork { slip, torque: found, loss: power(n_m(found) * rad_per_s(slip).abs()) })
+        Ok(DragAtWork { slip, torque: found, loss: Power::from_si(found.si() * slip.si().abs()) })
     }
 }

@@ -1,6 +1,6 @@
 //! What is wrong with a drag torque.
 
-use crate::units::{n_m, rpm};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// What is wrong with a drag torque.
@@ -27,7 +27,7 @@ pub enum DragFault {
         speed: AngularVelocity,
     },
     /// A torque below 0, or no number.
-    #[error("a torque is finite and at least 0, and opposes the motion: point {} has {} N·m", place + 1, n_m(*torque))]
+    #[error("a torque is finite and at least 0, and opposes the motion: point {} has {} N·m", place + 1, torque.si())]
     Torque {
         /// The place of the point.
         place: usize,
@@ -63,4 +63,11 @@ pub enum DragFault {
         /// The link.
         link: String,
     },
+}
+
+/// A speed as messages tell it, to a millionth.
+fn rpm(speed: AngularVelocity) -> f64 {
+    const MILLIONTHS: f64 = 1e6;
+    let rounded = (speed.rpm() * MILLIONTHS).round() / MILLIONTHS;
+    if rounded.is_finite() { rounded } else { speed.rpm() }
 }

@@ -23,8 +23,8 @@ use crate::state::{Known, Torques};
 use crate::tolerance::LARGEST_LOAD;
 use crate::topology::{Topology, bounded, fractions, node_equations, traced};
 use crate::torques::{self, Members, demands, edge_torques};
-use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
 use crate::{Error, Gear, Gearbox, LinkId};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// Torque and power that enter at a link from outside.
@@ -200,9 +200,9 @@ impl Gearbox {
         torques: &[(LinkId, Torque)],
     ) -> Result<MultiState, Error> {
         self.check_gear(gear)?;
-        let values = speeds.iter().map(|(_, speed)| rad_per_s(*speed));
+        let values = speeds.iter().map(|(_, speed)| speed.si());
         if !values
-            .chain(torques.iter().map(|(_, torque)| n_m(*torque)))
+            .chain(torques.iter().map(|(_, torque)| torque.si()))
             .all(|value| value.abs() <= LARGEST_LOAD)
         {
             return Err(Error::OperatingPoint { why: OperatingFault::NoNumbers });
@@ -236,7 +236,7 @@ impl Gearbox {
             count,
             least_pivot: 0.0,
         };
-        let values: Vec<f64> = speeds.iter().map(|(_, speed)| rad_per_s(*speed)).collect();
+        let values: Vec<f64> = speeds.iter().map(|(_, speed)| speed.si()).collect();
         let at: Vec<(usize, f64)> =
             nodes.iter().zip(&values).filter_map(|(&node, &speed)| Some((slot[node]?, speed))).collect();
         let solved = network.speeds(&at).ok_or(InputsFault::DependentTorques { candidates: vec![] })?;
@@ -246,13 +246,15 @@ impl Gearbox {
             topology.node.iter().map(|node| node.map_or(Some(0.0), of_node)).collect();
         let slip = |(place, shift_element): (usize, &crate::ShiftElement)| {
             if gear.engaged.contains(&place) {
-                return Some(angular_velocity(0.0));
+                return Some(AngularVelocity::from_si(0.0));
             }
-            Some(angular_velocity(omega[shift_element.links[0].0]? - omega[shift_element.links[1].0]?))
+            Some(AngularVelocity::from_si(
+                omega[shift_element.links[0].0]? - omega[shift_element.links[1].0]?,
+            ))
         };
         let state = MultiState {
             freedoms: nodes.len(),
-            speeds: omega.iter().map(|omega| omega.map(angular_velocity)).collect(),
+            speeds: omega.iter().map(|omega| omega.map(AngularVelocity::from_si)).collect(),
             slips: self.shift_elements.iter().enumerate().map(slip).collect(),
             sets: self.sets.iter().map(|set| set_motion(set, &omega)).collect(),
             load: None,
@@ -373,7 +375,7 @@ impl Gearbox {
             let place = terminals.iter().position(|(other, ..)| other == link);
             let place = place.or_else(|| terminals.iter().position(|(_, other, _)| other == node));
             if let Some((.., torque)) = place.map(|place| &mut terminals[place]) {
-                *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
+                *torque = Some(torque.unwrap_or(0.0) + given.si());
             }
         }
         let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
@@ -444,10 +446,10 @@ impl Gearbox {
             demand[link.0] -= torque;
         }
         let edges = edge_torques(topology, &settled.known, demand);
-        let mut shift_elements = vec![Some(torque(0.0)); self.shift_elements.len()];
+        let mut shift_elements = vec![Some(Torque::from_si(0.0)); self.shift_elements.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
             if let Some(shift_element) = edge.shift_element {
-                shift_elements[shift_element] = own.map(torque);
+                shift_elements[shift_element] = own.map(Torque::from_si);
             }
         }
         let known_members: Vec<Option<Vec<f64>>> = members.iter().cloned().map(Some).collect();
@@ -470,14 +472,14 @@ impl Gearbox {
                 .zip(&powers)
                 .map(|(&(link, own), &entering)| Terminal {
                     link,
-                    torque: torque(own),
-                    power: power(entering),
+                    torque: Torque::from_si(own),
+                    power: Power::from_si(entering),
                 })
                 .collect(),
-            housing: torque(-outside.iter().map(|(_, torque)| torque).sum::<f64>()),
+            housing: Torque::from_si(-outside.iter().map(|(_, torque)| torque).sum::<f64>()),
             members,
             shift_elements,
-            loss: power(flow.sets.iter().flatten().map(|set| set.loss).sum()),
+            loss: Power::from_si(flow.sets.iter().flatten().map(|set| set.loss).sum()),
             power: flow,
             efficiency: (enters > 0.0).then(|| leaves / enters),
             signs,

@@ -107,7 +107,6 @@ pub mod tolerance;
 pub mod tooth_checks;
 mod topology;
 pub mod torques;
-mod units;
 
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};

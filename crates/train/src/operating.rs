@@ -3,8 +3,8 @@
 use crate::error::OperatingFault;
 use crate::solution::Direction;
 use crate::tolerance::LARGEST_LOAD;
-use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
 use crate::{Analysis, Error, State};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What is known of the load at the input.
@@ -80,13 +80,13 @@ impl Analysis<'_> {
     pub fn at(&self, input_speed: AngularVelocity, load: InputLoad) -> Result<Operation, Error> {
         let refuse = |why| Error::OperatingPoint { why };
         let not_driven = || Error::NotDriven { state: self.state().to_string() };
-        let speed_rad_s = rad_per_s(input_speed);
+        let speed_rad_s = input_speed.si();
         let torque_n_m = match load {
-            InputLoad::Torque(torque) => n_m(torque),
+            InputLoad::Torque(torque) => torque.si(),
             InputLoad::Power(_) if speed_rad_s == 0.0 => {
                 return Err(refuse(OperatingFault::PowerAtRest));
             }
-            InputLoad::Power(power) => watts(power) / speed_rad_s,
+            InputLoad::Power(power) => power.si() / speed_rad_s,
         };
         if ![speed_rad_s, torque_n_m].iter().all(|value| value.abs() <= LARGEST_LOAD) {
             return Err(refuse(OperatingFault::NoNumber));
@@ -107,9 +107,9 @@ impl Analysis<'_> {
             }
         };
         let case = case.ok_or_else(not_driven)?;
-        let of_speed = |x: &Option<f64>| x.map(|x| angular_velocity(x * speed_rad_s));
-        let of_torque = |x: f64| torque(x * scale);
-        let of_power = |x: f64| power(x * (scale * speed_rad_s).abs());
+        let of_speed = |x: &Option<f64>| x.map(|x| AngularVelocity::from_si(x * speed_rad_s));
+        let of_torque = |x: f64| Torque::from_si(x * scale);
+        let of_power = |x: f64| Power::from_si(x * (scale * speed_rad_s).abs());
         Ok(Operation {
             direction,
             speeds: self.speeds().iter().map(of_speed).collect(),

@@ -17,10 +17,10 @@ use crate::compound::CentralKind;
 use crate::planet_set::{GearOf, PlanetSet};
 use crate::spacing::Spacing;
 use crate::tolerance::{APART, AT_ANGLE, AT_POSITION};
-use crate::units::{angle as angle_of, radians};
 use crate::{Error, SpacingFault};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::Placement;
+use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
@@ -46,7 +46,7 @@ pub(crate) fn check(set: &PlanetSet) -> Result<(), Error> {
             }
             let mut turns: Vec<(usize, f64)> = vec![];
             for (place, angle) in angles.iter().enumerate() {
-                let turn = (radians(*angle) / TAU).rem_euclid(1.0);
+                let turn = (angle.si() / TAU).rem_euclid(1.0);
                 if !turn.is_finite() {
                     return refuse(SpacingFault::NotFinite { planet: place + 1 });
                 }
@@ -116,12 +116,12 @@ impl PlanetSet {
         let positions = self.assembly_positions().filter(|positions| *positions > 0);
         match (self.spacing(), positions) {
             (Spacing::At(given), Some(positions)) => {
-                let first = given.first().map_or(0.0, |angle| radians(*angle));
+                let first = given.first().map_or(0.0, |angle| angle.si());
                 Some(
                     given
                         .iter()
-                        .map(|angle| match At::new(radians(*angle) - first, positions) {
-                            at if at.is_there() => angle_of(first + at.nearest_rad()),
+                        .map(|angle| match At::new(angle.si() - first, positions) {
+                            at if at.is_there() => Angle::from_si(first + at.nearest_rad()),
                             _ => *angle,
                         })
                         .collect(),
@@ -133,7 +133,7 @@ impl PlanetSet {
             }
             _ => {
                 let planets = self.planet_count()?;
-                let angle = |place| angle_of(TAU * f64::from(place) / f64::from(planets));
+                let angle = |place| Angle::from_si(TAU * f64::from(place) / f64::from(planets));
                 Some((0..planets).map(angle).collect())
             }
         }
@@ -146,11 +146,11 @@ impl PlanetSet {
             return None;
         }
         let mut turns: Vec<f64> =
-            self.planet_angles()?.iter().map(|angle| radians(*angle).rem_euclid(TAU)).collect();
+            self.planet_angles()?.iter().map(|angle| angle.si().rem_euclid(TAU)).collect();
         turns.sort_by(f64::total_cmp);
         let next = turns.iter().skip(1).copied().chain(turns.first().map(|first| first + TAU));
         let gaps = turns.iter().zip(next).map(|(here, next)| next - here);
-        gaps.reduce(f64::min).filter(|_| turns.len() > 1).map(angle_of)
+        gaps.reduce(f64::min).filter(|_| turns.len() > 1).map(Angle::from_si)
     }
 
     /// The given angles of planets that are no assembly positions.
@@ -161,13 +161,13 @@ impl PlanetSet {
         else {
             return vec![];
         };
-        let first = given.first().map_or(0.0, |angle| radians(*angle));
+        let first = given.first().map_or(0.0, |angle| angle.si());
         let misplaced = |(place, angle): (usize, &Angle)| {
-            let at = At::new(radians(*angle) - first, positions);
+            let at = At::new(angle.si() - first, positions);
             (!at.is_there()).then(|| Misplaced {
                 planet: place + 1,
-                angle: angle_of(at.from_first_rad),
-                nearest: angle_of(at.nearest_rad()),
+                angle: Angle::from_si(at.from_first_rad),
+                nearest: Angle::from_si(at.nearest_rad()),
                 positions,
             })
         };

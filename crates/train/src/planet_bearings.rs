@@ -72,14 +72,14 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, Mesh, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
-use crate::units::{in_metres, metres, radians};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount};
+use epicyclic_units::Physical;
 use flows::{Flows, Part};
-use uom::si::f64::{Angle, Mass};
+use uom::si::f64::{Angle, Length, Mass};
 
 impl Gearbox {
     /// The planet bearings of a set, in the order of [`PlanetSet::planets`]; `None` of a pair on fixed axes,
@@ -151,7 +151,7 @@ impl PlanetSet {
                     return Ok(bearing);
                 }
                 let radius = places.radii[planet];
-                bearing.radius = radius.map(metres);
+                bearing.radius = radius.map(Length::from_si);
                 bearing.mass = self.planet_mass(planet, size, &places)?;
                 if bearing.planets.is_none() {
                     bearing.lacks.push(Lack::Planets);
@@ -218,16 +218,16 @@ impl PlanetSet {
     /// What is given of the places, in metres.
     fn given(&self, size: &SetSize) -> Given {
         let mut given = Given::nothing(self);
-        given.module = size.module.map(in_metres);
+        given.module = size.module.map(Physical::si);
         for (mesh, own) in size.meshes.iter().enumerate() {
-            given.modules[mesh] = own.module.map(in_metres);
+            given.modules[mesh] = own.module.map(Physical::si);
             given.is_behind[mesh] = own.is_behind;
         }
         for (planet, own) in size.planets.iter().enumerate() {
-            given.radii[planet] = own.carrier_radius.map(in_metres);
+            given.radii[planet] = own.carrier_radius.map(Physical::si);
         }
         if let [only] = given.radii.as_mut_slice() {
-            *only = only.or(size.carrier_radius.map(in_metres));
+            *only = only.or(size.carrier_radius.map(Physical::si));
         }
         given
     }
@@ -256,7 +256,8 @@ impl PlanetSet {
                 Some(if gear_kind == GearKind::Internal { sun * k } else { sun })
             };
             let in_radii = pitch_over_centre_distance(self, mesh).or_else(by_k);
-            let pitch_radius = places.radii[planet].zip(in_radii).map(|(radius, of)| metres(radius * of));
+            let pitch_radius =
+                places.radii[planet].zip(in_radii).map(|(radius, of)| Length::from_si(radius * of));
             let with = GearOf::Central(central);
             let part = Some(self.torque_from(central, mesh));
             return Some(Contact {
@@ -284,7 +285,7 @@ impl PlanetSet {
         };
         match places.pairs[mesh] {
             Ok(pair) => {
-                contact.pitch_radius = Some(metres(pair.pitch_radii[own]));
+                contact.pitch_radius = Some(Length::from_si(pair.pitch_radii[own]));
                 let angle_rad = if own == 0 { pair.angle_rad } else { -pair.angle_rad };
                 let towards = |radius: f64, other: f64| {
                     let (sin, cos) = libm::sincos(angle_rad);
@@ -301,7 +302,11 @@ impl PlanetSet {
                 if own == 1 {
                     radii.swap(0, 1);
                 }
-                lacks.push(Lack::Triangle { other, radii: radii.map(metres), distance: metres(distance) });
+                lacks.push(Lack::Triangle {
+                    other,
+                    radii: radii.map(Length::from_si),
+                    distance: Length::from_si(distance),
+                });
             }
             // The planet's own radius is missing, and said to be.
             Err(NoPair::Radius(_) | NoPair::OtherMesh) => {}
@@ -344,7 +349,7 @@ impl PlanetSet {
         if let Some(mass) = own.and_then(|own| own.mass).or(size.planet_mass) {
             return Ok(Some(mass));
         }
-        let bore = own.and_then(|own| own.bore).or(size.planet_bore).unwrap_or(metres(0.0));
+        let bore = own.and_then(|own| own.bore).or(size.planet_bore).unwrap_or(Length::from_si(0.0));
         let gears = &self.planets()[planet].gears;
         let width = |gear: usize| {
             let of_gear = own.and_then(|own| own.face_widths.get(gear).copied().flatten());
@@ -356,7 +361,7 @@ impl PlanetSet {
             if let (Some(module), Some(teeth)) = (module, spec.coaxial_planet()) {
                 // The transverse module has less addendum than the normal one.
                 let usual = BasicRack::default();
-                let cos = libm::cos(radians(spec.helix_angle));
+                let cos = libm::cos(spec.helix_angle.si());
                 let rack =
                     BasicRack { addendum: usual.addendum * cos, clearance: usual.clearance * cos, ..usual };
                 let gear = ToothedGear::new(GearKind::External, module, teeth, rack)?;
@@ -365,7 +370,7 @@ impl PlanetSet {
             }
             let Some(radius) = places.radii[planet] else { return Ok(None) };
             let k = -self.basic_ratio().get();
-            let pitch_diameter = metres(radius * (2.0 * (k - 1.0) / (k + 1.0)));
+            let pitch_diameter = Length::from_si(radius * (2.0 * (k - 1.0) / (k + 1.0)));
             return mass::ring(pitch_diameter, bore, width, size.density).map(|disc| Some(disc.mass));
         }
         let mut mass = Mass::default();
@@ -375,7 +380,7 @@ impl PlanetSet {
             let (Some(module), Some(teeth), Some(width)) = (module, teeth, width(gear)) else {
                 return Ok(None);
             };
-            let gear = ToothedGear::external(metres(module), *teeth)?;
+            let gear = ToothedGear::external(Length::from_si(module), *teeth)?;
             mass += GearBody::external(&gear, width, bore, size.density)?.total().mass;
         }
         Ok(Some(mass))

@@ -10,11 +10,11 @@ pub use crate::set_kind::SetKind;
 use crate::Error;
 use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
-use crate::units::degrees;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 /// What is known of a set's ratio.
@@ -126,7 +126,7 @@ impl SetSpec {
             planet_count: None,
             spacing: Spacing::default(),
             shifts: None,
-            helix_angle: degrees(0.0),
+            helix_angle: Angle::from_degrees(0.0),
             cutting: Box::default(),
         }
     }

@@ -1,13 +1,13 @@
 //! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their friction takes.
 
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
-use crate::units::radians;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount, mesh};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 impl SetSpec {
@@ -33,13 +33,13 @@ impl SetSpec {
     /// The transverse module of a normal one, `m_t = m_n/cos β`.
     #[must_use]
     pub fn transverse_module(&self, normal: Length) -> Length {
-        normal / libm::cos(radians(self.helix_angle))
+        normal / libm::cos(self.helix_angle.si())
     }
 
     /// Whether its teeth are helical.
     #[must_use]
     pub fn is_helical(&self) -> bool {
-        radians(self.helix_angle) != 0.0
+        self.helix_angle.si() != 0.0
     }
 
     /// The gears with their shifts on the centre distance at which sun and planets have no backlash; planets of an unknown number are taken

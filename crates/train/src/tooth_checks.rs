@@ -56,7 +56,6 @@ use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetSpec;
 use crate::spacing::Spacing;
 use crate::tolerance::{MOST_ALIKE, TOUCH};
-use crate::units::radians;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::PlanetSet as InvoluteSet;
 use epicyclic_gears::involute::check::{Check, Rule};
@@ -64,6 +63,7 @@ use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Placement;
+use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 
 impl Gearbox {
@@ -202,7 +202,7 @@ impl<'a> Checks<'a> {
         let steps = match (set.spacing(), set.planet_count()) {
             (Spacing::Placed(Placement::Equal), Some(planets)) => Some(equal_steps(planets)),
             _ => set.planet_angles().map(|angles| {
-                let angles_rad: Vec<f64> = angles.iter().map(|angle| radians(*angle)).collect();
+                let angles_rad: Vec<f64> = angles.iter().map(|angle| angle.si()).collect();
                 steps_between(&angles_rad)
             }),
         };

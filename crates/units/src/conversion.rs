@@ -1,4 +1,4 @@
-//! Every conversion between written quantities and `uom` types: the only file that knows both.
+//! Every conversion between `uom` quantities and numbers: the only file that knows the units of `uom`.
 
 use uom::si::{
     angle::radian, angular_acceleration::radian_per_second_squared, angular_velocity::radian_per_second,
@@ -14,7 +14,47 @@ use uom::si::{
 
 use super::dimension::Dimension;
 
-/// A `uom` quantity of one [`Dimension`]. Only this crate implements it.
+/// Methods for values in other units than the SI's, with the factors of `uom`.
+macro_rules! other_units {
+    ($($quantity:ident in $unit:path: $get:ident, $new:ident;)*) => {$(
+        #[doc = concat!("Value in the unit [`", stringify!($unit), "`].")]
+        #[inline]
+        fn $get(self) -> f64
+        where
+            Self: sealed::Is<si::$quantity>,
+        {
+            self.itself().get::<$unit>()
+        }
+
+        #[doc = concat!("Quantity from its value in the unit [`", stringify!($unit), "`].")]
+        #[inline]
+        #[must_use]
+        fn $new(value: f64) -> Self
+        where
+            Self: sealed::Is<si::$quantity>,
+        {
+            Self::of(si::$quantity::new::<$unit>(value))
+        }
+    )*};
+}
+
+/// A `uom` quantity of one [`Dimension`], and its values as numbers. Only this crate implements it.
+///
+/// Besides the SI unit there are units of drawings and tables, each for one quantity.
+///
+/// ```
+/// use epicyclic_units::Physical;
+/// use uom::si::f64::Length;
+///
+/// let module = Length::from_mm(2.5);
+/// assert_eq!((module.si(), module.mm()), (0.0025, 2.5));
+/// ```
+///
+/// ```compile_fail
+/// # use epicyclic_units::Physical;
+/// # use uom::si::f64::Torque;
+/// Torque::from_mm(2.5);
+/// ```
 pub trait Physical: Copy + sealed::Sealed {
     /// What it is a quantity of.
     const DIMENSION: Dimension;
@@ -24,10 +64,41 @@ pub trait Physical: Copy + sealed::Sealed {
 
     /// Its value in the SI unit of the dimension.
     fn si(self) -> f64;
+
+    other_units! {
+        Angle in uom::si::angle::degree: degrees, from_degrees;
+        AngularVelocity in uom::si::angular_velocity::revolution_per_minute: rpm, from_rpm;
+        Area in uom::si::area::square_millimeter: mm2, from_mm2;
+        KinematicViscosity in uom::si::kinematic_viscosity::square_millimeter_per_second: mm2_s, from_mm2_s;
+        Length in uom::si::length::millimeter: mm, from_mm;
+        Length in uom::si::length::micrometer: um, from_um;
+        Power in uom::si::power::kilowatt: kw, from_kw;
+        Pressure in uom::si::pressure::megapascal: mpa, from_mpa;
+        Time in uom::si::time::hour: hours, from_hours;
+        Volume in uom::si::volume::cubic_centimeter: cm3, from_cm3;
+    }
 }
 
 mod sealed {
     pub trait Sealed {}
+
+    /// Equality of two types: the condition on a method of one quantity.
+    pub trait Is<T> {
+        fn itself(self) -> T;
+        fn of(value: T) -> Self;
+    }
+
+    impl<T> Is<T> for T {
+        #[inline]
+        fn itself(self) -> T {
+            self
+        }
+
+        #[inline]
+        fn of(value: T) -> T {
+            value
+        }
+    }
 }
 
 macro_rules! physical {
@@ -37,10 +108,12 @@ macro_rules! physical {
         impl Physical for si::$quantity {
             const DIMENSION: Dimension = Dimension::$dimension;
 
+            #[inline]
             fn from_si(value: f64) -> Self {
                 Self::new::<$unit>(value)
             }
 
+            #[inline]
             fn si(self) -> f64 {
                 self.get::<$unit>()
             }

@@ -28,14 +28,13 @@
 //! D. R. Kiracofe, R. G. Parker, Structured vibration modes of general compound planetary gear systems, Journal of Vibration and Acoustics 129 (2007) 1–16, for
 //! the kinds; the energies are those of the planar model of each set.
 
+use crate::checks::not_negative;
 use crate::model::{Axis, Body, BodyId, Freedom, Model, Orbiting, SpringId, Support};
 use crate::planetary::PlanetarySet;
 use crate::train::Link;
-use crate::units::{
-    kg_m2, kilograms, length, mass, meters, moment_of_inertia, n_per_m, not_negative, radians,
-};
 use crate::{Error, Stiffness, TorsionalStiffness, newtons_per_meter};
-use uom::si::f64::Mass;
+use epicyclic_units::Physical;
+use uom::si::f64::{Length, Mass, MomentOfInertia};
 
 /// A centre: what moves in the plane as one piece.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,11 +115,11 @@ pub fn planar(
 ) -> Result<(Model, CoupledParts), Error> {
     let mut inertias = links
         .iter()
-        .map(|link| not_negative(|| format!("inertia of {}", link.name), kg_m2(link.inertia), "kg·m²"))
+        .map(|link| not_negative(|| format!("inertia of {}", link.name), link.inertia.si(), "kg·m²"))
         .collect::<Result<Vec<f64>, Error>>()?;
     let mut masses = centres
         .iter()
-        .map(|centre| not_negative(|| format!("mass of {}", centre.name), kilograms(centre.mass), "kg"))
+        .map(|centre| not_negative(|| format!("mass of {}", centre.name), centre.mass.si(), "kg"))
         .collect::<Result<Vec<f64>, Error>>()?;
     let mut supports = vec![0.0; centres.len()];
     for placed in sets {
@@ -129,28 +128,32 @@ pub fn planar(
         for (member, central) in [&set.sun, &set.ring, &set.carrier].into_iter().enumerate() {
             let link = at(placed.links[member], links.len())?;
             let centre = at(placed.centres[member], centres.len())?;
-            let inertia = kg_m2(central.body.inertia);
+            let inertia = central.body.inertia.si();
             inertias[link] += not_negative(|| format!("inertia in {name}"), inertia, "kg·m²")?;
-            let mass = kilograms(central.body.mass);
+            let mass = central.body.mass.si();
             masses[centre] += not_negative(|| format!("mass in {name}"), mass, "kg")?;
-            let radial = n_per_m(central.support.radial);
+            let radial = central.support.radial.si();
             supports[centre] += not_negative(|| format!("support in {name}"), radial, "N/m")?;
         }
     }
     let mut model = Model::new();
     let mut parts = CoupledParts::default();
     for (link, inertia) in links.iter().zip(inertias) {
-        let inertia = moment_of_inertia(inertia);
-        let body = Body { mass: Mass::default(), inertia, radius: length(1.0) };
+        let inertia = MomentOfInertia::from_si(inertia);
+        let body = Body { mass: Mass::default(), inertia, radius: Length::from_si(1.0) };
         let place =
             model.body(&link.name, &body, if link.held { Freedom::Held } else { Freedom::Rotation })?;
-        let tangential = Support::tangential_of(link.support, length(1.0));
+        let tangential = Support::tangential_of(link.support, Length::from_si(1.0));
         let support = Support { tangential, ..Support::default() };
         parts.links.push(place);
         parts.link_supports.push(if link.held { vec![] } else { model.support(place, support)? });
     }
     for ((centre, of_members), support) in centres.iter().zip(masses).zip(supports) {
-        let body = Body { mass: mass(of_members), inertia: moment_of_inertia(0.0), radius: length(1.0) };
+        let body = Body {
+            mass: Mass::from_si(of_members),
+            inertia: MomentOfInertia::from_si(0.0),
+            radius: Length::from_si(1.0),
+        };
         let freedom = if centre.held { Freedom::Held } else { Freedom::Translation };
         let place = model.body(&centre.name, &body, freedom)?;
         let support = Support { radial: newtons_per_meter(support), ..Support::default() };
@@ -187,11 +190,11 @@ fn add(model: &mut Model, parts: &mut CoupledParts, placed: &Placed<'_>) -> Resu
     let [alpha_s, alpha_r] = set.pressure_angles()?;
     let links = placed.links.map(|link| parts.links[link]);
     let centres = placed.centres.map(|centre| parts.centres[centre]);
-    let radii = [&set.sun, &set.ring, &set.carrier].map(|central| meters(central.body.radius));
+    let radii = [&set.sun, &set.ring, &set.carrier].map(|central| central.body.radius.si());
     let u = Axis::Rotation;
     let (mut planets, mut sun_meshes, mut ring_meshes, mut bearings) = (vec![], vec![], vec![], vec![]);
     for (index, planet) in set.planets.iter().enumerate() {
-        let (number, psi) = (index + 1, radians(planet.angle));
+        let (number, psi) = (index + 1, planet.angle.si());
         let p = model.body(&format!("{name}planet {number}"), &planet.body, Freedom::Planar)?;
         let line = |angle: f64| [-libm::sin(angle), libm::cos(angle)];
         let mut spring = |what: String, stiffness, member: usize, [x, y]: [f64; 2], rotations: [f64; 2]| {
@@ -215,8 +218,8 @@ fn add(model: &mut Model, parts: &mut CoupledParts, placed: &Placed<'_>) -> Resu
         bearings.push(spring(of_bearing("radial"), planet.bearing, 2, radial, [0.0, 0.0])?);
         bearings.push(spring(of_bearing("tangential"), planet.bearing, 2, line(psi), [radii[2], 0.0])?);
         model.bodies[links[2].0].orbiting.push(Orbiting {
-            mass_kg: kilograms(planet.body.mass),
-            bearing_n_per_m: n_per_m(planet.bearing),
+            mass_kg: planet.body.mass.si(),
+            bearing_n_per_m: planet.bearing.si(),
             angle_rad: psi,
             lever: radii[2],
         });

@@ -36,11 +36,12 @@
 //! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free vibration, Journal of
 //! Vibration and Acoustics 121 (1999) 316–321, equations of motion.
 
+use crate::checks::within;
 use crate::classify::kind_of;
 use crate::model::{Axis, BodyId, Inertia, Model, Orbiting, Shape};
-use crate::modes::Kind;
-use crate::units::{angular_velocity, frequency, rad_per_s, within};
+use crate::modes::{Kind, frequency};
 use crate::{Error, kernel, tolerance};
+use epicyclic_units::Physical;
 use nalgebra::{Complex, DMatrix};
 use uom::si::f64::{AngularVelocity, Frequency};
 
@@ -84,7 +85,7 @@ impl Model {
             self.inertia(*body)?;
         }
         let limits = [f64::MIN, f64::MAX];
-        let speed_rad_s = within(|| "speed of the frame".into(), rad_per_s(frame_speed), limits, "rad/s")?;
+        let speed_rad_s = within(|| "speed of the frame".into(), frame_speed.si(), limits, "rad/s")?;
         let size = self.size();
         if size == 0 {
             return Err(Error::NothingMoves);
@@ -114,7 +115,7 @@ impl Model {
             };
             WhirlMode {
                 frequency: frequency(omega),
-                omega: angular_velocity(omega),
+                omega: AngularVelocity::from_si(omega),
                 kind,
                 cosine: self.shape(|place| q(place).re),
                 sine: self.shape(|place| -q(place).im),

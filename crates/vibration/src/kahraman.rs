@@ -22,8 +22,10 @@
 //! # Source
 //! A. Kahraman, Natural modes of planetary gear trains, Journal of Sound and Vibration 173 (1994) 125–130.
 
-use crate::units::{frequency, kilograms, n_per_m, positive};
+use crate::checks::positive;
+use crate::modes::frequency;
 use crate::{Error, Stiffness};
+use epicyclic_units::Physical;
 use uom::si::f64::{Frequency, Mass};
 
 /// A set with a held ring, as masses along the lines of action.
@@ -60,8 +62,9 @@ impl HeldRing {
     /// # Errors
     /// [`Error::NotPositive`] for a mass or stiffness, [`Error::TooFew`] without planets.
     pub fn frequencies(&self) -> Result<HeldRingFrequencies, Error> {
-        let mass = |name: &str, mass| positive(|| format!("I/r² of the {name}"), kilograms(mass), "kg");
-        let mesh = |name: &str, k| positive(|| format!("stiffness of the {name}'s mesh"), n_per_m(k), "N/m");
+        let mass = |name: &str, mass: Mass| positive(|| format!("I/r² of the {name}"), mass.si(), "kg");
+        let mesh =
+            |name: &str, k: Stiffness| positive(|| format!("stiffness of the {name}'s mesh"), k.si(), "N/m");
         let [m_s, m_p, m_c] =
             [mass("sun", self.sun)?, mass("planet", self.planet)?, mass("carrier", self.carrier)?];
         let [k_s, k_r] = [mesh("sun", self.sun_mesh)?, mesh("ring", self.ring_mesh)?];

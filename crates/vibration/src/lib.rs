@@ -24,6 +24,7 @@
 #![doc = include_str!("../examples/modes.rs")]
 //! ```
 
+mod checks;
 mod classify;
 pub mod coupled;
 pub mod energy;
@@ -36,9 +37,9 @@ pub mod modes;
 pub mod phasing;
 pub mod planetary;
 pub mod response;
+mod stiffness;
 mod tolerance;
 pub mod train;
-mod units;
 
 pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};
 pub use error::Error;
@@ -46,4 +47,4 @@ pub use gyroscopic::{Centripetal, WhirlMode};
 pub use model::{Axis, Body, BodyId, Freedom, Model, Shape, SpringId, Support};
 pub use modes::{Group, Kind, Mode, Modes};
 pub use planetary::{Central, Planet, PlanetarySet, SetParts};
-pub use units::{Stiffness, TorsionalStiffness, newtons_per_meter};
+pub use stiffness::{Stiffness, TorsionalStiffness, newtons_per_meter};

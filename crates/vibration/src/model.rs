@@ -17,10 +17,9 @@
 //! | `m`, `I`, `r` | mass, inertia about the centre, radius of the rotation coordinate | kg, kg·m², m |
 //! | `k`, `δ` | stiffness, elongation | N/m, m |
 
-use crate::units::{
-    kg_m2, kilograms, length, meters, moment_of_inertia, n_m, n_per_m, not_negative, positive,
-};
+use crate::checks::{not_negative, positive};
 use crate::{Error, Stiffness, TorsionalStiffness};
+use epicyclic_units::Physical;
 use nalgebra::DMatrix;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
@@ -39,8 +38,8 @@ impl Body {
     /// A body from `I/r²`, as sources of vibration give inertias.
     #[must_use]
     pub fn with_rotary_mass(mass: Mass, rotary_mass: Mass, radius: Length) -> Self {
-        let r = meters(radius);
-        Self { mass, inertia: moment_of_inertia(kilograms(rotary_mass) * r * r), radius }
+        let r = radius.si();
+        Self { mass, inertia: MomentOfInertia::from_si(rotary_mass.si() * r * r), radius }
     }
 }
 
@@ -152,14 +151,14 @@ impl Model {
             Freedom::Translation => [true, true, false],
             Freedom::Held => [false; 3],
         };
-        let radius = positive(|| format!("radius of {name}"), meters(body.radius), "m")?;
-        let mut mass = kilograms(body.mass);
+        let radius = positive(|| format!("radius of {name}"), body.radius.si(), "m")?;
+        let mut mass = body.mass.si();
         if free[0] {
             mass = positive(|| format!("mass of {name}"), mass, "kg")?;
         }
-        let mut rotary = kg_m2(body.inertia) / (radius * radius);
+        let mut rotary = body.inertia.si() / (radius * radius);
         if free[2] {
-            positive(|| format!("inertia of {name}"), kg_m2(body.inertia), "kg·m²")?;
+            positive(|| format!("inertia of {name}"), body.inertia.si(), "kg·m²")?;
             rotary = positive(|| format!("I/r² of {name}"), rotary, "kg")?;
         }
         let coordinates = free.map(|free| {
@@ -184,7 +183,7 @@ impl Model {
         stiffness: Stiffness,
         elongation: &[Term],
     ) -> Result<SpringId, Error> {
-        let stiffness_n_per_m = positive(|| format!("stiffness of {name}"), n_per_m(stiffness), "N/m")?;
+        let stiffness_n_per_m = positive(|| format!("stiffness of {name}"), stiffness.si(), "N/m")?;
         let mut terms: Vec<(usize, f64)> = Vec::with_capacity(elongation.len());
         for &(body, axis, factor) in elongation {
             if !factor.is_finite() {
@@ -216,7 +215,7 @@ impl Model {
         ];
         for (axis, stiffness, of) in parts {
             let name = format!("{of} of {name}");
-            if not_negative(|| format!("stiffness of {name}"), n_per_m(stiffness), "N/m")? > 0.0 {
+            if not_negative(|| format!("stiffness of {name}"), stiffness.si(), "N/m")? > 0.0 {
                 springs.push(self.spring(&name, stiffness, &[(body, axis, 1.0)])?);
             }
         }
@@ -238,8 +237,8 @@ impl Model {
         lateral: Stiffness,
     ) -> Result<Vec<SpringId>, Error> {
         let [r_1, r_2] = [self.inertia(first)?.radius_m, self.inertia(second)?.radius_m];
-        let torsional = not_negative(|| format!("torsional stiffness of {name}"), n_m(torsional), "N·m/rad")?;
-        let bending = not_negative(|| format!("lateral stiffness of {name}"), n_per_m(lateral), "N/m")?;
+        let torsional = not_negative(|| format!("torsional stiffness of {name}"), torsional.si(), "N·m/rad")?;
+        let bending = not_negative(|| format!("lateral stiffness of {name}"), lateral.si(), "N/m")?;
         let mut springs = Vec::new();
         if torsional > 0.0 {
             let terms = [(first, Axis::Rotation, 1.0), (second, Axis::Rotation, -r_1 / r_2)];
@@ -280,7 +279,7 @@ impl Model {
     /// Radius of the coordinate `u` of a body; none of a body of another model.
     #[must_use]
     pub fn body_radius(&self, body: BodyId) -> Option<Length> {
-        self.bodies.get(body.0).map(|body| length(body.radius_m))
+        self.bodies.get(body.0).map(|body| Length::from_si(body.radius_m))
     }
 
     /// Name of a spring; none of a spring of another model.
@@ -389,6 +388,6 @@ impl Support {
     /// `k_t/r²`: a torsional stiffness as one along `u = r·θ`.
     #[must_use]
     pub fn tangential_of(torsional: TorsionalStiffness, radius: Length) -> Stiffness {
-        crate::newtons_per_meter(n_m(torsional) / (meters(radius) * meters(radius)))
+        crate::newtons_per_meter(torsional.si() / (radius.si() * radius.si()))
     }
 }

@@ -1,8 +1,8 @@
 //! Natural frequencies and modes of a model, in groups of equal frequency.
 
 use crate::model::{Model, Shape};
-use crate::units::{angular_velocity, frequency};
 use crate::{Error, kernel};
+use epicyclic_units::Physical;
 use std::ops::Range;
 use uom::si::f64::{AngularVelocity, Frequency};
 
@@ -72,7 +72,7 @@ impl Group {
 
     pub(crate) fn new(kind: Kind, omega2: f64, shapes: Vec<Shape>) -> Self {
         let omega = omega2.sqrt();
-        Self { kind, frequency: frequency(omega), omega: angular_velocity(omega), shapes, omega2 }
+        Self { kind, frequency: frequency(omega), omega: AngularVelocity::from_si(omega), shapes, omega2 }
     }
 }
 
@@ -89,8 +89,19 @@ impl Model {
             eigen.omega2.iter().zip(eigen.residuals).enumerate().map(|(index, (&omega2, residual))| {
                 let omega = omega2.sqrt();
                 let shape = self.shape(|place| eigen.vectors[(place, index)]);
-                Mode { frequency: frequency(omega), omega: angular_velocity(omega), shape, residual, omega2 }
+                Mode {
+                    frequency: frequency(omega),
+                    omega: AngularVelocity::from_si(omega),
+                    shape,
+                    residual,
+                    omega2,
+                }
             });
         Ok(Modes { modes: modes.collect(), equal })
     }
+}
+
+/// The frequency of a circular frequency, Hz for rad/s.
+pub(crate) fn frequency(omega_rad_s: f64) -> Frequency {
+    Frequency::from_si(omega_rad_s / std::f64::consts::TAU)
 }

@@ -38,11 +38,12 @@
 //! Vibration and Acoustics 121 (1999) 316–321. A. Kahraman, Natural modes of planetary gear trains, Journal of Sound and
 //! Vibration 173 (1994) 125–130.
 
+use crate::checks::{positive, within};
 use crate::model::{Axis, Body, BodyId, Freedom, Model, Orbiting, SpringId, Support};
-use crate::units::{angle, kg_m2, kilograms, meters, moment_of_inertia, n_per_m, positive, radians, within};
 use crate::{Error, Stiffness, tolerance};
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use uom::si::f64::Angle;
+use uom::si::f64::{Angle, MomentOfInertia};
 
 /// Sun, ring or carrier.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,8 +89,10 @@ impl Planet {
     /// This planet and equal ones, `count` in all, equally spaced; their angles lie between 0 and 2π.
     #[must_use]
     pub fn equally_spaced(self, count: usize) -> Vec<Self> {
-        let [first, step] = [radians(self.angle), TAU / count as f64];
-        (0..count).map(|n| Self { angle: angle((first + step * n as f64).rem_euclid(TAU)), ..self }).collect()
+        let [first, step] = [self.angle.si(), TAU / count as f64];
+        (0..count)
+            .map(|n| Self { angle: Angle::from_si((first + step * n as f64).rem_euclid(TAU)), ..self })
+            .collect()
     }
 }
 
@@ -172,7 +175,7 @@ impl PlanetarySet {
         let mut parts = self.bodies(model, prefix, false)?;
         let [alpha_s, alpha_r] = self.pressure_angles()?;
         for (index, planet) in self.planets.iter().enumerate() {
-            let (p, number, psi) = (parts.planets[index], index + 1, radians(planet.angle));
+            let (p, number, psi) = (parts.planets[index], index + 1, planet.angle.si());
             let line = |angle: f64| [-libm::sin(angle), libm::cos(angle)];
             let between = |one: BodyId, [x, y]: [f64; 2]| {
                 [(one, Axis::X, x), (one, Axis::Y, y), (p, Axis::X, -x), (p, Axis::Y, -y)]
@@ -206,8 +209,8 @@ impl PlanetarySet {
                 spring(format!("{name}, tangential"), planet.bearing, carrier, line(psi), &turned)?;
             parts.bearings.push([radial, tangential]);
             model.bodies[carrier.0].orbiting.push(Orbiting {
-                mass_kg: kilograms(planet.body.mass),
-                bearing_n_per_m: n_per_m(planet.bearing),
+                mass_kg: planet.body.mass.si(),
+                bearing_n_per_m: planet.bearing.si(),
                 angle_rad: psi,
                 lever: 1.0,
             });
@@ -268,12 +271,12 @@ impl PlanetarySet {
         let (ring, of_ring) = add("ring", &self.ring)?;
         let mut carrier = self.carrier;
         if torsional {
-            let r_c = meters(carrier.body.radius);
-            let planets: f64 = self.planets.iter().map(|planet| kilograms(planet.body.mass)).sum();
+            let r_c = carrier.body.radius.si();
+            let planets: f64 = self.planets.iter().map(|planet| planet.body.mass.si()).sum();
             if freedom(carrier.freedom) == Freedom::Rotation {
-                positive(|| format!("inertia of {prefix}carrier"), kg_m2(carrier.body.inertia), "kg·m²")?;
+                positive(|| format!("inertia of {prefix}carrier"), carrier.body.inertia.si(), "kg·m²")?;
             }
-            carrier.body.inertia += moment_of_inertia(planets * r_c * r_c);
+            carrier.body.inertia += MomentOfInertia::from_si(planets * r_c * r_c);
         }
         let (carrier, of_carrier) = add("carrier", &carrier)?;
         let mut planets = Vec::with_capacity(self.planets.len());
@@ -298,10 +301,10 @@ impl PlanetarySet {
             return Err(Error::TooFew { of: "planets", count: 0, least: 1 });
         }
         for (index, planet) in self.planets.iter().enumerate() {
-            let psi = radians(planet.angle);
+            let psi = planet.angle.si();
             within(|| format!("angle of planet {}", index + 1), psi, [-TAU, TAU], "rad")?;
             for (other, before) in self.planets[..index].iter().enumerate() {
-                let apart = (psi - radians(before.angle)).rem_euclid(TAU);
+                let apart = (psi - before.angle.si()).rem_euclid(TAU);
                 if apart.min(TAU - apart) < tolerance::SAME_ANGLE {
                     return Err(Error::SameAngle { first: other + 1, second: index + 1 });
                 }
@@ -311,9 +314,9 @@ impl PlanetarySet {
     }
 
     pub(crate) fn pressure_angles(&self) -> Result<[f64; 2], Error> {
-        let checked = |name: &str, angle| {
+        let checked = |name: &str, angle: Angle| {
             let field = || format!("pressure angle of the {name}'s meshes");
-            within(field, radians(angle), [0.0, FRAC_PI_2], "rad")
+            within(field, angle.si(), [0.0, FRAC_PI_2], "rad")
         };
         Ok([checked("sun", self.sun_pressure_angle)?, checked("ring", self.ring_pressure_angle)?])
     }

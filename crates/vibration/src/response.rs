@@ -31,11 +31,12 @@
 //! A. Kahraman, Load sharing characteristics of planetary transmissions, Mechanism and Machine Theory 29 (1994) 1151–1165, for the excitation; modal
 //! superposition by any textbook of vibration.
 
+use crate::checks::within;
 use crate::gyroscopic::Centripetal;
 use crate::model::{Model, Shape, SpringId};
 use crate::modes::Modes;
-use crate::units::{force, meters, rad_per_s, radians, within};
 use crate::{Error, tolerance};
+use epicyclic_units::Physical;
 use nalgebra::{Complex, DMatrix, DVector};
 use uom::si::f64::{Angle, AngularVelocity, Force, Length};
 
@@ -113,7 +114,7 @@ impl Model {
         let driven = Driven::of(self, displacements, omega, damping_ratio)?;
         let (omega_rad_s, zeta, size) = (driven.omega_rad_s, driven.zeta, self.size());
         let limits = [f64::MIN, f64::MAX];
-        let speed = within(|| "speed of the frame".into(), rad_per_s(frame_speed), limits, "rad/s")?;
+        let speed = within(|| "speed of the frame".into(), frame_speed.si(), limits, "rad/s")?;
         let stiffness = self.turning_stiffness(speed, centripetal)?;
         let mut basis = DMatrix::zeros(size, modes.modes.len());
         for (index, mode) in modes.modes.iter().enumerate() {
@@ -153,7 +154,7 @@ impl Driven {
         omega: AngularVelocity,
         damping_ratio: f64,
     ) -> Result<Self, Error> {
-        let (lowest, omega_rad_s) = (f64::MIN_POSITIVE, rad_per_s(omega));
+        let (lowest, omega_rad_s) = (f64::MIN_POSITIVE, omega.si());
         let omega_rad_s = within(|| "frequency".into(), omega_rad_s, [lowest, f64::MAX], "rad/s")?;
         let zeta = within(|| "damping ratio".into(), damping_ratio, [0.0, 1.0], "")?;
         let mut drive = vec![Complex::new(0.0, 0.0); model.size()];
@@ -161,8 +162,8 @@ impl Driven {
         for displacement in displacements {
             let spring = model.spring_at(displacement.spring)?;
             let limits = [f64::MIN, f64::MAX];
-            let amplitude = within(|| "amplitude".into(), meters(displacement.amplitude), limits, "m")?;
-            let phase = within(|| "phase".into(), radians(displacement.phase), limits, "rad")?;
+            let amplitude = within(|| "amplitude".into(), displacement.amplitude.si(), limits, "m")?;
+            let phase = within(|| "phase".into(), displacement.phase.si(), limits, "rad")?;
             let error = Complex::new(amplitude * libm::cos(phase), amplitude * libm::sin(phase));
             errors[displacement.spring.0] += error;
             for (place, factor) in &spring.elongation {
@@ -178,7 +179,7 @@ impl Driven {
             let bent: Complex<f64> =
                 spring.elongation.iter().map(|(place, factor)| q[*place] * *factor).sum();
             let stretched = bent - error;
-            force(spring.stiffness_n_per_m * libm::hypot(stretched.re, stretched.im))
+            Force::from_si(spring.stiffness_n_per_m * libm::hypot(stretched.re, stretched.im))
         });
         Response {
             cosine: model.shape(|place| q[place].re),

@@ -12,11 +12,12 @@
 //!
 //! As many modes have no frequency as the links have freedoms that bend no mesh and no shaft: those that the gearbox keeps.
 
+use crate::checks::not_negative;
 use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId, Support};
 use crate::planetary::PlanetarySet;
-use crate::units::{kg_m2, kilograms, length, meters, moment_of_inertia, not_negative};
 use crate::{Error, TorsionalStiffness};
-use uom::si::f64::MomentOfInertia;
+use epicyclic_units::Physical;
+use uom::si::f64::{Length, MomentOfInertia};
 
 /// A link.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,16 +85,16 @@ pub fn torsional(
     let at = |index: usize| if index < count { Ok(index) } else { Err(Error::NoSuchBody { index, count }) };
     let mut inertias = Vec::with_capacity(count);
     for link in links {
-        inertias.push(not_negative(|| format!("inertia of {}", link.name), kg_m2(link.inertia), "kg·m²")?);
+        inertias.push(not_negative(|| format!("inertia of {}", link.name), link.inertia.si(), "kg·m²")?);
     }
     for Placed { set, links, name } in sets {
         set.check_planets()?;
         for (central, link) in [&set.sun, &set.ring, &set.carrier].into_iter().zip(links) {
-            let inertia = kg_m2(central.body.inertia);
+            let inertia = central.body.inertia.si();
             inertias[at(*link)?] += not_negative(|| format!("inertia in {name}"), inertia, "kg·m²")?;
         }
-        let r_c = meters(set.carrier.body.radius);
-        let masses: f64 = set.planets.iter().map(|planet| kilograms(planet.body.mass)).sum();
+        let r_c = set.carrier.body.radius.si();
+        let masses: f64 = set.planets.iter().map(|planet| planet.body.mass.si()).sum();
         inertias[links[2]] += masses * r_c * r_c;
     }
     let mut model = Model::new();
@@ -106,12 +107,15 @@ pub fn torsional(
         supports: vec![],
     };
     for (link, inertia) in links.iter().zip(inertias) {
-        let body =
-            Body { mass: Default::default(), inertia: moment_of_inertia(inertia), radius: length(1.0) };
+        let body = Body {
+            mass: Default::default(),
+            inertia: MomentOfInertia::from_si(inertia),
+            radius: Length::from_si(1.0),
+        };
         let freedom = if link.held { Freedom::Held } else { Freedom::Rotation };
         let place = model.body(&link.name, &body, freedom)?;
         parts.links.push(place);
-        let tangential = Support::tangential_of(link.support, length(1.0));
+        let tangential = Support::tangential_of(link.support, Length::from_si(1.0));
         let support = Support { tangential, ..Support::default() };
         parts.supports.push(if link.held { vec![] } else { model.support(place, support)? });
     }
@@ -119,7 +123,7 @@ pub fn torsional(
     for Placed { set, links, name } in sets {
         let [alpha_s, alpha_r] = set.pressure_angles()?;
         let [sun, ring, carrier] = links.map(|link| parts.links[link]);
-        let [r_s, r_r, r_c] = [&set.sun, &set.ring, &set.carrier].map(|central| meters(central.body.radius));
+        let [r_s, r_r, r_c] = [&set.sun, &set.ring, &set.carrier].map(|central| central.body.radius.si());
         let (mut planets, mut sun_meshes, mut ring_meshes) = (vec![], vec![], vec![]);
         for (index, planet) in set.planets.iter().enumerate() {
             let number = index + 1;

@@ -10,12 +10,11 @@ use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_gears::{ToothCount, shaft, willis};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
-use uom::si::angle::radian;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Torque};
 
 pub(super) fn calculations() -> Vec<Calculation> {
@@ -188,7 +187,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
         .count("most_planets", neighbours.most(0.0))
         .number("slots_per_planet", spacing.slots() as f64 / f64::from(given.planets.max(1)))
         .answer("assembles_equally_spaced", spacing.is_equal())
-        .quantity("planet_angle", Angle::new::<radian>(TAU / f64::from(given.planets.max(1))))
+        .quantity("planet_angle", Angle::from_si(TAU / f64::from(given.planets.max(1))))
         .quantity("smallest_planet_angle", spacing.smallest_gap());
     if let Some(limit) = neighbours.number_limit(0.0) {
         results.number("neighbour_limit", limit);

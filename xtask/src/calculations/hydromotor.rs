@@ -6,14 +6,12 @@ use epicyclic_hydromotor::centrode::{CurvePoint, Wheel};
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
 use epicyclic_hydromotor::junction::junction;
 use epicyclic_hydromotor::{Motor, MotorNumbers};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::PI;
-use uom::si::angle::radian;
 use uom::si::curvature::radian_per_meter;
 use uom::si::f64::{Angle, Length};
-use uom::si::length::meter;
 
 pub(super) fn calculations() -> Vec<Calculation> {
     vec![
@@ -162,10 +160,10 @@ fn stator_arcs(given: &ArcsGiven) -> Result<Results, Refusal> {
         // What the four equations leave, each over its greatest term.
         let [l, a, r1, r2] =
             [arcs.trough_distance(), arcs.crest_distance(), arcs.trough_radius(), arcs.crest_radius()]
-                .map(|length| length.get::<meter>());
-        let [gamma, beta] = [arcs.trough_angle(), arcs.crest_angle()].map(|angle| angle.get::<radian>());
+                .map(Physical::si);
+        let [gamma, beta] = [arcs.trough_angle(), arcs.crest_angle()].map(Physical::si);
         let theta = PI / f64::from(numbers.stator_lobes());
-        let share = PI * given.module.0.get::<meter>() * f64::from(numbers.teeth_per_lobe()) / 2.0;
+        let share = PI * given.module.0.si() * f64::from(numbers.teeth_per_lobe()) / 2.0;
         let distance = (a * a + l * l - 2.0 * a * l * libm::cos(theta)).sqrt();
         let left = [
             (r1 + r2 - distance) / distance,
@@ -243,7 +241,7 @@ fn rotor_junction(given: &MotorGiven) -> Result<Results, Refusal> {
     let motor = given.motor()?;
     let arcs = motor.arcs().ok_or_else(no_arcs)?;
     let found = junction(numbers, arcs)?;
-    let half_lobe = |lobes: u32| Angle::new::<radian>(PI / f64::from(lobes));
+    let half_lobe = |lobes: u32| Angle::from_si(PI / f64::from(lobes));
     let mut results = Results::default();
     results
         .number("b", found.b)
@@ -286,8 +284,8 @@ struct ContactGiven {
 fn contact(given: &ContactGiven) -> Result<Results, Refusal> {
     let motor = given.motor.motor()?;
     let arcs = motor.arcs().ok_or_else(no_arcs)?;
-    let crest_arc = arcs.crest_radius() * arcs.crest_angle().get::<radian>();
-    let trough_arc = arcs.trough_radius() * arcs.trough_angle().get::<radian>();
+    let crest_arc = arcs.crest_radius() * arcs.crest_angle().si();
+    let trough_arc = arcs.trough_radius() * arcs.trough_angle().si();
     let rolled = match given.place {
         PlaceGiven::Crest => crest_arc * 0.0,
         PlaceGiven::MiddleOfArc2 => crest_arc * 0.5,
@@ -312,8 +310,8 @@ fn rotor(given: &MotorGiven) -> Result<Results, Refusal> {
     let motor = given.motor()?;
     let arcs = motor.arcs().ok_or_else(no_arcs)?;
     let rotor = motor.centrode(Wheel::Rotor);
-    let junction = motor.contact_at_stator_arc(arcs.crest_radius() * arcs.crest_angle().get::<radian>())?;
-    let radius = |point: CurvePoint| Length::new::<meter>(point.curvature.get::<radian_per_meter>().recip());
+    let junction = motor.contact_at_stator_arc(arcs.crest_radius() * arcs.crest_angle().si())?;
+    let radius = |point: CurvePoint| Length::from_si(point.curvature.get::<radian_per_meter>().recip());
     let half_lobe = rotor.length() / (2.0 * f64::from(motor.numbers().rotor_lobes()));
     let hair = junction.rotor_arc * 1e-9;
     let fit = motor.two_arc_fit();

@@ -6,10 +6,9 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::sliding::loss_factor;
 use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::angle::radian;
 use uom::si::f64::{Angle, Length};
 
 pub(super) fn calculations() -> Vec<Calculation> {
@@ -151,7 +150,7 @@ fn involute_pair(given: &InvolutePairGiven) -> Result<Results, Refusal> {
     let pitch_point = pair.working_diameters()[0] / 2.0 * libm::sin(pair.working_angle_rad());
     let mut results = Results::default();
     results
-        .quantity("working_angle", Angle::new::<radian>(pair.working_angle_rad()))
+        .quantity("working_angle", Angle::from_si(pair.working_angle_rad()))
         .quantity("centre_distance", module * pair.centre_distance())
         .quantity("reference_centre_distance", module * pair.reference_centre_distance())
         .number("shift_sum", Pair::shift_sum(first, second, pair.centre_distance())?)

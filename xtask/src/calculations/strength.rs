@@ -16,11 +16,10 @@ use epicyclic_strength::rating::{GearRating, rate};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
 use epicyclic_strength::spectrum::{Step, rate_duty};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use uom::si::angle::radian;
 use uom::si::f64::{Angle, AngularVelocity, KinematicViscosity, Length, Power, Ratio, Time, Torque};
 
 pub(super) fn calculations() -> Vec<Calculation> {
@@ -383,10 +382,7 @@ fn stresses(results: &mut Results, name: &str, gear: &GearRating) {
                     .number(format!("{name}.root.thickness"), section.thickness)
                     .number(format!("{name}.root.arm"), section.arm)
                     .number(format!("{name}.root.fillet"), section.fillet)
-                    .quantity(
-                        format!("{name}.root.load_angle"),
-                        Angle::new::<radian>(section.load_angle_rad),
-                    );
+                    .quantity(format!("{name}.root.load_angle"), Angle::from_si(section.load_angle_rad));
             }
         }
         Err(why) => {

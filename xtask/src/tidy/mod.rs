@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`arrows`] | which crate may stand on which |
 //! | [`circles`] | no circle of files within a crate |
-//! | [`conversions`] | conversions of quantities in `units.rs` alone |
+//! | [`conversions`] | conversions of quantities in `crates/units` alone |
 //! | [`purity`] | libraries neither print nor open files |
 //! | [`length`] | files of bounded length |
 //! | [`library`] | a README with an example that runs, and what a registry asks |

@@ -6,11 +6,11 @@ use crate::answer::Answer;
 use crate::motor::answer::Numbers;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::shared::units;
 use epicyclic_train::Gearbox;
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
+use uom::si::f64::Length;
 
 /// A drawing of a gearbox or hydromotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -196,7 +196,7 @@ impl Sheet {
     /// A sheet of this size in millimetres.
     #[must_use]
     pub fn of(title: &str, [width_mm, height_mm]: [f64; 2]) -> Self {
-        let length = |mm| units::of_millimetres(mm).si();
+        let length = |mm| Length::from_mm(mm).si();
         Self { title: title.to_owned(), width_m: length(width_mm), height_m: length(height_mm) }
     }
 }

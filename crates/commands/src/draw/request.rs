@@ -17,7 +17,6 @@ use crate::motor::options as motor;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::named_gearbox as named;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::shared::units::of_millimetres;
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::{self as formats, Document};
 use epicyclic_layout as drawability;
@@ -26,10 +25,10 @@ use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_pictures::toothed_sets::{self, ToothedSet};
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::{Analysis, Gearbox};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical as _, Quantity};
 use std::path::{Path, PathBuf};
 use subject::Subject;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Length, Ratio};
 
 /// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its file.
 ///
@@ -398,7 +397,7 @@ fn toothed(subject: &Subject, title: Option<&str>) -> Result<Scene, Failure> {
     let mut sets = vec![];
     for set in gearbox.sets() {
         let Some(gears) = set.short().and_then(|spec| spec.toothed_set(&subject.rack)) else { continue };
-        let module = subject.modules.get(set.id()).copied().unwrap_or_else(|| of_millimetres(1.0));
+        let module = subject.modules.get(set.id()).copied().unwrap_or_else(|| Length::from_mm(1.0));
         let set = gears.map(|gears| ToothedSet { name: set.id().to_owned(), set: gears, module });
         sets.push(set.map_err(epicyclic_pictures::Error::from)?);
     }

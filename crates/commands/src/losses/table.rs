@@ -2,11 +2,11 @@
 
 use crate::losses::answer::{GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, NotCalculated};
 use crate::table::columns::Table;
+use crate::table::figure::rpm;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, warned};
-use crate::table::units::rpm;
 use epicyclic_pictures::contours::Contours;
 use epicyclic_units::Dimension::{
     self, AngularSpeed, Power, TemperatureDifference, ThermalConductance, Torque,

@@ -81,7 +81,7 @@ impl Default for Wanted {
     /// Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3 to 6 planets, centre distances in steps of 0.5 mm, the
     /// bearings of the table, single and in pairs, the least mass.
     fn default() -> Self {
-        let mm = crate::shared::units::of_millimetres;
+        let mm = Length::from_mm;
         Self {
             modules: STANDARD_MODULES_MM.into_iter().filter(|m| *m <= GREATEST_MODULE_MM).map(mm).collect(),
             face_widths: (2..=16).map(|fives| mm(5.0 * f64::from(fives))).collect(),

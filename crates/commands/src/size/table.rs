@@ -6,11 +6,10 @@ use crate::size::answer::records::{
     HeldKey, LeftOut, Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
 };
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{column, optional, quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
-use crate::table::units::hours;
 use epicyclic_units::Dimension;
 
 impl AsReport for Size {

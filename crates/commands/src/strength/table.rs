@@ -11,11 +11,10 @@ use crate::strength::answer::records::{
     SharingBasis, ToothedGear, Wear,
 };
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{optional, quantity};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
-use crate::table::units::hours;
 use epicyclic_units::Dimension;
 use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
 use words::{OF_STEPS, extent, from};

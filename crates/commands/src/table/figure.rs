@@ -6,6 +6,7 @@ use epicyclic_units::{Dimension, Physical};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::fmt;
+use uom::si::f64::{AngularVelocity, Time};
 
 /// Significant digits in a table.
 const DIGITS: usize = 5;
@@ -280,6 +281,16 @@ fn shown_multiple(value: f64) -> String {
         size if size < 1000.0 => format!("{value:.DECIMALS$}"),
         _ => significant(value, DECIMALS + 3),
     }
+}
+
+/// A speed, rad/s, in the unit of drawings.
+pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
+    AngularVelocity::from_si(speed_rad_s).rpm()
+}
+
+/// A life, s, in hours.
+pub(crate) fn hours(life_s: f64) -> f64 {
+    Time::from_si(life_s).hours()
 }
 
 #[cfg(test)]

@@ -3,11 +3,10 @@
 mod train;
 
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, count, text};
+use crate::table::figure::{Figure, count, rpm, text};
 use crate::table::quantities::{column, optional, quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, View, warned};
-use crate::table::units::{hertz_of_rpm, rpm};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::{
     self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
@@ -20,6 +19,9 @@ use epicyclic_units::Dimension::{AngularSpeed, Force, Frequency, Inertia, Length
 use epicyclic_units::format::in_unit;
 pub use train::torsional_campbell;
 
+/// By this a turn a minute becomes hertz.
+const SECONDS_A_MINUTE: f64 = 60.0;
+
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
 #[must_use]
 pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
@@ -31,7 +33,7 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     };
     let ray = |order: &Order| Ray {
         name: ray_name(order.source, order.harmonic),
-        slope: hertz_of_rpm(order.of_input),
+        slope: order.of_input / SECONDS_A_MINUTE,
     };
     let moves = |branch: &&records::Branch| branch.frequencies_hz.iter().any(|frequency| *frequency > 0.0);
     let met = all.resonances.iter().filter(|met| is_own(&met.set, &met.gear));

@@ -7,11 +7,11 @@ use super::spec::{Bore, CarrierSpec, GearSetSpec};
 use super::warning::Warning;
 use crate::Error;
 use crate::planetary::{GearSet, PlanetaryDrive};
-use crate::units::{inertia, kg_m2, kilograms, millimeters};
 use epicyclic_gears::bearing::{self, Series};
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
 use epicyclic_gears::mass::GearBody;
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, MassDensity, MomentOfInertia};
 
 /// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
@@ -47,24 +47,24 @@ pub(super) fn masses(
     let (carrier_shape, carrier_inertia) = match *carrier {
         CarrierSpec::Neglected => {
             warnings.push(Warning::CarrierNeglected);
-            (None, inertia(0.0))
+            (None, MomentOfInertia::from_si(0.0))
         }
         CarrierSpec::Inertia(given) => (None, given),
         CarrierSpec::Shape { arm, hub } => {
             let shape = Carrier::new(planets, arm, hub, density)?;
             let whole = shape.total();
             if let Some(hole) = arm.hole {
-                let hole_mm = millimeters(hub.outer_radius + arm.length - hole.from_outer_end);
-                let centre_distance_mm = millimeters(gear_set.centre_distance);
+                let hole_mm = (hub.outer_radius + arm.length - hole.from_outer_end).mm();
+                let centre_distance_mm = gear_set.centre_distance.mm();
                 if (hole_mm / centre_distance_mm - 1.0).abs() > OFF_CENTRE {
                     warnings.push(Warning::PlanetPinOffCentre { hole_mm, centre_distance_mm });
                 }
             }
-            finite(Computed::CarrierMass, kilograms(whole.mass))?;
+            finite(Computed::CarrierMass, whole.mass.si())?;
             (Some(shape), whole.polar_inertia)
         }
     };
-    finite(Computed::CarrierInertia, kg_m2(carrier_inertia))?;
+    finite(Computed::CarrierInertia, carrier_inertia.si())?;
     let mass = carrier_shape.map(|shape| shape.total().mass);
     Ok(Masses { sun, planet, carrier: mass, carrier_inertia, carrier_shape })
 }
@@ -89,9 +89,9 @@ fn bearing_or_solid(pin: &ShaftDesign, root: Length, warnings: &mut Vec<Warning>
         Some(bearing) => {
             warnings.push(Warning::PlanetBearingTooLarge {
                 bearing: bearing.designation,
-                outside_mm: millimeters(bearing.outside_diameter),
-                pin_mm: millimeters(pin.used.diameter),
-                root_mm: millimeters(root),
+                outside_mm: bearing.outside_diameter.mm(),
+                pin_mm: pin.used.diameter.mm(),
+                root_mm: root.mm(),
             });
             Length::default()
         }
@@ -104,9 +104,9 @@ fn bearing_or_solid(pin: &ShaftDesign, root: Length, warnings: &mut Vec<Warning>
 fn too_narrow(bore: Length, pin: &ShaftDesign) -> Option<Warning> {
     let needs = pin.used.bearing.map_or(pin.used.diameter, |bearing| bearing.outside_diameter);
     (bore > Length::default() && bore < needs).then(|| Warning::PlanetBoreTooNarrow {
-        bore_mm: millimeters(bore),
-        pin_mm: millimeters(pin.used.diameter),
-        bearing: pin.used.bearing.map(|bearing| (bearing.designation, millimeters(bearing.outside_diameter))),
+        bore_mm: bore.mm(),
+        pin_mm: pin.used.diameter.mm(),
+        bearing: pin.used.bearing.map(|bearing| (bearing.designation, bearing.outside_diameter.mm())),
     })
 }
 
@@ -118,13 +118,13 @@ fn gear_mass(
     density: MassDensity,
 ) -> Result<GearMass, Error> {
     if bore >= gear.root_diameter() {
-        let (bore_mm, root_mm) = (millimeters(bore), millimeters(gear.root_diameter()));
+        let (bore_mm, root_mm) = (bore.mm(), gear.root_diameter().mm());
         return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
     let body = GearBody::external(gear, width, bore, density)?;
     let total = body.total();
-    finite(Computed::GearMass, kilograms(total.mass))?;
-    finite(Computed::GearInertia, kg_m2(total.polar_inertia))?;
+    finite(Computed::GearMass, total.mass.si())?;
+    finite(Computed::GearInertia, total.polar_inertia.si())?;
     Ok(GearMass { bore, body, mass: total.mass, inertia: total.polar_inertia })
 }
 

@@ -5,11 +5,11 @@ use super::loads::Meshes;
 use super::part::Computed;
 use super::result::{Forces, GearMass, GearSetGeometry, Torques};
 use crate::Error;
-use crate::units::{force, meters, n_m, newtons};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::planet_bearing::{self, Push};
-use uom::si::f64::{AngularVelocity, Torque};
+use epicyclic_units::Physical;
+use uom::si::f64::{AngularVelocity, Force, Torque};
 
 pub(super) fn forces(
     meshes: Meshes,
@@ -21,7 +21,7 @@ pub(super) fn forces(
 ) -> Result<Forces, Error> {
     let radius = gear_set.centre_distance;
     let nominal = |t: Torque, gear: &ToothedGear| {
-        force(2.0 * n_m(t) / (f64::from(planets) * meters(gear.pitch_diameter())))
+        Force::from_si(2.0 * t.si() / (f64::from(planets) * gear.pitch_diameter().si()))
     };
     let push =
         |torque, gear: &ToothedGear, kind| Push { kind, pitch_radius: gear.pitch_diameter() / 2.0, torque };
@@ -43,8 +43,8 @@ pub(super) fn forces(
         planet_bearing_tangential,
         planet_bearing_meshes + planet_bearing_centrifugal,
     );
-    finite(Computed::BearingForce, newtons(resultant))?;
-    finite(Computed::MeshForce, newtons(sun_mesh))?;
+    finite(Computed::BearingForce, resultant.si())?;
+    finite(Computed::MeshForce, sun_mesh.si())?;
     Ok(Forces {
         sun_mesh,
         ring_mesh,

@@ -4,9 +4,9 @@ use super::part::Computed;
 use super::result::{Efficiency, Powers, Speeds, TeethDesign, Torques};
 use super::{MODE, finite};
 use crate::planetary::GearSet;
-use crate::units::{n_m, rad_per_s};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power};
 
 /// What the gear set carries.
@@ -44,12 +44,12 @@ pub(super) fn carried(
     let ratios = set.ratios();
     let (planet, carrier) = (speed * ratios.planet, speed * ratios.carrier);
     let speeds = Speeds { sun: speed, planet, planet_relative: planet - carrier, carrier };
-    finite(Computed::PlanetSpeed, rad_per_s(planet))?;
+    finite(Computed::PlanetSpeed, planet.si())?;
 
     let sun = loads::shaft_torque(power, speed)?;
     let planet_to_sun = teeth.numbers.planet.as_f64() / teeth.numbers.sun.as_f64();
     let carrier = loads::carrier_torque(sun, teeth.ratio, overall);
-    finite(Computed::CarrierTorque, n_m(carrier))?;
+    finite(Computed::CarrierTorque, carrier.si())?;
     let planets = loads::planet_torque(sun, meshes.sun_planet, planet_to_sun);
     let torques = Torques { sun, planets, carrier, ring_reaction: carrier - sun };
 

@@ -11,9 +11,9 @@ use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use crate::lagrange::starting_time;
 use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
 use crate::tolerance::BALANCE;
-use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use uom::si::f64::{AngularVelocity, MomentOfInertia, Time, Torque};
+use epicyclic_units::Physical;
+use uom::si::f64::{AngularAcceleration, AngularVelocity, MomentOfInertia, Time, Torque};
 
 /// The start: to which speed of the sun, and the torques.
 #[derive(Clone, Copy)]
@@ -35,7 +35,7 @@ pub(super) fn equivalent_inertia(
     let orbit = Orbit { mass: drive.planet_mass, radius: drive.planet_radius, speed_ratio: ratios.carrier };
     let planets = Link {
         count: drive.set.teeth().planets,
-        ..Link::central(LinkName::Planets, inertia(0.0), ratios.planet)
+        ..Link::central(LinkName::Planets, MomentOfInertia::from_si(0.0), ratios.planet)
     };
     let found = EquivalentInertia {
         sun: central(LinkName::Sun, masses.sun.inertia, 1.0)?,
@@ -47,20 +47,20 @@ pub(super) fn equivalent_inertia(
         total: drive.equivalent_inertia()?,
         kinetic_energy: kinetic_energy(&drive.bodies(speed)?),
     };
-    finite(Computed::EquivalentInertia, kg_m2(found.total))?;
-    finite(Computed::KineticEnergy, joules(found.kinetic_energy))?;
+    finite(Computed::EquivalentInertia, found.total.si())?;
+    finite(Computed::KineticEnergy, found.kinetic_energy.si())?;
     Ok(found)
 }
 
 pub(super) fn without_losses(drive: &PlanetaryDrive, start: Starting) -> Result<Motion, Error> {
     let Starting { speed, driving, load } = start;
     let accelerations = drive.motion(driving, load)?;
-    finite(Computed::Acceleration, rad_per_s2(accelerations.sun))?;
+    finite(Computed::Acceleration, accelerations.sun.si())?;
     let force = drive.generalized_force(driving, load);
     let inertia = drive.equivalent_inertia()?;
     let held = drive.held_loads(driving, MeshEfficiency::IDEAL, MeshEfficiency::IDEAL);
-    let balance = BALANCE * n_m(driving);
-    let start = match n_m(force) {
+    let balance = BALANCE * driving.si();
+    let start = match force.si() {
         surplus if surplus.abs() <= balance => Start::InBalance,
         surplus if surplus < 0.0 => Start::Backward(-force),
         _ => Start::After(time(speed, force, inertia)?),
@@ -73,22 +73,22 @@ pub(super) fn with_losses(drive: &PlanetaryDrive, start: Starting, meshes: Meshe
     let [eta_12, eta_23] = meshes.two();
     let held = drive.held_loads(driving, eta_12, eta_23);
     let moving = |motion: LossyMotion, start| {
-        finite(Computed::Acceleration, rad_per_s2(motion.accelerations.sun))?;
+        finite(Computed::Acceleration, motion.accelerations.sun.si())?;
         let LossyMotion { inertia, force: generalized_force, accelerations, .. } = motion;
         Ok(settled(Motion { inertia, generalized_force, accelerations, held, start }))
     };
-    let balance = BALANCE * n_m(driving);
+    let balance = BALANCE * driving.si();
     match drive.from_rest(driving, load, eta_12, eta_23)? {
-        FromRest::Forward(motion) if n_m(motion.force) > balance => {
+        FromRest::Forward(motion) if motion.force.si() > balance => {
             moving(motion, Start::After(time(speed, motion.force, motion.inertia)?))
         }
-        FromRest::Backward(motion) if n_m(motion.force) < -balance => {
+        FromRest::Backward(motion) if motion.force.si() < -balance => {
             moving(motion, Start::Backward(-motion.force))
         }
         // At its least load the drive is in balance, whichever way the last digit fell.
         FromRest::Forward(_) | FromRest::Held | FromRest::Backward(_) => {
             let forward = drive.motion_with_losses(driving, load, eta_12, eta_23, Turning::Forward)?;
-            let in_balance = n_m(forward.force).abs() <= balance;
+            let in_balance = forward.force.si().abs() <= balance;
             moving(forward, if in_balance { Start::InBalance } else { Start::Held })
         }
     }
@@ -99,13 +99,13 @@ fn settled(motion: Motion) -> Motion {
     if !matches!(motion.start, Start::InBalance | Start::Held) {
         return motion;
     }
-    let rest = angular_acceleration(0.0);
+    let rest = AngularAcceleration::from_si(0.0);
     let accelerations = Accelerations { sun: rest, planet: rest, carrier: rest };
-    Motion { generalized_force: torque(0.0), accelerations, ..motion }
+    Motion { generalized_force: Torque::from_si(0.0), accelerations, ..motion }
 }
 
 fn time(speed: AngularVelocity, force: Torque, inertia: MomentOfInertia) -> Result<Time, Error> {
     let time = starting_time(speed, force, inertia)?;
-    finite(Computed::StartingTime, seconds(time))?;
+    finite(Computed::StartingTime, time.si())?;
     Ok(time)
 }

@@ -4,7 +4,6 @@ use super::part::Shaft;
 use super::spec::{KnownPart, KnownParts};
 use super::warning::Warning;
 use crate::planetary::Accelerations;
-use crate::units::{kg_m2, kilograms};
 use epicyclic_gears::bearing::Bearing;
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
@@ -12,6 +11,7 @@ use epicyclic_gears::mass::GearBody;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::ToothNumbers;
+use epicyclic_units::Physical;
 use uom::si::f64::{
     AngularVelocity, Energy, Force, Length, Mass, MomentOfInertia, Power, Pressure, Time, Torque,
 };
@@ -232,8 +232,8 @@ impl Masses {
         ];
         let figures = all.into_iter().flat_map(|(part, known, mass, inertia)| {
             let figures = [
-                (false, known.mass.map(kilograms), mass.map(kilograms)),
-                (true, known.inertia.map(kg_m2), inertia.map(kg_m2)),
+                (false, known.mass.map(Physical::si), mass.map(Physical::si)),
+                (true, known.inertia.map(Physical::si), inertia.map(Physical::si)),
             ];
             figures.map(|(is_inertia, given, of_shape)| (part, is_inertia, given, of_shape))
         });

@@ -7,9 +7,9 @@ use super::spec::{ShaftSpec, ShaftsSpec};
 use super::warning::Warning;
 use crate::Error;
 use crate::tolerance::DIAMETER;
-use crate::units::{megapascals, millimeters, pascals};
 use epicyclic_gears::bearing::{self, Verification};
 use epicyclic_gears::shaft::{self, USUAL_ALLOWABLE_STRESS_MPA};
+use epicyclic_units::Physical;
 use uom::si::f64::Torque;
 
 pub(super) fn shafts(
@@ -17,7 +17,7 @@ pub(super) fn shafts(
     torques: &Torques,
     warnings: &mut Vec<Warning>,
 ) -> Result<Shafts, Error> {
-    let allowable_mpa = megapascals(wanted.allowable_stress);
+    let allowable_mpa = wanted.allowable_stress.mpa();
     let shafts = Shafts {
         sun: of(wanted, Shaft::Sun, &wanted.sun, torques.sun, warnings)?,
         planet: of(wanted, Shaft::Planet, &wanted.planet, torques.planets, warnings)?,
@@ -42,24 +42,24 @@ fn of(
     let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };
     let diameter = given.diameter.or(given.bearing.map(|bearing| bearing.bore)).unwrap_or(standard.diameter);
     let stress = shaft::torsional_stress(torque, diameter)?;
-    finite(Computed::ShaftStress, pascals(stress))?;
+    finite(Computed::ShaftStress, stress.si())?;
     let bearing = given.bearing.or_else(|| bearing::smallest_for_shaft(series, diameter).ok());
 
-    let diameter_mm = millimeters(diameter);
-    let needed_mm = millimeters(needed);
+    let diameter_mm = diameter.mm();
+    let needed_mm = needed.mm();
     if diameter_mm < needed_mm * (1.0 - DIAMETER) {
         warnings.push(Warning::ShaftTooThin {
             shaft: name,
             diameter_mm,
             needed_mm,
-            stress_mpa: megapascals(stress),
-            allowable_mpa: megapascals(allowable),
+            stress_mpa: stress.mpa(),
+            allowable_mpa: allowable.mpa(),
         });
     }
     match bearing {
         None => warnings.push(Warning::NoBearing { shaft: name, series: series.number(), diameter_mm }),
         Some(bearing) => {
-            let bore_mm = millimeters(bearing.bore);
+            let bore_mm = bearing.bore.mm();
             if bore_mm < diameter_mm * (1.0 - DIAMETER) {
                 let bearing = bearing.designation;
                 warnings.push(Warning::BearingTooNarrow { shaft: name, bearing, bore_mm, diameter_mm });

@@ -1,11 +1,11 @@
 //! What is wanted of a drive.
 
-use crate::units::{density, stress};
 use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement, ToothNumbers};
+use epicyclic_units::Physical;
 use std::fmt;
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Torque};
@@ -188,12 +188,12 @@ impl DriveSpec {
                 module,
                 face_width,
                 rack,
-                density: density(7850.0),
+                density: MassDensity::from_si(7850.0),
                 sun_bore: Bore::Shaft,
                 planet_bore: Bore::BearingOrSolid,
             },
             shafts: ShaftsSpec {
-                allowable_stress: stress(20.0),
+                allowable_stress: Pressure::from_mpa(20.0),
                 bearing_series: Series::Medium300,
                 sun: ShaftSpec::default(),
                 planet: ShaftSpec::default(),

@@ -8,7 +8,6 @@ use super::{MODE, USUAL_RATIO, finite};
 use crate::Error;
 use crate::planetary::GearSet;
 use crate::tolerance::GAP;
-use crate::units::{degrees, meters, millimeters};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
 use epicyclic_gears::mesh::coaxial_ring;
@@ -17,6 +16,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers};
+use epicyclic_units::Physical;
 use std::cmp::Reverse;
 
 /// The gear set: its speeds, its tooth numbers with their conditions, its geometry.
@@ -114,7 +114,7 @@ fn geometry(wanted: &GearSetSpec, teeth: ToothNumbers) -> Result<GearSetGeometry
     let sun = ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
     let planet = ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
     let ring = ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
-    finite(Computed::RingRoot, meters(ring.root_diameter()))?;
+    finite(Computed::RingRoot, ring.root_diameter().si())?;
     Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
 }
 
@@ -158,15 +158,15 @@ fn conditions(
             warnings.push(Warning::Undercut { gear, teeth: count.get(), at_least });
         }
     }
-    if meters(found.tip_gap) <= 0.0 {
+    if found.tip_gap.si() <= 0.0 {
         warnings.push(Warning::NoPlanetClearance {
             planets: teeth.planets,
-            gap_mm: millimeters(found.tip_gap),
+            gap_mm: found.tip_gap.mm(),
             most_planets: found.most_planets,
         });
     }
-    let least_gap_mm = least_gap * millimeters(module);
-    let gap_mm = millimeters(found.tip_gap);
+    let least_gap_mm = least_gap * module.mm();
+    let gap_mm = found.tip_gap.mm();
     if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - GAP) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
     }
@@ -174,7 +174,7 @@ fn conditions(
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
             slots: found.spacing.slots(),
-            deviation_deg: degrees(found.spacing.greatest_deviation()),
+            deviation_deg: found.spacing.greatest_deviation().degrees(),
         });
     }
     Ok(found)

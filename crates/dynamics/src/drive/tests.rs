@@ -2,9 +2,6 @@
 
 use super::*;
 use crate::equivalent_inertia::Property;
-use crate::units::{
-    inertia, joules, kg_m2, length, meters, power, rad_per_s, rad_per_s2, seconds, torque, watts,
-};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
@@ -14,22 +11,17 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::SetSize;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Gearbox, InputLoad};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
 use std::f64::consts::PI;
-use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::f64::{AngularVelocity, Length, MassDensity, Pressure};
-use uom::si::force::newton;
-use uom::si::length::millimeter;
-use uom::si::mass::kilogram;
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::{megapascal, pascal};
+use uom::si::f64::{Angle, AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn rpm(value: f64) -> AngularVelocity {
-    AngularVelocity::new::<revolution_per_minute>(value)
+    AngularVelocity::from_rpm(value)
 }
 
 fn set(sun: u32, planet: u32, ring: u32, planets: u32) -> ToothNumbers {
@@ -54,11 +46,11 @@ fn shape() -> CarrierSpec {
 
 /// The source's drive with its shafts, bearings and carrier.
 fn excavator() -> DriveSpec {
-    let mut spec = DriveSpec::new(power(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
+    let mut spec = DriveSpec::new(Power::from_si(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
     spec.teeth =
         TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(BasicRack::default()) });
     spec.gear_set.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
-    spec.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
+    spec.gear_set.density = MassDensity::from_si(7900.0);
     spec.gear_set.sun_bore = Bore::Bearing;
     spec.shafts.sun = shaft(50.0, "310");
     spec.shafts.planet = shaft(60.0, "312");
@@ -90,7 +82,7 @@ fn the_excavators_teeth_speeds_and_torques() {
     assert_eq!((found.teeth.ratio_error, found.teeth.most_planets), (0.0, 4));
     close(found.teeth.clearance_limit.unwrap(), 4.05, 0.005);
     // 2·240·sin 45° − 336
-    close(found.teeth.tip_gap.get::<millimeter>(), 480.0 * 0.5_f64.sqrt() - 336.0, 1e-9);
+    close(found.teeth.tip_gap.mm(), 480.0 * 0.5_f64.sqrt() - 336.0, 1e-9);
     close(found.efficiency.basic, 0.9506, 1e-12);
     close(found.efficiency.overall, 5.753 / 6.0, 1e-12);
 
@@ -102,7 +94,7 @@ fn the_excavators_teeth_speeds_and_torques() {
         (found.speeds.planet, -0.25),
         (found.speeds.planet_relative, -5.0 / 12.0),
     ] {
-        close(rad_per_s(speed), share * omega, 1e-10);
+        close(speed.si(), share * omega, 1e-10);
     }
     let t1 = 106_500.0 / omega;
     for (found, by_hand) in [
@@ -111,10 +103,10 @@ fn the_excavators_teeth_speeds_and_torques() {
         (found.torques.carrier, t1 * 5.753),
         (found.torques.ring_reaction, t1 * 4.753),
     ] {
-        close(n_m(found), by_hand, 1e-8);
+        close(found.si(), by_hand, 1e-8);
     }
-    close(watts(found.powers.output), 106_500.0 * 5.753 / 6.0, 1e-6);
-    close(watts(found.powers.lost), 106_500.0 * 5.0 / 6.0 * 0.0494, 1e-6);
+    close(found.powers.output.si(), 106_500.0 * 5.753 / 6.0, 1e-6);
+    close(found.powers.lost.si(), 106_500.0 * 5.0 / 6.0 * 0.0494, 1e-6);
 }
 
 #[test]
@@ -126,12 +118,12 @@ fn the_excavators_shafts_are_too_thin() {
         // 91.2 with the source's truncated efficiency of 0.95.
         (&found.shafts.carrier, 91.4, 95.0, "319"),
     ] {
-        close(shaft.needed.get::<millimeter>(), needed, 0.05);
-        close(shaft.standard.diameter.get::<millimeter>(), standard, 1e-9);
+        close(shaft.needed.mm(), needed, 0.05);
+        close(shaft.standard.diameter.mm(), standard, 1e-9);
         assert_eq!(shaft.standard.bearing.unwrap().designation, bearing);
     }
     // 16·521.54/(π·0.05³)
-    close(found.shafts.sun.stress.get::<megapascal>(), 21.25, 0.005);
+    close(found.shafts.sun.stress.mpa(), 21.25, 0.005);
     assert_eq!(names(&found), ["shaft-too-thin"; 3]);
 }
 
@@ -139,25 +131,25 @@ fn the_excavators_shafts_are_too_thin() {
 fn the_excavators_forces() {
     let found = design(&excavator()).unwrap().forces;
     let t1 = 106_500.0 / (65.0 * PI);
-    close(found.sun_nominal.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
-    close(found.ring_nominal.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
+    close(found.sun_nominal.si(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
+    close(found.ring_nominal.si(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
     // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point, by
     // η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
     let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
     let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
-    close(found.sun_mesh.get::<newton>(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
-    close(found.ring_mesh.get::<newton>(), 4.753 * t1 / (4.0 * (0.4 + of_ring)), 1e-8);
+    close(found.sun_mesh.si(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
+    close(found.ring_mesh.si(), 4.753 * t1 / (4.0 * (0.4 + of_ring)), 1e-8);
     // The nominal forces together miss that of the planet bearings by 1.7 %.
-    let nominal = (found.sun_nominal + found.ring_nominal).get::<newton>();
+    let nominal = (found.sun_nominal + found.ring_nominal).si();
     close(nominal / tangential, 1.0172, 5e-5);
     // (1597.2 − 1528.2)·tan 20°
-    close(found.planet_bearing_meshes.get::<newton>(), 25.1, 0.05);
-    close(found.planet_bearing_tangential.get::<newton>(), tangential, 1e-8);
+    close(found.planet_bearing_meshes.si(), 25.1, 0.05);
+    close(found.planet_bearing_tangential.si(), tangential, 1e-8);
     // 31.565 kg: the source's 31.549 with π for 3.14.
     let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
-    close(found.planet_bearing_centrifugal.get::<newton>(), centrifugal, 0.2);
-    close(found.planet_bearing.get::<newton>(), libm::hypot(tangential, centrifugal + 25.1), 0.2);
+    close(found.planet_bearing_centrifugal.si(), centrifugal, 0.2);
+    close(found.planet_bearing.si(), libm::hypot(tangential, centrifugal + 25.1), 0.2);
 }
 
 /// The same set as a gearbox, its torques by the solver: one figure for each force, with losses.
@@ -192,14 +184,14 @@ fn planet_bearings_of_a_drive_are_those_of_its_gearbox() {
         (found.forces.planet_bearing_centrifugal, general.centrifugal),
         (found.forces.planet_bearing, general.total),
     ] {
-        let (of_drive, general) = (of_drive.get::<newton>(), general.unwrap().get::<newton>());
+        let (of_drive, general) = (of_drive.si(), general.unwrap().si());
         assert!((of_drive / general - 1.0).abs() < 1e-11, "{of_drive} {general}");
     }
 }
 
 #[test]
 fn the_excavators_inertia_is_less_than_half_of_what_is_printed() {
-    let given = DriveSpec { carrier: CarrierSpec::Inertia(inertia(0.144)), ..excavator() };
+    let given = DriveSpec { carrier: CarrierSpec::Inertia(MomentOfInertia::from_si(0.144)), ..excavator() };
     let found = design(&given).unwrap();
     // Disc by disc, ½·ρ·π·b·[(r_a⁴ + r_f⁴)/2 − r⁴].
     let disc =
@@ -207,28 +199,28 @@ fn the_excavators_inertia_is_less_than_half_of_what_is_printed() {
     let (j1, j2) = (disc(0.088, 0.0704, 0.055), disc(0.168, 0.1504, 0.065));
     let m2 = exact(31.549);
     let by_hand = j1 + (4.0 * m2 * 0.0576 + 0.144) / 36.0 + 4.0 * j2 / 16.0;
-    close(kg_m2(found.equivalent_inertia.total), by_hand, 1e-4);
+    close(found.equivalent_inertia.total.si(), by_hand, 1e-4);
     // 0.3486 with the source's rounded masses and its π = 3.14.
-    close(kg_m2(found.equivalent_inertia.total), 0.3491, 5e-5);
-    close(found.masses.sun.body.total().mass.get::<kilogram>(), exact(4.949), 5e-4);
+    close(found.equivalent_inertia.total.si(), 0.3491, 5e-5);
+    close(found.masses.sun.body.total().mass.si(), exact(4.949), 5e-4);
     assert_eq!(found.masses.carrier, None);
 
     // With the shape's own 0.171 instead of 0.144.
     let shaped = design(&excavator()).unwrap();
-    close(kg_m2(shaped.masses.carrier_inertia), 0.171, 5e-4);
-    close(kg_m2(shaped.equivalent_inertia.total), by_hand + 0.027 / 36.0, 2e-4);
+    close(shaped.masses.carrier_inertia.si(), 0.171, 5e-4);
+    close(shaped.equivalent_inertia.total.si(), by_hand + 0.027 / 36.0, 2e-4);
 }
 
 #[test]
 fn at_full_load_only_the_document_starts() {
     let found = design(&excavator()).unwrap();
     // The surplus of the document's sum is the lost power.
-    let lost = watts(found.powers.lost) / (65.0 * PI);
-    close(n_m(found.without_losses.generalized_force), lost, 1e-9);
-    let j = kg_m2(found.equivalent_inertia.total);
-    close(rad_per_s2(found.without_losses.accelerations.sun), lost / j, 1e-9);
+    let lost = found.powers.lost.si() / (65.0 * PI);
+    close(found.without_losses.generalized_force.si(), lost, 1e-9);
+    let j = found.equivalent_inertia.total.si();
+    close(found.without_losses.accelerations.sun.si(), lost / j, 1e-9);
     match found.without_losses.start {
-        Start::After(time) => close(seconds(time), 65.0 * PI * j / lost, 1e-9),
+        Start::After(time) => close(time.si(), 65.0 * PI * j / lost, 1e-9),
         other => panic!("{other:?}"),
     }
     assert_eq!(found.with_losses.start, Start::InBalance);
@@ -236,33 +228,33 @@ fn at_full_load_only_the_document_starts() {
 
 #[test]
 fn more_load_than_torque_is_an_answer() {
-    let found = design(&DriveSpec { load: Some(torque(6000.0)), ..excavator() }).unwrap();
+    let found = design(&DriveSpec { load: Some(Torque::from_si(6000.0)), ..excavator() }).unwrap();
     match (found.without_losses.start, found.with_losses.start) {
         // Friction holds a part of what drives it backward.
-        (Start::Backward(plain), Start::Backward(lossy)) => assert!(n_m(lossy) < n_m(plain)),
+        (Start::Backward(plain), Start::Backward(lossy)) => assert!(lossy.si() < plain.si()),
         other => panic!("{other:?}"),
     }
-    let at = |load| design(&DriveSpec { load: Some(torque(load)), ..excavator() }).unwrap();
+    let at = |load| design(&DriveSpec { load: Some(Torque::from_si(load)), ..excavator() }).unwrap();
     let held = at(3050.0);
     assert_eq!(held.with_losses.start, Start::Held);
     assert!(matches!(held.without_losses.start, Start::After(_)));
-    assert_eq!(rad_per_s2(held.with_losses.accelerations.sun), 0.0);
-    assert_eq!(n_m(held.with_losses.generalized_force), 0.0);
-    let [least, greatest] = held.with_losses.held.map(n_m);
+    assert_eq!(held.with_losses.accelerations.sun.si(), 0.0);
+    assert_eq!(held.with_losses.generalized_force.si(), 0.0);
+    let [least, greatest] = held.with_losses.held.map(Physical::si);
     close(least, 3000.41, 0.01);
     close(greatest, 3264.74, 0.01);
-    let [alone, same] = held.without_losses.held.map(n_m);
+    let [alone, same] = held.without_losses.held.map(Physical::si);
     close(alone, 6.0 * 106_500.0 / (65.0 * PI), 1e-9);
     assert_eq!(alone, same);
     let backward = at(3300.0);
     assert_eq!(backward.with_losses.start, Start::Backward(-backward.with_losses.generalized_force));
-    close(n_m(backward.with_losses.generalized_force), -5.63, 0.005);
+    close(backward.with_losses.generalized_force.si(), -5.63, 0.005);
     // At the edges themselves nothing moves yet.
     assert_eq!(at(greatest).with_losses.start, Start::Held);
     assert_eq!(at(least).with_losses.start, Start::InBalance);
-    let idle = design(&DriveSpec { load: Some(torque(0.0)), ..excavator() }).unwrap();
+    let idle = design(&DriveSpec { load: Some(Torque::from_si(0.0)), ..excavator() }).unwrap();
     let times = [idle.without_losses.start, idle.with_losses.start].map(|start| match start {
-        Start::After(time) => seconds(time),
+        Start::After(time) => time.si(),
         other => panic!("{other:?}"),
     });
     assert!(times[0] < times[1], "{times:?}");
@@ -271,11 +263,15 @@ fn more_load_than_torque_is_an_answer() {
 #[test]
 fn attached_inertias_are_counted_where_they_turn() {
     let alone = design(&excavator()).unwrap().equivalent_inertia;
-    let attached = DriveSpec { motor_inertia: inertia(0.5), machine_inertia: inertia(36.0), ..excavator() };
+    let attached = DriveSpec {
+        motor_inertia: MomentOfInertia::from_si(0.5),
+        machine_inertia: MomentOfInertia::from_si(36.0),
+        ..excavator()
+    };
     let found = design(&attached).unwrap().equivalent_inertia;
-    close(kg_m2(found.motor), 0.5, 1e-15);
-    close(kg_m2(found.machine), 1.0, 1e-12);
-    close(kg_m2(found.total - alone.total), 1.5, 1e-12);
+    close(found.motor.si(), 0.5, 1e-15);
+    close(found.machine.si(), 1.0, 1e-12);
+    close((found.total - alone.total).si(), 1.5, 1e-12);
 }
 
 #[test]
@@ -288,7 +284,7 @@ fn of_equally_near_sets_the_one_with_most_planets_is_taken() {
 fn doubtful_drives_are_calculated_with_warnings() {
     let with = |change: fn(&mut DriveSpec)| {
         let mut spec = DriveSpec {
-            shafts: DriveSpec::new(power(1.0), rpm(1.0), 6.0, mm(1.0), mm(1.0)).shafts,
+            shafts: DriveSpec::new(Power::from_si(1.0), rpm(1.0), 6.0, mm(1.0), mm(1.0)).shafts,
             ..excavator()
         };
         change(&mut spec);
@@ -307,7 +303,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
     );
     assert_eq!(with(|s| s.shafts.carrier.diameter = Some(mm(150.0))), ["no-bearing"]);
     assert_eq!(
-        with(|s| s.shafts.allowable_stress = Pressure::new::<megapascal>(30.0)),
+        with(|s| s.shafts.allowable_stress = Pressure::from_mpa(30.0)),
         ["stress-outside-usual-range"]
     );
     assert_eq!(with(|s| s.carrier = CarrierSpec::Neglected), ["carrier-neglected"]);
@@ -323,7 +319,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
             s.teeth = TeethSpec::given(set(13, 40, 93, 3));
             s.ratio = 106.0 / 13.0;
             s.gear_set.sun_bore = Bore::Given(mm(50.0));
-            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+            s.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(0.1));
         }),
         // The larger ratio needs a shaft of 105 mm.
         ["undercut", "unequal-spacing", "no-bearing"]
@@ -332,7 +328,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
         with(|s| {
             s.teeth = TeethSpec::given(set(60, 30, 120, 4));
             s.ratio = 3.0;
-            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+            s.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(0.1));
         }),
         none
     );
@@ -340,7 +336,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
         with(|s| {
             s.teeth = TeethSpec::given(set(60, 29, 118, 2));
             s.ratio = 178.0 / 60.0;
-            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+            s.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(0.1));
         }),
         ["ratio-outside-usual-range"]
     );
@@ -350,10 +346,9 @@ fn doubtful_drives_are_calculated_with_warnings() {
 #[test]
 fn undercut_follows_the_pressure_angle() {
     use epicyclic_gears::synthesis::Placement;
-    use uom::si::angle::degree;
     let at = |alpha_deg: f64, sun: u32| {
         let mut spec = excavator();
-        spec.gear_set.rack.pressure_angle = uom::si::f64::Angle::new::<degree>(alpha_deg);
+        spec.gear_set.rack.pressure_angle = Angle::from_degrees(alpha_deg);
         spec.gear_set.sun_bore = Bore::Given(mm(0.0));
         spec.teeth = TeethSpec::given(set(sun, 40, sun + 80, 3));
         let teeth = design(&spec).unwrap();
@@ -394,7 +389,7 @@ fn impossible_drives_are_refused() {
             assert!(matches!(error, $pattern), "{error:?}");
         };
     }
-    refused!(|s| s.power = power(0.0), Error::NotPositive { quantity: Given::Power, .. });
+    refused!(|s| s.power = Power::from_si(0.0), Error::NotPositive { quantity: Given::Power, .. });
     refused!(|s| s.speed = rpm(f64::NAN), Error::NotPositive { quantity: Given::Speed, .. });
     refused!(|s| s.ratio = -6.0, Error::NotPositive { quantity: Given::Ratio, .. });
     refused!(|s| s.ratio_tolerance = -1.0, Error::Gear(Gear::Tolerance { .. }));
@@ -407,10 +402,10 @@ fn impossible_drives_are_refused() {
         Error::Overflow { what: Computed::RatioError, .. }
     );
     refused!(
-        |s| s.driving_torque = Some(torque(0.0)),
+        |s| s.driving_torque = Some(Torque::from_si(0.0)),
         Error::NotPositive { quantity: Given::DrivingTorque, .. }
     );
-    refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::LoadNotFinite { .. });
+    refused!(|s| s.load = Some(Torque::from_si(f64::INFINITY)), Error::LoadNotFinite { .. });
     refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothNumbers { nearest: Some(_), .. }));
     refused!(
         |s| s.teeth = TeethSpec::given(set(20, 40, 101, 4)),
@@ -433,10 +428,10 @@ fn impossible_drives_are_refused() {
         Error::Gear(Gear::NotPositive { quantity: Quantity::FaceWidth, .. })
     );
     refused!(
-        |s| s.shafts.allowable_stress = Pressure::new::<pascal>(0.0),
+        |s| s.shafts.allowable_stress = Pressure::from_si(0.0),
         Error::Gear(Gear::NotPositive { quantity: Quantity::AllowableStress, .. })
     );
-    refused!(|s| s.power = power(106.5e9), Error::Gear(Gear::NoStandardDiameter { .. }));
+    refused!(|s| s.power = Power::from_si(106.5e9), Error::Gear(Gear::NoStandardDiameter { .. }));
     refused!(
         |s| {
             s.gear_set.planet_bore = Bore::Bearing;
@@ -452,16 +447,16 @@ fn impossible_drives_are_refused() {
         |s| s.gear_set.planet_bore = Bore::Given(mm(-1.0)),
         Error::Gear(Gear::OutOfRange { quantity: Quantity::BoreDiameter, .. })
     );
-    refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: Property::Inertia, .. });
     refused!(
-        |s| s.carrier = CarrierSpec::Inertia(inertia(f64::NAN)),
+        |s| s.motor_inertia = MomentOfInertia::from_si(-1.0),
+        Error::Impossible { what: Property::Inertia, .. }
+    );
+    refused!(
+        |s| s.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(f64::NAN)),
         Error::Overflow { what: Computed::CarrierInertia, .. }
     );
     refused!(|s| s.speed = rpm(1e-300), Error::Gear(_));
-    refused!(
-        |s| { s.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(f64::MAX) },
-        Error::Overflow { .. }
-    );
+    refused!(|s| { s.gear_set.density = MassDensity::from_si(f64::MAX) }, Error::Overflow { .. });
 }
 
 /// Numbers of every size, and now and then no number at all.
@@ -487,25 +482,25 @@ prop_compose! {
         power_w in wild(), speed in wild(), ratio in prop_oneof![5 => 2.5..11.0_f64, 1 => wild()],
         module in wild(), width in wild(), density in wild(), stress in wild(),
         teeth in any_teeth(), bores in proptest::array::uniform2(proptest::option::of(wild())),
-        carrier in prop_oneof![Just(CarrierSpec::Neglected), Just(shape()), wild().prop_map(|j| CarrierSpec::Inertia(inertia(j)))],
+        carrier in prop_oneof![Just(CarrierSpec::Neglected), Just(shape()), wild().prop_map(|j| CarrierSpec::Inertia(MomentOfInertia::from_si(j)))],
         load in proptest::option::of(wild()), driving in proptest::option::of(wild()),
         diameters in proptest::array::uniform3(proptest::option::of(wild())),
         attached in proptest::array::uniform2(wild()),
     ) -> DriveSpec {
-        let mut spec = DriveSpec::new(power(1e3 * power_w), rpm(100.0 * speed), ratio, mm(module), mm(10.0 * width));
+        let mut spec = DriveSpec::new(Power::from_si(1e3 * power_w), rpm(100.0 * speed), ratio, mm(module), mm(10.0 * width));
         spec.teeth = teeth;
         spec.ratio_tolerance = 0.2;
-        spec.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(1e3 * density);
+        spec.gear_set.density = MassDensity::from_si(1e3 * density);
         spec.gear_set.sun_bore = bores[0].map_or(Bore::Shaft, |bore| Bore::Given(mm(bore)));
         spec.gear_set.planet_bore = bores[1].map_or(Bore::Bearing, |bore| Bore::Given(mm(bore)));
-        spec.shafts.allowable_stress = Pressure::new::<megapascal>(10.0 * stress);
+        spec.shafts.allowable_stress = Pressure::from_mpa(10.0 * stress);
         let shafts = [&mut spec.shafts.sun, &mut spec.shafts.planet, &mut spec.shafts.carrier];
         for (shaft, diameter) in shafts.into_iter().zip(diameters) {
             shaft.diameter = diameter.map(mm);
         }
         spec.carrier = carrier;
-        (spec.load, spec.driving_torque) = (load.map(torque), driving.map(torque));
-        (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[0]), inertia(attached[1]));
+        (spec.load, spec.driving_torque) = (load.map(Torque::from_si), driving.map(Torque::from_si));
+        (spec.motor_inertia, spec.machine_inertia) = (MomentOfInertia::from_si(attached[0]), MomentOfInertia::from_si(attached[1]));
         spec
     }
 }
@@ -513,7 +508,7 @@ prop_compose! {
 /// What goes into a planet and what does not: the default takes it as solid, a bearing asked for is refused.
 #[test]
 fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
-    let mut spec = DriveSpec::new(power(55e3), rpm(220.0), 5.2, mm(6.0), mm(70.0));
+    let mut spec = DriveSpec::new(Power::from_si(55e3), rpm(220.0), 5.2, mm(6.0), mm(70.0));
     let found = design(&spec).unwrap();
     let named =
         |found: &DriveDesign| -> Vec<&'static str> { found.warnings.iter().map(Warning::name).collect() };
@@ -532,7 +527,7 @@ fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
 /// A mass in grams and an inertia with a digit too many are warned of; a part of four times its shape is not.
 #[test]
 fn a_part_unlike_its_shape_is_told() {
-    let mut spec = DriveSpec::new(power(1e3), rpm(1000.0), 6.0, mm(6.0), mm(70.0));
+    let mut spec = DriveSpec::new(Power::from_si(1e3), rpm(1000.0), 6.0, mm(6.0), mm(70.0));
     let told = |spec: &DriveSpec| {
         let found = design(spec).unwrap();
         found.warnings.into_iter().filter(|one| one.name() == "part-unlike-shape").collect::<Vec<_>>()
@@ -566,13 +561,13 @@ prop_compose! {
         attached in proptest::array::uniform3(0.0..5.0),
     ) -> DriveSpec {
         let ratio = f64::from(2 * (sun + planet)) / f64::from(sun);
-        let mut spec = DriveSpec::new(power(power_w), rpm(speed), ratio, mm(module), mm(width));
+        let mut spec = DriveSpec::new(Power::from_si(power_w), rpm(speed), ratio, mm(module), mm(width));
         spec.teeth = TeethSpec::given(set(sun, planet, sun + 2 * planet, planets));
-        spec.gear_set.sun_bore = Bore::Given(length(0.0));
+        spec.gear_set.sun_bore = Bore::Given(Length::from_si(0.0));
         spec.gear_set.planet_bore = Bore::Given(mm(module));
-        spec.load = load.map(torque);
-        spec.carrier = CarrierSpec::Inertia(inertia(attached[0]));
-        (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[1]), inertia(attached[2]));
+        spec.load = load.map(Torque::from_si);
+        spec.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(attached[0]));
+        (spec.motor_inertia, spec.machine_inertia) = (MomentOfInertia::from_si(attached[1]), MomentOfInertia::from_si(attached[2]));
         spec
     }
 }
@@ -584,10 +579,10 @@ proptest! {
     fn no_drive_makes_it_panic_and_no_answer_is_no_number(spec in any_spec()) {
         if let Ok(found) = design(&spec) {
             for value in [
-                n_m(found.torques.carrier), watts(found.powers.output), kg_m2(found.equivalent_inertia.total),
-                joules(found.equivalent_inertia.kinetic_energy), found.forces.planet_bearing.get::<newton>(),
-                rad_per_s2(found.without_losses.accelerations.sun), rad_per_s2(found.with_losses.accelerations.sun),
-                found.shafts.sun.stress.get::<pascal>(), found.shafts.carrier.stress.get::<pascal>(),
+                found.torques.carrier.si(), found.powers.output.si(), found.equivalent_inertia.total.si(),
+                found.equivalent_inertia.kinetic_energy.si(), found.forces.planet_bearing.si(),
+                found.without_losses.accelerations.sun.si(), found.with_losses.accelerations.sun.si(),
+                found.shafts.sun.stress.si(), found.shafts.carrier.stress.si(),
             ] {
                 prop_assert!(value.is_finite());
             }
@@ -601,29 +596,29 @@ proptest! {
     fn energy_shares_and_powers_agree(spec in sound_spec()) {
         let found = design(&spec).unwrap();
         let r = &found.equivalent_inertia;
-        let j = kg_m2(r.total);
-        let omega = rad_per_s(found.speeds.sun);
-        prop_assert!((joules(r.kinetic_energy) / (0.5 * j * omega * omega) - 1.0).abs() < 1e-12);
+        let j = r.total.si();
+        let omega = found.speeds.sun.si();
+        prop_assert!((r.kinetic_energy.si() / (0.5 * j * omega * omega) - 1.0).abs() < 1e-12);
         let shares = [r.sun, r.motor, r.planets_orbiting, r.planets_turning, r.carrier, r.machine];
-        prop_assert!((shares.into_iter().map(kg_m2).sum::<f64>() / j - 1.0).abs() < 1e-12);
+        prop_assert!((shares.into_iter().map(Physical::si).sum::<f64>() / j - 1.0).abs() < 1e-12);
         let p = &found.powers;
-        let left = watts(p.input) - watts(p.output) - watts(p.lost);
-        prop_assert!(left.abs() < 1e-12 * watts(p.input));
+        let left = p.input.si() - p.output.si() - p.lost.si();
+        prop_assert!(left.abs() < 1e-12 * p.input.si());
         // Both meshes of a planet and its bearings balance, with losses too.
-        let meshes = (found.forces.sun_mesh + found.forces.ring_mesh).get::<newton>();
-        prop_assert!((meshes / found.forces.planet_bearing_tangential.get::<newton>() - 1.0).abs() < 1e-12);
+        let meshes = (found.forces.sun_mesh + found.forces.ring_mesh).si();
+        prop_assert!((meshes / found.forces.planet_bearing_tangential.si() - 1.0).abs() < 1e-12);
         // Nominal forces are larger, by no more than the meshes lose.
-        let nominal = (found.forces.sun_nominal + found.forces.ring_nominal).get::<newton>();
+        let nominal = (found.forces.sun_nominal + found.forces.ring_nominal).si();
         prop_assert!(nominal > meshes && nominal / meshes - 1.0 < 1.0 - found.efficiency.basic);
         // The planet pins carry the carrier's torque.
-        let pins = found.forces.planet_bearing_tangential.get::<newton>() * meters(found.gear_set.centre_distance);
+        let pins = found.forces.planet_bearing_tangential.si() * found.gear_set.centre_distance.si();
         let all = pins * f64::from(found.teeth.numbers.planets);
-        prop_assert!((all / n_m(found.torques.carrier) - 1.0).abs() < 1e-12);
+        prop_assert!((all / found.torques.carrier.si() - 1.0).abs() < 1e-12);
         // At the nominal load the losses leave nothing, and what the source's sum leaves is the lost power.
         if spec.load.is_none() {
             prop_assert_eq!(found.with_losses.start, Start::InBalance);
-            let surplus = n_m(found.without_losses.generalized_force) * omega;
-            prop_assert!((surplus - watts(p.lost)).abs() < 1e-10 * watts(p.input));
+            let surplus = found.without_losses.generalized_force.si() * omega;
+            prop_assert!((surplus - p.lost.si()).abs() < 1e-10 * p.input.si());
         }
     }
 
@@ -631,7 +626,7 @@ proptest! {
     fn chosen_shafts_satisfy_their_formula(spec in sound_spec()) {
         let found = design(&spec).unwrap();
         for shaft in [found.shafts.sun, found.shafts.planet, found.shafts.carrier] {
-            prop_assert!(shaft.stress.get::<pascal>() <= spec.shafts.allowable_stress.get::<pascal>() * (1.0 + 1e-9));
+            prop_assert!(shaft.stress.si() <= spec.shafts.allowable_stress.si() * (1.0 + 1e-9));
             prop_assert!(shaft.used.bearing.is_none_or(|bearing| bearing.bore >= shaft.used.diameter * (1.0 - 1e-12)));
         }
         prop_assert!(!names(&found).contains(&"shaft-too-thin"));

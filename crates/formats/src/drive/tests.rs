@@ -2,7 +2,7 @@
 
 use super::*;
 use epicyclic_dynamics::drive::{Bore, CarrierSpec, Start, TeethSpec, design};
-use uom::si::length::millimeter;
+use epicyclic_units::Physical;
 
 const EXCAVATOR: &str = include_str!("../../../../examples/xe215cll-drive.yaml");
 const MINIMAL: &str = include_str!("../../../../examples/minimal-drive.yaml");
@@ -33,7 +33,7 @@ fn the_example_is_the_excavator() {
     let found = design(&spec(EXCAVATOR).unwrap()).unwrap();
     let teeth = found.teeth.numbers;
     assert_eq!((teeth.sun.get(), teeth.planet.get(), teeth.ring.get(), teeth.planets), (20, 40, 100, 4));
-    assert!((found.gear_set.ring.root_diameter().get::<millimeter>() - 819.2).abs() < 1e-9);
+    assert!((found.gear_set.ring.root_diameter().mm() - 819.2).abs() < 1e-9);
     let names: Vec<_> = found.warnings.iter().map(epicyclic_dynamics::drive::Warning::name).collect();
     assert_eq!(names, ["shaft-too-thin"; 3]);
     assert_eq!(found.with_losses.start, Start::InBalance);

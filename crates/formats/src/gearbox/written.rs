@@ -356,7 +356,7 @@ mod tests {
         let hob = Cutting { protuberance: 0.05, stock: 0.02, ..Cutting::from(Iso53::D) };
         let ring = Cutting { tool: Some(Tool::Shaper(shaper)), ..Cutting::default() };
         let shifted = shifted.cut([hob, Cutting::default(), ring]);
-        let degrees = Angle::new::<uom::si::angle::degree>;
+        let degrees = Angle::from_degrees;
         let helical = |id, angle| {
             let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 20, 60).unwrap();
             set.helical(degrees(angle))

@@ -44,7 +44,7 @@ impl Limits {
             (Quantity::TipClearance, self.tip_clearance, "modules"),
             (Quantity::TipGap, self.planet_gap, "modules"),
         ] {
-            crate::units::not_negative(quantity, value, unit)?;
+            crate::checks::not_negative(quantity, value, unit)?;
         }
         Ok(())
     }

@@ -144,16 +144,17 @@ mod tests {
     use crate::involute::fillet::Cutter;
     use crate::involute::set::Limits;
     use crate::involute::tool::{Shaper, Tool};
-    use crate::units::angle_from_degrees;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
     use std::f64::consts::{PI, TAU};
+    use uom::si::f64::Angle;
 
     fn count(teeth: u32) -> ToothCount {
         ToothCount::new(teeth).unwrap()
     }
 
     fn gear(kind: GearKind, teeth: u32, shift: f64, helix_deg: f64) -> Option<InvoluteGear> {
-        let profile = Profile { helix_angle: angle_from_degrees(helix_deg), ..Profile::default() };
+        let profile = Profile { helix_angle: Angle::from_degrees(helix_deg), ..Profile::default() };
         InvoluteGear::new(kind, count(teeth), profile, shift).ok()
     }
 
@@ -385,7 +386,7 @@ mod tests {
         fn drawn_curves_meet_without_overlap_and_with_the_contact_ratio(
             sun in 14..40_u32, planet in 16..50_u32, offset in -3..=3_i32, helix in prop_oneof![Just(0.0), 0.0..25.0_f64],
         ) {
-            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
             let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };
             let closing = Closing { profiles: profile.into(), ..Closing::default() };
             let Ok(choice) = closing.close([count(sun), count(planet), count(ring)]) else { return Ok(()) };

@@ -43,9 +43,9 @@ use super::set::{Limits, PlanetSet};
 use crate::gear_kind::GearKind;
 use crate::quantity::SimpleGear;
 use crate::tolerance::TOUCH;
-use crate::units::radians;
 use crate::{Error, Quantity, ToothCount};
 use epicyclic_numerics::roots::bisected;
+use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 
 /// What picks the free shift.
@@ -403,7 +403,7 @@ pub fn natural_centre_distance(teeth: [ToothCount; 3], profile: Profile) -> Resu
         return Err(Error::InternalNotLarger { internal: teeth[2].get(), external: teeth[1].get() });
     }
     let alpha = profile.transverse_angle_rad();
-    let scale = libm::cos(alpha) / (2.0 * libm::cos(radians(profile.helix_angle)));
+    let scale = libm::cos(alpha) / (2.0 * libm::cos(profile.helix_angle.si()));
     let [one, other] = [(sun + planet) * scale, (ring - planet) * scale].map(|base| base * base);
     let (sum, difference) = (one + other, one - other);
     let s2 = 4.0 * libm::sin(alpha).powi(2);
@@ -428,8 +428,8 @@ pub fn natural_centre_distance(teeth: [ToothCount; 3], profile: Profile) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::angle_from_degrees;
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     fn teeth(counts: [u32; 3]) -> [ToothCount; 3] {
         counts.map(|count| ToothCount::new(count).unwrap())
@@ -533,7 +533,7 @@ mod tests {
         (14..60_u32, 14..60_u32, -3..=3_i32, 0.0..25.0_f64, -0.4..0.6_f64).prop_filter_map(
             "a centre distance out of reach",
             |(sun, planet, offset, helix, more)| {
-                let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+                let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
                 let counts = teeth([sun, planet, (sun + 2 * planet).checked_add_signed(offset)?]);
                 let a = natural_centre_distance(counts, profile).ok()? + more;
                 Some((Family::new(counts, 3, profile, a).ok()?, profile))
@@ -580,7 +580,7 @@ mod tests {
         fn the_natural_centre_distance_departs_least_from_the_clearance(
             sun in 14..60_u32, planet in 14..60_u32, offset in -3..=3_i32, helix in 0.0..25.0_f64,
         ) {
-            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
             let counts = teeth([sun, planet, (sun + 2 * planet).checked_add_signed(offset).unwrap()]);
             let a = natural_centre_distance(counts, profile).unwrap();
             let gears = [

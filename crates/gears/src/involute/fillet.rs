@@ -34,8 +34,8 @@
 use super::flank::Flank;
 use super::profile::Profile;
 use crate::tolerance::TOUCH;
-use crate::units::radians;
 use epicyclic_numerics::roots::bisected;
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A point of an outline.
@@ -97,7 +97,7 @@ pub(super) const HALVINGS: u32 = 48;
 
 impl Fillet {
     pub(super) fn by_rack(flank: Flank, profile: &Profile, shift: f64) -> Self {
-        let alpha = radians(profile.rack.pressure_angle);
+        let alpha = profile.rack.pressure_angle.si();
         let (cos, tan) = (libm::cos(alpha), libm::tan(alpha));
         let radius = profile.fillet;
         let depth = profile.dedendum() - radius;

@@ -4,7 +4,7 @@ use super::function::involute;
 use super::profile::Profile;
 use crate::ToothCount;
 use crate::gear_kind::GearKind;
-use crate::units::radians;
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 
 /// Teeth and angles of a gear as the numbers that its formulas take; lengths in modules.
@@ -27,8 +27,8 @@ pub(super) struct Flank {
 impl Flank {
     pub(super) fn new(kind: GearKind, teeth: ToothCount, profile: &Profile) -> Self {
         let alpha_t = profile.transverse_angle_rad();
-        let alpha_n = radians(profile.rack.pressure_angle);
-        let beta = radians(profile.helix_angle);
+        let alpha_n = profile.rack.pressure_angle.si();
+        let beta = profile.helix_angle.si();
         Self {
             z: match kind {
                 GearKind::External => teeth.as_f64(),

@@ -8,9 +8,9 @@ use super::function::angle_of_involute;
 use super::profile::Profile;
 use super::tool::{Shaper, Tool};
 use crate::gear_kind::GearKind;
-use crate::units::radians;
 use crate::{Error, ToothCount};
 use epicyclic_numerics::roots::bisected;
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Shifts that are tried for one without undercut.
@@ -342,7 +342,7 @@ impl InvoluteGear {
     /// ```
     #[must_use]
     pub fn span(&self, teeth: u32) -> f64 {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
+        let alpha_n = self.profile.rack.pressure_angle.si();
         let pitches = PI * (f64::from(teeth) - 0.5) + self.flank.z.abs() * self.flank.inv_alpha_t;
         libm::cos(alpha_n) * pitches + self.sign() * 2.0 * self.shift * libm::sin(alpha_n)
     }
@@ -355,7 +355,7 @@ impl InvoluteGear {
         let beta_b = self.profile.base_helix_rad();
         // Half the span stands on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
         let span = 2.0 * self.curvature_radius(middle) / libm::cos(beta_b);
-        let alpha_n = radians(self.profile.rack.pressure_angle);
+        let alpha_n = self.profile.rack.pressure_angle.si();
         let pitches = (span - self.sign() * 2.0 * self.shift * libm::sin(alpha_n)) / libm::cos(alpha_n)
             - self.flank.z.abs() * self.flank.inv_alpha_t;
         let teeth = (pitches / PI + 0.5).round();
@@ -400,7 +400,7 @@ impl InvoluteGear {
     /// `None` where the ball would fall through the spaces.
     #[must_use]
     pub fn over_balls(&self, ball_diameter: f64) -> Option<f64> {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
+        let alpha_n = self.profile.rack.pressure_angle.si();
         let inv = self.flank.inv_alpha_t
             + ball_diameter / (self.flank.z * libm::cos(alpha_n))
             + (2.0 * self.shift * libm::tan(alpha_n) - FRAC_PI_2) / self.flank.z;
@@ -429,8 +429,8 @@ fn usual_tool(kind: GearKind, teeth: ToothCount, flank: &Flank, profile: &Profil
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::angle_from_degrees;
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     proptest! {
         /// Along the normal from the base circle the centre of the ball is its radius beyond the flank at `d + 2·x`, and its measure says how far the
@@ -441,7 +441,7 @@ mod tests {
         ) {
             prop_assume!(!is_ring || teeth > 40);
             let kind = if is_ring { GearKind::Internal } else { GearKind::External };
-            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
             let gear = InvoluteGear::new(kind, ToothCount::new(2 * teeth).unwrap(), profile, shift);
             prop_assume!(gear.is_ok());
             let gear = gear.unwrap();
@@ -459,7 +459,7 @@ mod tests {
         fn normal_thickness_is_that_of_the_reference_circle(
             teeth in 17..120_u32, shift in -0.3..0.6_f64, helix in 0.0..30.0_f64,
         ) {
-            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
             let gear = InvoluteGear::new(GearKind::External, ToothCount::new(teeth).unwrap(), profile, shift);
             prop_assume!(gear.is_ok());
             let gear = gear.unwrap();

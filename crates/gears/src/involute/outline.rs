@@ -1,7 +1,7 @@
 //! Outlines of teeth and gears as polylines whose chords leave the curve by no more than a given length.
 
 use super::curve::{Point, ToothCurve};
-use crate::units::positive;
+use crate::checks::positive;
 use crate::{Error, Quantity};
 use std::f64::consts::TAU;
 

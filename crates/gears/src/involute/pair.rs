@@ -4,8 +4,8 @@ use super::function::{angle_of_involute, involute};
 use super::gear::InvoluteGear;
 use crate::gear_kind::GearKind;
 use crate::tolerance::SAME;
-use crate::units::{degrees, radians};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 
 /// Two gears in mesh; the second may be internal. Lengths in modules.
@@ -43,7 +43,7 @@ impl Pair {
         let teeth = check(&first, &second)?;
         let profile = first.profile();
         let sum = first.shift() + second.shift();
-        let tan = libm::tan(radians(profile.rack.pressure_angle));
+        let tan = libm::tan(profile.rack.pressure_angle.si());
         let inv = involute(profile.transverse_angle_rad()) + 2.0 * tan * sum / teeth;
         let alpha_wt =
             angle_of_involute(inv).filter(|angle| *angle > 0.0).ok_or(Error::ShiftSumOutOfRange {
@@ -96,7 +96,7 @@ impl Pair {
         let teeth = check(first, second)?;
         let alpha_wt = working_angle(first, teeth, centre_distance)?;
         let profile = first.profile();
-        let tan = libm::tan(radians(profile.rack.pressure_angle));
+        let tan = libm::tan(profile.rack.pressure_angle.si());
         Ok(teeth * (involute(alpha_wt) - involute(profile.transverse_angle_rad())) / (2.0 * tan))
     }
 
@@ -190,7 +190,7 @@ impl Pair {
     /// Overlap ratio `ε_β` of a face width in modules: `b·sin β/π`.
     #[must_use]
     pub fn overlap_ratio(&self, face_width: f64) -> f64 {
-        face_width * libm::sin(radians(self.gears[0].profile().helix_angle)) / PI
+        face_width * libm::sin(self.gears[0].profile().helix_angle.si()) / PI
     }
 
     /// Least diameter, of an internal gear greatest, of each gear at which it meets its mate: `d_Nf`.
@@ -297,11 +297,11 @@ fn check(first: &InvoluteGear, second: &InvoluteGear) -> Result<f64, Error> {
     }
     let differ = |one: f64, other: f64| (one - other).abs() > SAME * one.abs().max(other.abs());
     let [one, other] = [first, second].map(InvoluteGear::profile);
-    let [first_deg, second_deg] = [one, other].map(|profile| degrees(profile.rack.pressure_angle));
+    let [first_deg, second_deg] = [one, other].map(|profile| profile.rack.pressure_angle.degrees());
     if differ(first_deg, second_deg) {
         return Err(Error::PressureAnglesDiffer { first_deg, second_deg });
     }
-    let [first_deg, second_deg] = [one, other].map(|profile| degrees(profile.helix_angle));
+    let [first_deg, second_deg] = [one, other].map(|profile| profile.helix_angle.degrees());
     if differ(first_deg, second_deg) {
         return Err(Error::HelixAnglesDiffer { first_deg, second_deg });
     }
@@ -328,11 +328,11 @@ mod tests {
     use super::*;
     use crate::ToothCount;
     use crate::involute::Profile;
-    use crate::units::angle_from_degrees;
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     fn gear(kind: GearKind, teeth: u32, shift: f64, helix_deg: f64) -> Option<InvoluteGear> {
-        let profile = Profile { helix_angle: angle_from_degrees(helix_deg), ..Profile::default() };
+        let profile = Profile { helix_angle: Angle::from_degrees(helix_deg), ..Profile::default() };
         InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), profile, shift).ok()
     }
 
@@ -346,7 +346,7 @@ mod tests {
         assert_eq!(name(external(60, 0.0), internal(60)), "internal-not-larger");
         assert_eq!(name(external(20, 10.0), external(30, 12.0)), "helix-angles-differ");
         let steep = Profile {
-            rack: crate::rack::BasicRack { pressure_angle: angle_from_degrees(25.0), ..Default::default() },
+            rack: crate::rack::BasicRack { pressure_angle: Angle::from_degrees(25.0), ..Default::default() },
             fillet: 0.3,
             ..Profile::default()
         };

@@ -12,8 +12,8 @@
 
 use super::curve::ToothCurve;
 use super::set::PlanetSet;
-use crate::units::radians;
 use crate::{Error, ToothCount};
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 
 /// Where a planet stands, and how it is turned.
@@ -40,7 +40,7 @@ impl PlanetSet {
     pub fn placed_planets(&self) -> Vec<PlacedPlanet> {
         let [sun, planet, _] = self.gears().map(|gear| gear.teeth().as_f64());
         let turn = |angle: f64| angle * (1.0 + sun / planet) + PI - PI / planet;
-        let angles = self.spacing().angles().into_iter().map(radians);
+        let angles = self.spacing().angles().into_iter().map(Physical::si);
         angles.map(|angle_rad| PlacedPlanet { angle_rad, turn_rad: turn(angle_rad) }).collect()
     }
 

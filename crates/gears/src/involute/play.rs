@@ -40,9 +40,10 @@
 use super::gear::InvoluteGear;
 use super::pair::Pair;
 use super::set::PlanetSet;
+use crate::checks::{positive_length, positive_stress, positive_torque};
 use crate::mode::Member;
-use crate::units::{positive_length, positive_stress, positive_torque, torque};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Pressure, Torque};
 
 /// Least and greatest value.
@@ -226,7 +227,7 @@ impl PlanetSet {
             compliance += 1.0 / (stiffness * positive_length(Quantity::FaceWidth, width)?);
         }
         let lever = module * self.lever(output);
-        Ok(torque(lever * lever * f64::from(self.planets()) / compliance))
+        Ok(Torque::from_si(lever * lever * f64::from(self.planets()) / compliance))
     }
 }
 
@@ -262,7 +263,7 @@ pub fn at_output(parts: &[Part]) -> Result<(Option<Torque>, Extent), Error> {
         backlash.least += part.torque_share.abs() * part.backlash.least;
         backlash.greatest += part.torque_share.abs() * part.backlash.greatest;
     }
-    Ok((compliance.map(|compliance| torque(1.0 / compliance)), backlash))
+    Ok((compliance.map(|compliance| Torque::from_si(1.0 / compliance)), backlash))
 }
 
 #[cfg(test)]
@@ -272,8 +273,8 @@ mod tests {
     use crate::involute::Profile;
     use crate::involute::closing::Closing;
     use crate::involute::family::Family;
-    use crate::units::{angle_from_degrees, length_from_mm, n_m, stress};
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     fn set(counts: [u32; 3]) -> PlanetSet {
         Closing::default().close(counts.map(|count| ToothCount::new(count).unwrap())).unwrap().set
@@ -291,13 +292,13 @@ mod tests {
         let error = set([18, 36, 93]).backlash_at(Member::Sun, Default::default(), far).unwrap_err();
         assert_eq!(error.name(), "deviation");
         let stiffness = |mm: f64| {
-            let (width, c) = (length_from_mm(mm), stress(20e9));
-            set([18, 36, 93]).torsional_stiffness(Member::Sun, length_from_mm(2.0), [c; 2], [width; 2])
+            let (width, c) = (Length::from_mm(mm), Pressure::from_si(20e9));
+            set([18, 36, 93]).torsional_stiffness(Member::Sun, Length::from_mm(2.0), [c; 2], [width; 2])
         };
         assert_eq!(stiffness(0.0).unwrap_err().name(), "not-positive");
         let part = Part {
             torque_share: 1.0,
-            stiffness: Some(torque(0.0)),
+            stiffness: Some(Torque::from_si(0.0)),
             backlash: Extent { least: 0.0, greatest: 0.0 },
         };
         assert_eq!(at_output(&[part]).unwrap_err().name(), "not-positive");
@@ -319,8 +320,8 @@ mod tests {
     fn the_stiffness_is_that_of_springs_between_the_base_circles() {
         let set = set([18, 36, 90]);
         let at = |member| {
-            let (width, c) = (length_from_mm(40.0), stress(20e9));
-            n_m(set.torsional_stiffness(member, length_from_mm(2.0), [c; 2], [width; 2]).unwrap())
+            let (width, c) = (Length::from_mm(40.0), Pressure::from_si(20e9));
+            set.torsional_stiffness(member, Length::from_mm(2.0), [c; 2], [width; 2]).unwrap().si()
         };
         let spring = 3.0 * 20e9 * 0.04 / 2.0;
         let lever = |teeth: f64| 0.001 * teeth * libm::cos(20_f64.to_radians());
@@ -337,13 +338,13 @@ mod tests {
     fn a_train_adds_its_sets_by_virtual_work() {
         let part = |torque_share, stiffness, least| Part {
             torque_share,
-            stiffness: Some(torque(stiffness)),
+            stiffness: Some(Torque::from_si(stiffness)),
             backlash: Extent { least, greatest: 2.0 * least },
         };
         // The second set has the ratio 4: its sun carries a quarter of the output torque.
         let (stiffness, backlash) = at_output(&[part(-0.25, 8e4, 0.004), part(1.0, 3e5, 0.001)]).unwrap();
         let by_hand = 1.0 / (1.0 / 3e5 + 1.0 / (16.0 * 8e4));
-        assert!((n_m(stiffness.unwrap()) / by_hand - 1.0).abs() < 1e-12);
+        assert!((stiffness.unwrap().si() / by_hand - 1.0).abs() < 1e-12);
         assert!((backlash.least - 0.002).abs() < 1e-15 && (backlash.greatest - 0.004).abs() < 1e-15);
         let unknown = Part { stiffness: None, ..part(-0.25, 8e4, 0.004) };
         assert!(at_output(&[unknown, part(1.0, 3e5, 0.001)]).unwrap().0.is_none());
@@ -355,7 +356,7 @@ mod tests {
             sun in 17..50_u32, planet in 17..50_u32, offset in -2..=3_i32, helix in 0.0..25.0_f64,
             allowances in [-0.05..0.0_f64, -0.05..0.0_f64],
         ) {
-            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let profile = Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() };
             let ring = (sun + 2 * planet).checked_add_signed(offset).unwrap();
             let teeth = [sun, planet, ring].map(|count| ToothCount::new(count).unwrap());
             let closed = Closing { profiles: profile.into(), ..Closing::default() }.close(teeth);

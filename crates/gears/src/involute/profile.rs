@@ -1,10 +1,11 @@
 //! What fixes the teeth of a gear beside their number and profile shift: its basic rack, its helix, and what cuts it.
 
 use super::tool::Tool;
+use crate::checks::not_negative;
 use crate::gear_kind::GearKind;
 use crate::rack::BasicRack;
-use crate::units::{not_negative, radians};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
 use uom::si::f64::Angle;
 
@@ -42,7 +43,7 @@ impl Default for Profile {
             fillet: 0.38,
             protuberance: 0.0,
             stock: 0.0,
-            helix_angle: crate::units::angle(0.0),
+            helix_angle: Angle::from_si(0.0),
             tool: None,
         }
     }
@@ -166,7 +167,7 @@ impl Profile {
     #[must_use]
     pub fn of_rack(rack: BasicRack) -> Self {
         let usual = Self { rack, ..Self::default() };
-        let by_clearance = rack.clearance / (1.0 - libm::sin(radians(rack.pressure_angle))) + ROUNDED_FILLET;
+        let by_clearance = rack.clearance / (1.0 - libm::sin(rack.pressure_angle.si())) + ROUNDED_FILLET;
         Self { fillet: usual.fillet.min(by_clearance).min(usual.most_fillet()).max(0.0), ..usual }
     }
 
@@ -180,7 +181,7 @@ impl Profile {
         not_negative(Quantity::RootFillet, self.fillet, "modules")?;
         not_negative(Quantity::Protuberance, self.protuberance, "modules")?;
         not_negative(Quantity::Stock, self.stock, "modules")?;
-        let helix_deg = crate::units::degrees(self.helix_angle);
+        let helix_deg = self.helix_angle.degrees();
         if !(0.0..MOST_HELIX_DEG).contains(&helix_deg) {
             return Err(Error::OutOfRange {
                 quantity: Quantity::HelixAngle,
@@ -212,7 +213,7 @@ impl Profile {
     /// Generating profile shift `x_E = x + q/sin α_n` with which a hob leaves the stock of a gear of shift `x`.
     #[must_use]
     pub fn generating_shift(&self, shift: f64) -> f64 {
-        shift + self.stock / libm::sin(radians(self.rack.pressure_angle))
+        shift + self.stock / libm::sin(self.rack.pressure_angle.si())
     }
 
     /// The largest fillet of the rack: one arc from flank to flank of a tooth space.
@@ -222,7 +223,7 @@ impl Profile {
     /// ```
     #[must_use]
     pub fn most_fillet(&self) -> f64 {
-        let alpha = radians(self.rack.pressure_angle);
+        let alpha = self.rack.pressure_angle.si();
         let half = PI / 4.0 - self.dedendum() * libm::tan(alpha) + self.protuberance / libm::cos(alpha);
         // ISO 53 rounds what there is room for: 0.39 of profile D at 0.3978, so nothing more is asked than the arc's own width.
         half / libm::tan(PI / 4.0 - alpha / 2.0) + ROUNDED_FILLET
@@ -231,19 +232,19 @@ impl Profile {
     /// Transverse pressure angle `α_t`, rad.
     #[must_use]
     pub fn transverse_angle_rad(&self) -> f64 {
-        libm::atan(libm::tan(radians(self.rack.pressure_angle)) / libm::cos(radians(self.helix_angle)))
+        libm::atan(libm::tan(self.rack.pressure_angle.si()) / libm::cos(self.helix_angle.si()))
     }
 
     /// Whether its teeth are helical.
     #[must_use]
     pub fn is_helical(&self) -> bool {
-        radians(self.helix_angle) != 0.0
+        self.helix_angle.si() != 0.0
     }
 
     /// Helix angle at the base cylinder `β_b`, rad: `tan β_b = tan β·cos α_t`.
     #[must_use]
     pub fn base_helix_rad(&self) -> f64 {
-        libm::atan(libm::tan(radians(self.helix_angle)) * libm::cos(self.transverse_angle_rad()))
+        libm::atan(libm::tan(self.helix_angle.si()) * libm::cos(self.transverse_angle_rad()))
     }
 }
 

@@ -8,7 +8,8 @@ use super::tool::{Shaper, Tool};
 use super::{InvoluteGear, Pair, PlanetSet, Profile};
 use crate::ToothCount;
 use crate::gear_kind::GearKind::{External, Internal};
-use crate::units::angle_from_degrees;
+use epicyclic_units::Physical;
+use uom::si::f64::Angle;
 
 fn gear(teeth: i32, shift: f64) -> InvoluteGear {
     shaped(teeth, shift, Profile::default())
@@ -54,7 +55,7 @@ fn wind() -> [Pair; 2] {
 #[test]
 fn published_sets_are_members_of_their_families() {
     let [straight, helical] =
-        [0.0, 8.0].map(|helix| Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() });
+        [0.0, 8.0].map(|helix| Profile { helix_angle: Angle::from_degrees(helix), ..Profile::default() });
     for (teeth, planets, profile, a, printed) in [
         ([18, 36, 93], 3, straight, 584.0 / 21.0, [0.3890, 0.5039, 0.1171]),
         ([21, 43, 108], 3, straight, 56.8 / 1.75, [0.4380, 0.0426, 0.0]),

@@ -14,8 +14,8 @@ use crate::mesh::coaxial_ring;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::synthesis::{Bounds, Placement, Ranked, Search, ToothNumbers};
-use crate::units::radians;
 use crate::{Error, ToothCount};
+use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
@@ -59,7 +59,7 @@ impl ProfileShift {
         }
         let profile = *self.closing.profiles.shared();
         let a = natural_centre_distance([teeth.sun, teeth.planet, teeth.ring], profile)?;
-        let cos_beta = libm::cos(radians(profile.helix_angle));
+        let cos_beta = libm::cos(profile.helix_angle.si());
         Ok(2.0 * a * cos_beta / (teeth.sun.as_f64() + teeth.planet.as_f64()))
     }
 }

@@ -23,8 +23,8 @@
 //! Moan 2016) prints 0.149 for its sun's mesh, and takes the closed form for its ring, too, where the integral is less.
 
 use super::pair::Pair;
+use crate::checks::positive;
 use crate::efficiency::MeshEfficiency;
-use crate::units::positive;
 use crate::{Error, Quantity};
 use std::f64::consts::PI;
 

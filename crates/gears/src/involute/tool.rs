@@ -100,10 +100,10 @@ impl Tool {
             }
             Self::Rack => Ok(()),
             Self::Form { fillet } => {
-                crate::units::not_negative(Quantity::FormFillet, *fillet, "modules").map(drop)
+                crate::checks::not_negative(Quantity::FormFillet, *fillet, "modules").map(drop)
             }
             Self::Shaper(shaper) => {
-                crate::units::not_negative(Quantity::ShaperTipRadius, shaper.tip_radius, "modules")?;
+                crate::checks::not_negative(Quantity::ShaperTipRadius, shaper.tip_radius, "modules")?;
                 if !(-MOST_SHAPER_SHIFT..=MOST_SHAPER_SHIFT).contains(&shaper.shift) {
                     return Err(Error::OutOfRange {
                         quantity: Quantity::ShaperShift,
@@ -115,7 +115,7 @@ impl Tool {
                 }
                 let addendum = shaper
                     .addendum
-                    .map(|addendum| crate::units::positive(Quantity::ShaperAddendum, addendum, "modules"));
+                    .map(|addendum| crate::checks::positive(Quantity::ShaperAddendum, addendum, "modules"));
                 addendum.transpose().map(drop)
             }
         }

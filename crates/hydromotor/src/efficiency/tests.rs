@@ -1,24 +1,18 @@
 use super::*;
 use crate::MotorNumbers;
-use crate::units::angle_of_degrees;
-use uom::si::angular_velocity::radian_per_second;
-use uom::si::area::square_millimeter;
-use uom::si::dynamic_viscosity::pascal_second;
-use uom::si::f64::{DynamicViscosity, MassDensity};
-use uom::si::length::{micrometer, millimeter};
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::megapascal;
+use epicyclic_units::Physical;
+use uom::si::f64::{Angle, AngularVelocity, Area, DynamicViscosity, Length, MassDensity, Pressure};
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn omega(value: f64) -> AngularVelocity {
-    AngularVelocity::new::<radian_per_second>(value)
+    AngularVelocity::from_si(value)
 }
 
 fn motor() -> Motor {
@@ -26,19 +20,19 @@ fn motor() -> Motor {
 }
 
 fn inputs<'a>(gap: f64, friction: [f64; 2]) -> LossInputs<'a> {
-    let gap = Length::new::<micrometer>(gap);
+    let gap = Length::from_um(gap);
     LossInputs {
-        pressure_angle: angle_of_degrees(25.0),
+        pressure_angle: Angle::from_degrees(25.0),
         width: mm(25.0),
         gaps: EndGaps { satellite: gap, rotor: gap },
         bore_radius: mm(4.0),
         fluid: GapFluid {
-            viscosity: DynamicViscosity::new::<pascal_second>(0.04),
-            density: MassDensity::new::<kilogram_per_cubic_meter>(870.0),
+            viscosity: DynamicViscosity::from_si(0.04),
+            density: MassDensity::from_si(870.0),
             turbulent: None,
         },
         bulk_modulus: None,
-        dead_area: Area::new::<square_millimeter>(0.0),
+        dead_area: Area::from_mm2(0.0),
         friction: FrictionRange::new(friction[0], friction[1]).unwrap(),
         ports: None,
     }
@@ -60,7 +54,7 @@ fn without_gaps_the_oil_alone_gives_way() {
     let point = motor().operating_point(soft, omega(20.0), mpa(25.0)).unwrap();
     // 24·26.513·25/1400 over 1292.617.
     assert!((point.volumetric - 1.0 / 1.00879).abs() < 1e-5, "{}", point.volumetric);
-    let dead = LossInputs { dead_area: Area::new::<square_millimeter>(10.0), ..soft };
+    let dead = LossInputs { dead_area: Area::from_mm2(10.0), ..soft };
     assert!(motor().operating_point(dead, omega(20.0), mpa(25.0)).unwrap().volumetric < point.volumetric);
 }
 
@@ -103,14 +97,14 @@ fn every_input_changes_the_point() {
     let base = inputs(10.0, [0.04, 0.1]);
     let soft = LossInputs { bulk_modulus: Some(mpa(1400.0)), ..base };
     let at = |inputs, speed, drop| motor().operating_point(inputs, omega(speed), mpa(drop)).unwrap();
-    let um = Length::new::<micrometer>;
+    let um = Length::from_um;
     let fluid = |viscosity: f64, density: f64| GapFluid {
-        viscosity: DynamicViscosity::new::<pascal_second>(viscosity),
-        density: MassDensity::new::<kilogram_per_cubic_meter>(density),
+        viscosity: DynamicViscosity::from_si(viscosity),
+        density: MassDensity::from_si(density),
         turbulent: None,
     };
     for other in [
-        LossInputs { pressure_angle: angle_of_degrees(22.0), ..base },
+        LossInputs { pressure_angle: Angle::from_degrees(22.0), ..base },
         LossInputs { width: mm(26.0), ..base },
         LossInputs { gaps: EndGaps { satellite: um(9.0), ..base.gaps }, ..base },
         LossInputs { gaps: EndGaps { rotor: um(9.0), ..base.gaps }, ..base },
@@ -123,7 +117,7 @@ fn every_input_changes_the_point() {
     ] {
         assert_ne!(at(other, 20.0, 25.0), at(base, 20.0, 25.0));
     }
-    let deeper = LossInputs { dead_area: Area::new::<square_millimeter>(5.0), ..soft };
+    let deeper = LossInputs { dead_area: Area::from_mm2(5.0), ..soft };
     assert_ne!(at(deeper, 20.0, 25.0), at(soft, 20.0, 25.0));
     let ports = |discharge| LossInputs { ports: Some((&plate, discharge)), ..base };
     assert_ne!(at(ports(0.6), 20.0, 25.0), at(ports(0.7), 20.0, 25.0));

@@ -21,15 +21,17 @@
 //! the bearing carries. It vanishes where `N` and `n` have a common divisor, since the pressures then repeat about the axis.
 
 use crate::quantity::Quantity;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Force, Length, Pressure, Torque};
 
 use super::kernel::{direction, flank_number, greatest_of, pressure_angle, turned};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
+use crate::modules::volume;
 use crate::motor::Motor;
 use crate::profile::Side;
+use crate::ranges::{finite_angle, finite_pressure};
 use crate::tolerance::BESIDE_JUMP;
-use crate::units::{angle, finite_angle, finite_pressure, force, torque, volume};
 
 /// Which way the pressure pushes a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -119,7 +121,7 @@ impl Load {
 
     /// The force of so many `Δp·b·m`, by the drop's magnitude.
     pub(super) fn force(&self, motor: &Motor, number: f64) -> Force {
-        force(motor.length(number), self.width, self.pressure_drop.abs())
+        motor.length(number) * self.width * self.pressure_drop.abs()
     }
 }
 
@@ -176,7 +178,7 @@ impl Motor {
                 index,
                 push: (sigma != 0.0).then(|| Push::of(sigma)),
                 force: load.force(self, number),
-                inclination: angle(load.alpha + sigma * contact.mu),
+                inclination: Angle::from_si(load.alpha + sigma * contact.mu),
             })
         };
         (0..).zip(&instant.contacts).map(on_satellite).collect()
@@ -195,7 +197,7 @@ impl Motor {
     /// ```
     #[must_use]
     pub fn held_by(&self, pressure_angle: Angle) -> bool {
-        let (width, drop) = (self.module(), crate::units::pressure_of_pascals(1.0));
+        let (width, drop) = (self.module(), Pressure::from_si(1.0));
         self.greatest_flank_forces(pressure_angle, width, drop).is_ok()
     }
 
@@ -236,7 +238,7 @@ impl Motor {
             Ok(GreatestFlankForce {
                 push: Push::of(sigma),
                 force: load.force(self, number),
-                rotation: angle(phase),
+                rotation: Angle::from_si(phase),
             })
         };
         Ok([of(true)?, of(false)?])
@@ -287,7 +289,7 @@ impl Motor {
         // Reversed pressures reverse the pushes and with them the flanks that carry.
         let rotation = load.sign() * finite_angle(Quantity::Rotation, rotation)?;
         let (_, number) = self.on_rotor(rotation, load.alpha)?;
-        Ok(torque(volume(number, self.module(), load.width), pressure_drop))
+        Ok((volume(number, self.module(), load.width) * pressure_drop).into())
     }
 
     /// The force on the rotor that its bearing carries, after a rotation.
@@ -311,7 +313,7 @@ impl Motor {
         let ([x, y], _) = self.on_rotor(mirror * rotation, load.alpha)?;
         let force = |number| load.force(self, number);
         Ok(BearingLoad {
-            rotation: angle(rotation),
+            rotation: Angle::from_si(rotation),
             x: force(x),
             y: force(mirror * y),
             force: force(libm::hypot(x, y)),

@@ -9,10 +9,11 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::{Motor, Shape};
 use crate::profile::Side;
 use crate::quantity::Quantity;
+use crate::ranges::finite_angle;
 use crate::tolerance::WITHIN;
-use crate::units::{degrees, finite_angle, in_degrees};
 use epicyclic_numerics::extremes::{Bracket, summit};
 use epicyclic_numerics::roots::bracketed;
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
 
@@ -22,7 +23,7 @@ const PIECES: usize = 16;
 /// A pressure angle of a tooth form, in radians.
 pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
     let alpha = finite_angle(Quantity::PressureAngle, value)?;
-    let value = in_degrees(value);
+    let value = value.degrees();
     if (10.0..=40.0).contains(&value) {
         return Ok(alpha);
     }
@@ -45,8 +46,8 @@ pub(super) fn flank_number(r: f64, alpha: f64, contact: &Contact, sigma: f64) ->
     let mu = contact.mu;
     let carrying = libm::cos(alpha + sigma * mu);
     if carrying <= WITHIN {
-        let most_deg = degrees(FRAC_PI_2 - alpha);
-        return Err(Error::CannotHold { slope_deg: degrees(sigma * mu), most_deg });
+        let most_deg = Angle::from_si(FRAC_PI_2 - alpha).degrees();
+        return Err(Error::CannotHold { slope_deg: Angle::from_si(sigma * mu).degrees(), most_deg });
     }
     Ok(r * libm::cos(mu) / carrying)
 }

@@ -17,6 +17,7 @@
 //! For the satellite this is a usual model; for the teeth of stator and rotor, whose two flanks differ and whose rims and hollow roots carry in other ways,
 //! it is a comparison of shapes. The values are reported; they certify nothing.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
@@ -28,7 +29,7 @@ use crate::contact::{Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
-use crate::units::{angle, pascals, positive_pressure, pressure_of_pascals};
+use crate::ranges::positive_pressure;
 
 /// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of that of many more.
 const POINTS: u32 = 24;
@@ -118,12 +119,12 @@ impl Profile {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn root_stresses(&self, path: LoadedPath, pressure_drop: Pressure) -> Result<Vec<RootStress>, Error> {
-        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
         let stress = |(wheel, worst): (Wheel, Worst)| RootStress {
             wheel,
-            stress: pressure_of_pascals(worst.stress * drop),
+            stress: Pressure::from_si(worst.stress * drop),
             push: Push::of(worst.sigma),
-            rotation: angle(worst.phase),
+            rotation: Angle::from_si(worst.phase),
             offset: self.motor().length(worst.offset),
             thickness: self.motor().length(worst.thickness),
             tooth: worst.tooth as u32,
@@ -136,7 +137,7 @@ impl Profile {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
         // Refuses what no flank holds before anything is compared.
-        motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), pressure_of_pascals(1.0))?;
+        motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), Pressure::from_si(1.0))?;
         let (own, by) = (self.satellite_tooth(points), motor.shape.explicit());
         let mut worst: [Option<Worst>; 3] = [None; 3];
         for (i, side) in Side::BOTH.into_iter().enumerate() {
@@ -204,9 +205,9 @@ impl Profile {
         path: LoadedPath,
         limits: &MaterialLimits,
     ) -> Result<AllowedPressure, Error> {
-        let contact = pascals(positive_pressure(Quantity::ContactLimit, limits.contact)?);
-        let root = pascals(positive_pressure(Quantity::RootLimit, limits.root)?);
-        let modulus = pascals(positive_pressure(Quantity::ContactModulus, limits.modulus)?);
+        let contact = positive_pressure(Quantity::ContactLimit, limits.contact)?.si();
+        let root = positive_pressure(Quantity::RootLimit, limits.root)?.si();
+        let modulus = positive_pressure(Quantity::ContactModulus, limits.modulus)?.si();
         let by_contact = contact * contact / (modulus * self.greatest_severity(path)?);
         let (wheel, stress) = self
             .bent(path, POINTS)?
@@ -216,9 +217,9 @@ impl Profile {
         let by_root = root / stress;
         let governing = if by_contact <= by_root { Governing::Contact } else { Governing::Root(wheel) };
         Ok(AllowedPressure {
-            pressure: pressure_of_pascals(by_contact.min(by_root)),
-            by_contact: pressure_of_pascals(by_contact),
-            by_root: pressure_of_pascals(by_root),
+            pressure: Pressure::from_si(by_contact.min(by_root)),
+            by_contact: Pressure::from_si(by_contact),
+            by_root: Pressure::from_si(by_root),
             governing,
         })
     }

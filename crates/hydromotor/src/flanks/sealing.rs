@@ -29,17 +29,19 @@
 //! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`: it drops out of the
 //! displacement but for the change of the radii within a pitch.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area, Length};
 
 use super::kernel::{arc, windings};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::flow::Ripple;
+use crate::modules::area;
 use crate::motor::Motor;
 use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
+use crate::ranges::{finite_angle, finite_modules};
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
-use crate::units::{angle, area, finite_angle, finite_modules};
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
@@ -474,7 +476,7 @@ impl Profile {
     /// Rotations within a period `2π/lcm(N, n)` at which the flow at the flanks has a kink or jumps, both ends of the period included.
     #[must_use]
     pub fn flank_changes(&self, rule: SealingContact) -> Vec<Angle> {
-        Flow::new(self, rule).ends.into_iter().map(angle).collect()
+        Flow::new(self, rule).ends.into_iter().map(Angle::from_si).collect()
     }
 
     /// The ripple of flow and torque with the flanks as seals, beside that at the pitch points.
@@ -507,8 +509,8 @@ impl Profile {
             },
             at_pitch_points: motor.ripple(),
             least_over_mean: least.0 / mean,
-            least_at: angle(least.1),
-            greatest_at: angle(greatest.1),
+            least_at: Angle::from_si(least.1),
+            greatest_at: Angle::from_si(greatest.1),
         }
     }
 }

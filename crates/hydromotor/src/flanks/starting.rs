@@ -18,6 +18,7 @@
 //! The share of load of two pairs in mesh and the third contact: `N` is that of contacts at the pitch points; the change of `N` by friction,
 //! of second order in `μ_f`; friction of bearings, seals and faces.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure, Torque};
 
 use super::forces::Load;
@@ -28,7 +29,7 @@ use crate::contact::Conjugate;
 use crate::friction::FrictionRange;
 use crate::profile::Profile;
 use crate::quantity::Quantity;
-use crate::units::{angle, metres, positive_pascals, torque_of_newton_metres};
+use crate::ranges::positive_pressure;
 
 /// The least torque over a revolution at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +91,7 @@ impl Profile {
         pressure_drop: Pressure,
         friction: FrictionRange,
     ) -> Result<StartingTorque, Error> {
-        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
         let motor = self.motor();
         let pressure_angle = self.form().pressure_angle;
         let load = Load::new(pressure_angle, width, pressure_drop)?;
@@ -103,12 +104,12 @@ impl Profile {
             let [whole, lost] = torques(&pieces[piece].1, r, load.alpha, rotation);
             [0.0, low, high].map(|friction| friction * lost - whole)
         });
-        let unit = drop * metres(crate::machine::width(width)?) * metres(motor.module()).powi(2);
-        let torque = |number: f64| torque_of_newton_metres(-number * unit);
+        let unit = drop * crate::machine::width(width)?.si() * motor.module().si().powi(2);
+        let torque = |number: f64| Torque::from_si(-number * unit);
         Ok(StartingTorque {
             frictionless: torque(none.value),
             range: [torque(most.value), torque(least.value)],
-            rotation: angle(most.place),
+            rotation: Angle::from_si(most.place),
         })
     }
 }

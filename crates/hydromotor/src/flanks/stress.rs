@@ -19,6 +19,7 @@
 //! # Left out
 //! Friction, lubrication, edges of tips, the third contact, dynamic loads. The values are reported; they certify nothing.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
@@ -28,8 +29,8 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::{FlankPath, Profile, Side};
 use crate::quantity::Quantity;
+use crate::ranges::{finite_angle, finite_modules, positive_pressure};
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
-use crate::units::{angle, finite_angle, finite_modules, pascals, positive_pressure, pressure_of_pascals};
 use std::f64::consts::PI;
 
 /// A mesh of a satellite.
@@ -337,11 +338,11 @@ impl Profile {
         pressure_drop: Pressure,
         modulus: Pressure,
     ) -> Result<Vec<ContactStress>, Error> {
-        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
-        let modulus = pascals(positive_pressure(Quantity::ContactModulus, modulus)?);
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
+        let modulus = positive_pressure(Quantity::ContactModulus, modulus)?.si();
         let peak = |peak: Peak| PeakPressure {
-            pressure: pressure_of_pascals((peak.severity * drop * modulus).sqrt()),
-            rotation: angle(peak.phase),
+            pressure: Pressure::from_si((peak.severity * drop * modulus).sqrt()),
+            rotation: Angle::from_si(peak.phase),
             offset: self.motor().length(peak.offset),
         };
         let mut stresses = Vec::with_capacity(4);
@@ -397,8 +398,8 @@ impl Motor {
         let alpha = pressure_angle(pressure_angle_of_teeth)?;
         let phase = finite_angle(Quantity::Rotation, rotation)?;
         let e = finite_modules(Quantity::ContactOffset, offset, self.module())?;
-        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
-        let modulus = pascals(positive_pressure(Quantity::ContactModulus, modulus)?);
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
+        let modulus = positive_pressure(Quantity::ContactModulus, modulus)?.si();
         let Some(sigma) = self.pushed(phase, 1.0) else { return Ok(Pressure::default()) };
         let contact = self.shape.at(By::Phase, phase);
         let (r, side) = (self.shape.satellite_radius(), mesh.side());
@@ -419,7 +420,7 @@ impl Motor {
                 unit: "modules",
             });
         }
-        Ok(pressure_of_pascals((value * drop * modulus).sqrt()))
+        Ok(Pressure::from_si((value * drop * modulus).sqrt()))
     }
 }
 
@@ -430,7 +431,7 @@ impl Motor {
 pub fn effective_modulus(moduli: [Pressure; 2], poisson: [f64; 2]) -> Result<Pressure, Error> {
     let mut compliance = 0.0;
     for (modulus, nu) in moduli.into_iter().zip(poisson) {
-        let modulus = pascals(positive_pressure(Quantity::ElasticModulus, modulus)?);
+        let modulus = positive_pressure(Quantity::ElasticModulus, modulus)?.si();
         if !(0.0..=0.5).contains(&nu) {
             return Err(Error::OutOfRange {
                 quantity: Quantity::PoissonRatio,
@@ -442,7 +443,7 @@ pub fn effective_modulus(moduli: [Pressure; 2], poisson: [f64; 2]) -> Result<Pre
         }
         compliance += (1.0 - nu * nu) / modulus;
     }
-    Ok(pressure_of_pascals(1.0 / compliance))
+    Ok(Pressure::from_si(1.0 / compliance))
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@
 //! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between the front and the back contact is
 //! taken to be on the side of the seal.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use super::forces::{Load, Push};
@@ -31,7 +32,7 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::Profile;
 use crate::quantity::Quantity;
-use crate::units::{angle, finite_angle, finite_modules};
+use crate::ranges::{finite_angle, finite_modules};
 use epicyclic_numerics::roots::bracketed;
 
 /// What holds a satellite.
@@ -236,7 +237,7 @@ impl Profile {
         let [stator, rotor, stator_back, rotor_back] = best.map(|(number, sigma, place)| ForceBound {
             force: load.force(motor, number),
             push: Push::of(sigma),
-            rotation: angle(place),
+            rotation: Angle::from_si(place),
         });
         let positive = |bound: ForceBound| (bound.force > Force::default()).then_some(bound);
         Ok(ThirdContactBounds {

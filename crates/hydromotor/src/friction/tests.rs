@@ -1,18 +1,15 @@
 use super::*;
 use crate::MotorNumbers;
-use crate::units::angle_of_degrees;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::angular_velocity::radian_per_second;
-use uom::si::dynamic_viscosity::pascal_second;
-use uom::si::length::{meter, micrometer, millimeter};
-use uom::si::pressure::megapascal;
+use uom::si::f64::{Angle, AngularVelocity, DynamicViscosity, Length, Pressure};
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn motor(module: f64) -> Motor {
@@ -20,7 +17,7 @@ fn motor(module: f64) -> Motor {
 }
 
 fn alpha() -> Angle {
-    angle_of_degrees(25.0)
+    Angle::from_degrees(25.0)
 }
 
 fn range(low: f64, high: f64) -> FrictionRange {
@@ -37,15 +34,15 @@ fn part(motor: &Motor, width: Length, drop: Pressure, friction: f64) -> f64 {
 fn loss_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -> f64 {
     const PAIRS: u32 = 200;
     let h = 1e-6;
-    let forces = motor.flank_forces(alpha(), angle(rotation), width, drop).unwrap();
-    let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
-    let pitch = PI * motor.module().get::<meter>() * libm::cos(radians(alpha()));
+    let forces = motor.flank_forces(alpha(), Angle::from_si(rotation), width, drop).unwrap();
+    let at = |rotation: f64| motor.satellites(Angle::from_si(rotation)).unwrap();
+    let pitch = PI * motor.module().si() * libm::cos(alpha().si());
     at(rotation - h)
         .iter()
         .zip(at(rotation + h))
         .zip(forces)
         .map(|((back, front), force)| {
-            let spin = radians(front.rotation - back.rotation) / (2.0 * h);
+            let spin = (front.rotation - back.rotation).si() / (2.0 * h);
             let slid: f64 = (0..PAIRS)
                 .map(|i| {
                     let e = pitch * ((f64::from(i) + 0.5) / f64::from(PAIRS) - 0.5);
@@ -79,7 +76,7 @@ proptest! {
         let (stator, teeth, l) = lobes;
         let numbers = MotorNumbers::new(stator, stator - 2, teeth, 10).unwrap();
         let motor = Motor::of_two_arcs(numbers, mm(1.0), mm(l)).unwrap();
-        let [_, loss] = motor.friction_torque(alpha(), angle(rotation), mm(10.0), mpa(10.0), range(0.0, 1.0)).unwrap();
+        let [_, loss] = motor.friction_torque(alpha(), Angle::from_si(rotation), mm(10.0), mpa(10.0), range(0.0, 1.0)).unwrap();
         let by_motion = loss_by_motion(&motor, rotation, mm(10.0), mpa(10.0));
         prop_assert!((loss.value / by_motion - 1.0).abs() < 1e-6, "{} {by_motion}", loss.value);
     }
@@ -99,10 +96,10 @@ fn the_mean_loss_is_that_of_all_angles() {
 #[test]
 fn the_drag_is_that_of_points_of_the_faces() {
     let motor = motor(1.0);
-    let um = Length::new::<micrometer>;
+    let um = Length::from_um;
     let gaps = EndGaps { satellite: um(8.0), rotor: um(12.0) };
-    let viscosity = DynamicViscosity::new::<pascal_second>(0.03);
-    let speed = AngularVelocity::new::<radian_per_second>;
+    let viscosity = DynamicViscosity::from_si(0.03);
+    let speed = AngularVelocity::from_si;
     let drag = motor.gap_drag(gaps, viscosity, mm(6.0), speed(30.0)).unwrap();
     // The velocity of points spread over a satellite, by differences of its motion.
     let (h, r) = (1e-6, 5e-3);
@@ -110,14 +107,14 @@ fn the_drag_is_that_of_points_of_the_faces() {
     let rotations = 200;
     for i in 0..rotations {
         let rotation = TAU / 12.0 * (f64::from(i) + 0.5) / f64::from(rotations);
-        let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
+        let at = |rotation: f64| motor.satellites(Angle::from_si(rotation)).unwrap();
         for (back, front) in at(rotation - h).iter().zip(at(rotation + h)) {
             let rate = |a: f64, b: f64| (b - a) / (2.0 * h);
             let velocity = [
                 rate(back.centre.x.value, front.centre.x.value),
                 rate(back.centre.y.value, front.centre.y.value),
             ];
-            let spin = rate(radians(back.rotation), radians(front.rotation));
+            let spin = rate(back.rotation.si(), front.rotation.si());
             for ring in 0..20 {
                 let rho = r * ((f64::from(ring) + 0.5) / 20.0_f64).sqrt();
                 for k in 0..12 {
@@ -140,7 +137,7 @@ fn the_drag_is_that_of_points_of_the_faces() {
     let mut face = 0.0;
     for i in 0..20_000 {
         let theta = TAU * (f64::from(i) + 0.5) / 20_000.0;
-        let point = curve.at_polar_angle(angle(theta)).unwrap();
+        let point = curve.at_polar_angle(Angle::from_si(theta)).unwrap();
         let rho = libm::hypot(point.x.value, point.y.value);
         face += TAU / 20_000.0 * (rho.powi(4) - 6e-3_f64.powi(4)) / 4.0;
     }
@@ -151,7 +148,7 @@ fn the_drag_is_that_of_points_of_the_faces() {
     assert_eq!((none.satellites.value, none.rotor.value), (0.0, 0.0));
     assert!(motor.gap_drag(gaps, viscosity, mm(60.0), speed(30.0)).is_err());
     assert!(motor.gap_drag(gaps, viscosity, mm(1.0), speed(-1.0)).is_err());
-    assert!(motor.gap_drag(gaps, DynamicViscosity::new::<pascal_second>(0.0), mm(1.0), speed(1.0)).is_err());
+    assert!(motor.gap_drag(gaps, DynamicViscosity::from_si(0.0), mm(1.0), speed(1.0)).is_err());
     assert!(motor.gap_drag(EndGaps { rotor: um(-1.0), ..gaps }, viscosity, mm(1.0), speed(1.0)).is_err());
 }
 
@@ -162,6 +159,8 @@ fn bad_ranges_are_refused() {
     }
     let motor = motor(1.0);
     assert!(motor.mean_friction_torque(alpha(), mm(1.0), mpa(0.0), range(0.0, 0.1)).is_err());
-    assert!(motor.mean_friction_torque(angle(0.0), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err());
-    assert!(motor.friction_torque(alpha(), angle(f64::NAN), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err());
+    assert!(motor.mean_friction_torque(Angle::from_si(0.0), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err());
+    assert!(
+        motor.friction_torque(alpha(), Angle::from_si(f64::NAN), mm(1.0), mpa(1.0), range(0.0, 0.1)).is_err()
+    );
 }

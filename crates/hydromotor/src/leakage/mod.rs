@@ -36,6 +36,7 @@
 //! Leaks at the flanks and past the tips of the teeth, tilted faces, gaps that pressure widens, the bore of the rotor's face (it lets still less
 //! through), and the drag of the moving faces on the oil, which carries as much to the one side as to the other.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{
     Angle, DynamicViscosity, Length, MassDensity, Pressure, TemperatureCoefficient, TemperatureInterval,
     VolumeRate,
@@ -44,11 +45,7 @@ use uom::si::f64::{
 use crate::Error;
 use crate::motor::Motor;
 use crate::quantity::{Quantity, WheelKind};
-use crate::units::{
-    degrees, finite_expansion, finite_kelvins, flow_of_cubic_metres, in_degrees, length_of_metres, metres,
-    micrometres, positive, positive_density, positive_metres, positive_pascals, positive_viscosity, radians,
-    ranging,
-};
+use crate::ranges::{finite, positive, positive_length, positive_pressure, ranging};
 use std::f64::consts::{PI, TAU};
 
 /// The greatest Reynolds number, with twice the gap as diameter, at which the laminar law is used; between plates the flow stays laminar up to
@@ -152,9 +149,9 @@ fn conductance(sealed: f64) -> f64 {
 /// # Ok::<(), epicyclic_hydromotor::Error>(())
 /// ```
 pub fn disc_conductance(sealed: Angle) -> Result<f64, Error> {
-    let value = in_degrees(sealed);
+    let value = sealed.degrees();
     ranging(Quantity::SealedAngle, value, [f64::MIN_POSITIVE, 180.0], "°")?;
-    let sealed = radians(sealed);
+    let sealed = sealed.si();
     if sealed < PI {
         Ok(conductance(sealed))
     } else {
@@ -162,7 +159,7 @@ pub fn disc_conductance(sealed: Angle) -> Result<f64, Error> {
             quantity: Quantity::SealedAngle,
             value,
             low: 0.0,
-            high: degrees(PI),
+            high: Angle::from_si(PI).degrees(),
             unit: "°",
         })
     }
@@ -180,7 +177,7 @@ impl Motor {
         Face {
             wheel: WheelKind::Satellite,
             conductance: conductance(TAU / f64::from(self.numbers().satellite_teeth())),
-            across: 2.0 * metres(self.satellite_radius()),
+            across: 2.0 * self.satellite_radius().si(),
         }
     }
 
@@ -190,7 +187,7 @@ impl Motor {
         Face {
             wheel: WheelKind::Rotor,
             conductance: lobes * conductance(lobes * TAU / teeth),
-            across: lobes * teeth * metres(self.module()),
+            across: lobes * teeth * self.module().si(),
         }
     }
 
@@ -236,7 +233,7 @@ impl Motor {
         fluid: GapFluid,
         pressure_drop: Pressure,
     ) -> Result<Leakage, Error> {
-        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
         let satellite = self.satellite_face().flow(Quantity::SatelliteGap, gaps.satellite, fluid, drop)?;
         let rotor = self.rotor_face().flow(Quantity::RotorGap, gaps.rotor, fluid, drop)?;
         let loaded_satellites = 2 * self.numbers().rotor_lobes();
@@ -247,10 +244,10 @@ impl Motor {
 
 impl Face {
     fn flow(&self, quantity: Quantity, gap: Length, fluid: GapFluid, drop: f64) -> Result<GapFlow, Error> {
-        ranging(quantity, micrometres(gap), [0.0, f64::INFINITY], "µm")?;
-        let gap = metres(gap);
-        let viscosity = positive_viscosity(fluid.viscosity)?;
-        let density = positive_density(fluid.density)?;
+        ranging(quantity, gap.um(), [0.0, f64::INFINITY], "µm")?;
+        let gap = gap.si();
+        let viscosity = positive(Quantity::Viscosity, fluid.viscosity.si(), "Pa·s")?;
+        let density = positive(Quantity::Density, fluid.density.si(), "kg/m³")?;
         let law = match fluid.turbulent {
             Some(TurbulentLaw { factor, exponent }) => Some((
                 positive(Quantity::TurbulentFactor, factor, "")?,
@@ -261,11 +258,11 @@ impl Face {
         let of_face = self.conductance * gap.powi(3) * drop / (12.0 * viscosity);
         let reynolds = 2.0 * density * of_face / (viscosity * self.across);
         if reynolds <= LAMINAR {
-            let flow = flow_of_cubic_metres(2.0 * of_face);
+            let flow = VolumeRate::from_si(2.0 * of_face);
             return Ok(GapFlow { flow, reynolds, regime: Regime::Laminar });
         }
         let Some((factor, exponent)) = law else {
-            let gap_most_um = micrometres(length_of_metres(gap * libm::cbrt(LAMINAR / reynolds)));
+            let gap_most_um = Length::from_si(gap * libm::cbrt(LAMINAR / reynolds)).um();
             return Err(Error::NotLaminar { wheel: self.wheel, reynolds, most: LAMINAR, gap_most_um });
         };
         // Δp = C·(2·ϱ·u·h/η)^(−s)·ℓ·ϱ·u²/(4·h)
@@ -274,7 +271,7 @@ impl Face {
             * libm::pow(2.0 * density * gap / viscosity, exponent);
         let velocity = libm::pow(power, 1.0 / (2.0 - exponent));
         Ok(GapFlow {
-            flow: flow_of_cubic_metres(2.0 * velocity * gap * self.across),
+            flow: VolumeRate::from_si(2.0 * velocity * gap * self.across),
             reynolds: 2.0 * density * velocity * gap / viscosity,
             regime: Regime::Turbulent,
         })
@@ -298,14 +295,14 @@ pub fn warm_play(
     width: Length,
     warmer: TemperatureInterval,
 ) -> Result<Length, Error> {
-    let play = positive_metres(Quantity::AxialPlay, play)?;
-    let width = positive_metres(Quantity::Width, width)?;
-    let rate = finite_expansion(expansion)? * width;
-    let closed = rate * finite_kelvins(warmer)?;
+    let play = positive_length(Quantity::AxialPlay, play)?.si();
+    let width = positive_length(Quantity::Width, width)?.si();
+    let rate = finite(Quantity::Expansion, expansion.si(), "1/K")? * width;
+    let closed = rate * finite(Quantity::TemperatureDifference, warmer.si(), "K")?;
     if closed < play {
-        return Ok(length_of_metres(play - closed));
+        return Ok(Length::from_si(play - closed));
     }
-    let [play_um, closed_um] = [play, closed].map(|value| micrometres(length_of_metres(value)));
+    let [play_um, closed_um] = [play, closed].map(|value| Length::from_si(value).um());
     Err(Error::PlayClosed { play_um, closed_um, most_k: play / rate })
 }
 

@@ -1,31 +1,28 @@
 use super::*;
 use crate::MotorNumbers;
-use crate::units::angle;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::dynamic_viscosity::pascal_second;
-use uom::si::length::{micrometer, millimeter};
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::megapascal;
-use uom::si::temperature_coefficient::per_kelvin;
-use uom::si::temperature_interval::kelvin;
+use uom::si::f64::{
+    Angle, DynamicViscosity, Length, MassDensity, Pressure, TemperatureCoefficient, TemperatureInterval,
+};
 use uom::si::volume_rate::liter_per_minute;
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn um(value: f64) -> Length {
-    Length::new::<micrometer>(value)
+    Length::from_um(value)
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn fluid(viscosity: f64, turbulent: Option<TurbulentLaw>) -> GapFluid {
     GapFluid {
-        viscosity: DynamicViscosity::new::<pascal_second>(viscosity),
-        density: MassDensity::new::<kilogram_per_cubic_meter>(1000.0),
+        viscosity: DynamicViscosity::from_si(viscosity),
+        density: MassDensity::from_si(1000.0),
         turbulent,
     }
 }
@@ -82,12 +79,12 @@ fn by_differences(pairs: u32, sealed: f64, cells: usize, bore: Option<f64>) -> f
 
 #[test]
 fn conductances_are_those_computed_apart() {
-    let of = |degrees: f64| disc_conductance(crate::units::angle_of_degrees(degrees)).unwrap();
+    let of = |degrees: f64| disc_conductance(Angle::from_degrees(degrees)).unwrap();
     assert!((of(90.0) - 1.0).abs() < 1e-15);
     assert!((of(36.0) - 1.614_34).abs() < 5e-6);
     assert!((motor().rotor_face_conductance() - 6.7038).abs() < 5e-5);
     for bad in [0.0, 180.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(disc_conductance(crate::units::angle_of_degrees(bad)).is_err(), "{bad}");
+        assert!(disc_conductance(Angle::from_degrees(bad)).is_err(), "{bad}");
     }
 }
 
@@ -183,19 +180,18 @@ proptest! {
 
 #[test]
 fn a_warmer_satellite_takes_up_the_play() {
-    let expansion = TemperatureCoefficient::new::<per_kelvin>(12e-6);
-    let play =
-        |warmer: f64| warm_play(um(20.0), expansion, mm(25.0), TemperatureInterval::new::<kelvin>(warmer));
+    let expansion = TemperatureCoefficient::from_si(12e-6);
+    let play = |warmer: f64| warm_play(um(20.0), expansion, mm(25.0), TemperatureInterval::from_si(warmer));
     // 12·10⁻⁶·25 mm = .3 µm a kelvin.
-    assert!((play(20.0).unwrap().get::<micrometer>() - 14.0).abs() < 1e-9);
-    assert!((play(-10.0).unwrap().get::<micrometer>() - 23.0).abs() < 1e-9);
+    assert!((play(20.0).unwrap().um() - 14.0).abs() < 1e-9);
+    assert!((play(-10.0).unwrap().um() - 23.0).abs() < 1e-9);
     let Err(Error::PlayClosed { most_k, closed_um, .. }) = play(70.0) else { panic!() };
     assert!((most_k - 20.0 / 0.3).abs() < 1e-9 && (closed_um - 21.0).abs() < 1e-9);
     assert!(play(f64::NAN).is_err());
-    assert!(warm_play(um(0.0), expansion, mm(25.0), TemperatureInterval::new::<kelvin>(1.0)).is_err());
-    assert!(warm_play(um(1.0), expansion, mm(0.0), TemperatureInterval::new::<kelvin>(1.0)).is_err());
-    let endless = TemperatureCoefficient::new::<per_kelvin>(f64::INFINITY);
-    assert!(warm_play(um(1.0), endless, mm(1.0), TemperatureInterval::new::<kelvin>(1.0)).is_err());
+    assert!(warm_play(um(0.0), expansion, mm(25.0), TemperatureInterval::from_si(1.0)).is_err());
+    assert!(warm_play(um(1.0), expansion, mm(0.0), TemperatureInterval::from_si(1.0)).is_err());
+    let endless = TemperatureCoefficient::from_si(f64::INFINITY);
+    assert!(warm_play(um(1.0), endless, mm(1.0), TemperatureInterval::from_si(1.0)).is_err());
 }
 
 #[test]
@@ -208,8 +204,7 @@ fn bad_inputs_are_refused() {
     assert!(matches!(error, Error::OutOfRange { quantity: Quantity::RotorGap, .. }));
     assert!(motor.end_leakage(gaps(1.0), fluid(0.0, None), mpa(25.0)).is_err());
     assert!(motor.end_leakage(gaps(1.0), fluid(0.04, None), mpa(0.0)).is_err());
-    let weightless =
-        GapFluid { density: MassDensity::new::<kilogram_per_cubic_meter>(0.0), ..fluid(0.04, None) };
+    let weightless = GapFluid { density: MassDensity::from_si(0.0), ..fluid(0.04, None) };
     assert!(motor.end_leakage(gaps(1.0), weightless, mpa(25.0)).is_err());
-    assert!(disc_conductance(angle(1.0)).is_ok());
+    assert!(disc_conductance(Angle::from_si(1.0)).is_ok());
 }

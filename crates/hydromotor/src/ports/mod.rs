@@ -30,14 +30,16 @@ pub mod timing;
 pub mod trapped;
 
 use epicyclic_numerics::values::largest_absolute;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area, Length};
 
 use crate::Error;
 use crate::contact::{By, Conjugate};
+use crate::modules::{area, length};
 use crate::motor::Motor;
 use crate::quantity::{PortSide, Quantity, WheelKind};
+use crate::ranges::finite_angle;
 use crate::satellites::Point;
-use crate::units::{angle, area, degrees, finite_angle, length, millimetres};
 use outline::{Piece, Port};
 use overlap::Region;
 use std::f64::consts::TAU;
@@ -171,7 +173,7 @@ impl PortPlate {
             let [from, to] = port.radii();
             if from >= crest.rho3 || to <= trough.rho1 {
                 let [from_mm, to_mm, low_mm, high_mm] =
-                    [from, to, trough.rho1, crest.rho3].map(|value| millimetres(length(value, module)));
+                    [from, to, trough.rho1, crest.rho3].map(|value| length(value, module).mm());
                 return Err(Error::PortOutside { side, from_mm, to_mm, low_mm, high_mm });
             }
         }
@@ -187,7 +189,7 @@ impl PortPlate {
     /// # Errors
     /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where there is no such hole.
     pub fn of_ideal_holes(motor: &Motor, part: f64) -> Result<Self, Error> {
-        let part = crate::units::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
+        let part = crate::ranges::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
         let ideal = motor.ports();
         let shape = |port: &crate::forces::Port| PortShape::Hole {
             diameter: part * port.greatest_diameter,
@@ -297,7 +299,7 @@ impl PortPlate {
     /// The rotation of the rotor at which a chamber has a phase.
     #[must_use]
     pub fn rotation_of(&self, chamber: u32, phase: Angle) -> Angle {
-        phase - angle(self.motor.chamber_phase() * (f64::from(chamber) + 0.5))
+        phase - Angle::from_si(self.motor.chamber_phase() * (f64::from(chamber) + 0.5))
     }
 }
 
@@ -308,11 +310,11 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     const PLACES: u32 = 64;
     let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());
     let phases = || (0..PLACES).map(|i| cycle * f64::from(i) / f64::from(PLACES));
-    let mm = |modules: f64| millimetres(motor.length(modules));
+    let mm = |modules: f64| motor.length(modules).mm();
     let slopes = phases().map(|phase| motor.place_at(phase).contact.mu);
     let steepest = largest_absolute(slopes.chain(motor.shape.kink_contact().map(|contact| contact.mu)));
     if steepest > STEEPEST {
-        let [slope_deg, most_deg] = [steepest, STEEPEST].map(degrees);
+        let [slope_deg, most_deg] = [steepest, STEEPEST].map(|slope| Angle::from_si(slope).degrees());
         return Err(Error::SteepCentrode { slope_deg, most_deg });
     }
     let across = phases().filter_map(|phase| {
@@ -323,7 +325,10 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
         (is_beside && least < r).then_some((r - least, phase))
     });
     if let Some((by, phase)) = greatest(across) {
-        return Err(Error::SatelliteAcrossRay { by_mm: mm(by), rotation_deg: degrees(phase) });
+        return Err(Error::SatelliteAcrossRay {
+            by_mm: mm(by),
+            rotation_deg: Angle::from_si(phase).degrees(),
+        });
     }
     let [rotor, stator] = motor.facing_radii();
     // The other half of the cycle mirrors this one.
@@ -352,7 +357,11 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
             Some((by, phase))
         });
         if let Some((by, phase)) = greatest(cut.filter(|(by, _)| *by > crate::tolerance::MET)) {
-            return Err(Error::SatelliteInWheel { wheel, by_mm: mm(by), rotation_deg: degrees(phase) });
+            return Err(Error::SatelliteInWheel {
+                wheel,
+                by_mm: mm(by),
+                rotation_deg: Angle::from_si(phase).degrees(),
+            });
         }
     }
     Ok(())

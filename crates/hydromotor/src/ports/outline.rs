@@ -4,10 +4,12 @@ use crate::quantity::Quantity;
 use std::f64::consts::{PI, TAU};
 
 use crate::Error;
+use crate::modules::modules;
 use crate::ports::PortShape;
+use crate::ranges::{finite_angle, positive_modules};
 use crate::tolerance::SLACK;
-use crate::units::{degrees, finite_angle, in_degrees, modules, positive_modules};
-use uom::si::f64::Length;
+use epicyclic_units::Physical;
+use uom::si::f64::{Angle, Length};
 
 /// A straight side or an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,7 +153,7 @@ impl Port {
                 let angle = finite_angle(Quantity::PortAngle, angle)?;
                 let half = 0.5 * finite_angle(Quantity::KidneySpan, span)?;
                 let corner = modules(corner, module);
-                let millimetre = crate::units::millimetres(module);
+                let millimetre = module.mm();
                 if outer <= inner {
                     let [value, low] = [outer, inner].map(|value| value * millimetre);
                     let quantity = Quantity::KidneyOuterRadius;
@@ -173,8 +175,8 @@ impl Port {
                 }
                 let most = PI / f64::from(lobes);
                 if !(half > 0.0 && half < most) {
-                    let (quantity, value) = (Quantity::KidneySpan, in_degrees(span));
-                    let high = degrees(2.0 * most);
+                    let (quantity, value) = (Quantity::KidneySpan, span.degrees());
+                    let high = Angle::from_si(2.0 * most).degrees();
                     return Err(Error::OutOfRange { quantity, value, low: 0.0, high, unit: "°" });
                 }
                 Ok(Self::Kidney(inner, outer, angle, half, corner.min(0.5 * (outer - inner))))

@@ -5,30 +5,25 @@ use super::*;
 use crate::MotorNumbers;
 use crate::centrode::tests::any_motor;
 use crate::chambers::polygon_area;
-use crate::units::{angle_of_degrees, in_degrees, radians};
 use epicyclic_numerics::roots::bracketed;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::angular_velocity::radian_per_second;
-use uom::si::area::{square_meter, square_millimeter};
-use uom::si::f64::{AngularVelocity, MassDensity, Pressure};
-use uom::si::length::{meter, millimeter};
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::megapascal;
+use uom::si::f64::{Angle, AngularVelocity, Area, Length, MassDensity, Pressure};
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn mm2(value: f64) -> Area {
-    Area::new::<square_millimeter>(value)
+    Area::from_mm2(value)
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn deg(value: f64) -> Angle {
-    angle_of_degrees(value)
+    Angle::from_degrees(value)
 }
 
 pub(super) fn hole(diameter: f64, pitch_radius: f64, angle: f64) -> PortShape {
@@ -81,9 +76,9 @@ fn clipped(subject: &[[f64; 2]], window: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 fn outline_of(motor: &Motor, rotation: f64, chamber: u32, steps: u32) -> Vec<[f64; 2]> {
-    let scale = motor.module().get::<meter>();
-    let points = motor.chamber_outline(angle(rotation), chamber, steps).unwrap();
-    points.iter().map(|p| [p.x.get::<meter>() / scale, p.y.get::<meter>() / scale]).collect()
+    let scale = motor.module().si();
+    let points = motor.chamber_outline(Angle::from_si(rotation), chamber, steps).unwrap();
+    points.iter().map(|p| [p.x.si() / scale, p.y.si() / scale]).collect()
 }
 
 proptest! {
@@ -119,14 +114,14 @@ proptest! {
         let [inner, outer] = port.radii();
         let walls = outline_of(&motor, rotation, chamber, 60);
         const COUNT: u32 = 160;
-        let (dr, dt) = ((outer - inner) / f64::from(COUNT), radians(deg(span)) / f64::from(COUNT));
+        let (dr, dt) = ((outer - inner) / f64::from(COUNT), deg(span).si() / f64::from(COUNT));
         for port in (0..6).map(|k| port.turned(TAU / 6.0 * f64::from(k))) {
             let outline = polygon(&port, 40);
             let mut counted = 0.0;
             for i in 0..COUNT {
                 let rho = inner + dr * (f64::from(i) + 0.5);
                 for j in 0..COUNT {
-                    let theta = port.reach()[0] + dt * (f64::from(j) + 0.5) - radians(deg(0.5 * span));
+                    let theta = port.reach()[0] + dt * (f64::from(j) + 0.5) - deg(0.5 * span).si();
                     let point = [rho * libm::cos(theta), rho * libm::sin(theta)];
                     if inside(&walls, point) && inside(&outline, point) {
                         counted += rho * dr * dt;
@@ -182,11 +177,11 @@ fn outlines_are_closed_and_have_the_ports_area() {
         // By a grid in polar coordinates.
         let (mut sum, count) = (0.0, 800);
         let [inner, outer] = port.radii();
-        let (dr, dt) = ((outer - inner) / f64::from(count), radians(deg(12.0)) / f64::from(count));
+        let (dr, dt) = ((outer - inner) / f64::from(count), deg(12.0).si() / f64::from(count));
         for i in 0..count {
             let rho = inner + dr * (f64::from(i) + 0.5);
             for j in 0..count {
-                let theta = radians(deg(-20.0)) + dt * (f64::from(j) + 0.5);
+                let theta = deg(-20.0).si() + dt * (f64::from(j) + 0.5);
                 if port.contains([rho * libm::cos(theta), rho * libm::sin(theta)]) {
                     sum += rho * dr * dt;
                 }
@@ -207,17 +202,17 @@ fn outlines_are_closed_and_have_the_ports_area() {
 fn the_chambers_at_their_extremes_are_those_of_differences() {
     // A'' as computed apart: -170.1 and 156.7 mm². The areas are those of the polygons of crate::chambers.
     let [least, greatest] = motor().extremes_of_chambers();
-    assert!((greatest.bend.get::<square_millimeter>() + 170.1).abs() < 0.05);
-    assert!((least.bend.get::<square_millimeter>() - 156.7).abs() < 0.05);
-    assert!((greatest.area.get::<square_millimeter>() - 80.37).abs() < 5e-3);
-    assert!((least.area.get::<square_millimeter>() - 26.51).abs() < 5e-3);
+    assert!((greatest.bend.mm2() + 170.1).abs() < 0.05);
+    assert!((least.bend.mm2() - 156.7).abs() < 0.05);
+    assert!((greatest.area.mm2() - 80.37).abs() < 5e-3);
+    assert!((least.area.mm2() - 26.51).abs() < 5e-3);
     for (extreme, rotation) in [(greatest, -PI / 4.0), (least, PI / 6.0)] {
         let area = |steps, rotation| polygon_area(&outline_of(&motor(), rotation, 0, steps)) * 0.5625;
         let exact = |rotation| area(4000, rotation) + (area(4000, rotation) - area(2000, rotation)) / 3.0;
-        assert!((exact(rotation) - extreme.area.get::<square_millimeter>()).abs() < 1e-3);
+        assert!((exact(rotation) - extreme.area.mm2()).abs() < 1e-3);
         let h = 2e-2;
         let bend = (exact(rotation + h) + exact(rotation - h) - 2.0 * exact(rotation)) / (h * h);
-        assert!((bend / extreme.bend.get::<square_millimeter>() - 1.0).abs() < 1e-2, "{bend}");
+        assert!((bend / extreme.bend.mm2() - 1.0).abs() < 1e-2, "{bend}");
     }
 }
 
@@ -225,11 +220,9 @@ fn the_chambers_at_their_extremes_are_those_of_differences() {
 fn trapped_pressures_and_angles_are_those_computed_apart() {
     let modulus = mpa(1400.0);
     let at = |area, bend| Extreme { area: mm2(area), bend: mm2(bend) };
-    let trapped = |extreme: Extreme| {
-        extreme.trapped_pressure(deg(1.38), modulus, mm2(0.0)).unwrap().get::<megapascal>()
-    };
+    let trapped = |extreme: Extreme| extreme.trapped_pressure(deg(1.38), modulus, mm2(0.0)).unwrap().mpa();
     let alone =
-        |extreme: Extreme| in_degrees(extreme.precompression_angle(mpa(25.0), modulus, mm2(0.0)).unwrap());
+        |extreme: Extreme| extreme.precompression_angle(mpa(25.0), modulus, mm2(0.0)).unwrap().degrees();
     // With the areas of that computation, 80.43 and 27.84 mm².
     assert!((trapped(at(80.43, -170.1)) - 0.86).abs() < 5e-3);
     assert!((trapped(at(27.84, 156.7)) - 2.3).abs() < 0.05);
@@ -243,7 +236,7 @@ fn trapped_pressures_and_angles_are_those_computed_apart() {
     let dead = mm2(12.0);
     let closed = least.precompression_angle(mpa(3.0), modulus, dead).unwrap();
     let back = least.trapped_pressure(closed, modulus, dead).unwrap();
-    assert!((back.get::<megapascal>() - 3.0).abs() < 1e-12);
+    assert!((back.mpa() - 3.0).abs() < 1e-12);
     assert!(closed > least.precompression_angle(mpa(3.0), modulus, mm2(0.0)).unwrap());
     assert!(least.trapped_pressure(deg(-1.0), modulus, dead).is_err());
     assert!(least.trapped_pressure(deg(1.0), mpa(0.0), dead).is_err());
@@ -270,10 +263,10 @@ fn greatest_ideal_holes_never_close_a_chamber_nor_join_the_pressures() {
     let plate = PortPlate::of_ideal_holes(&motor(), 1.0).unwrap();
     let timing = plate.timing().unwrap();
     assert_eq!((timing.short_circuits.len(), timing.closed.len()), (0, 0), "{timing:?}");
-    assert!((in_degrees(timing.cycle) - 150.0).abs() < 1e-9);
+    assert!((timing.cycle.degrees() - 150.0).abs() < 1e-9);
     let [high, low] = [&timing.high, &timing.low].map(|all| {
         assert_eq!(all.len(), 1);
-        [in_degrees(all[0].from), in_degrees(all[0].to)]
+        [all[0].from.degrees(), all[0].to.degrees()]
     });
     // High while it grows, low while it shrinks.
     assert!((high[0] + 75.0).abs() < 1e-3 && high[1].abs() < 1e-3, "{high:?}");
@@ -301,12 +294,12 @@ fn a_smaller_hole_closes_where_a_satellite_just_covers_it() {
     let high = timing.high[0];
     let opens = frees - PI / 4.0;
     let closes = covers + PI / 4.0;
-    let cycle = radians(timing.cycle);
+    let cycle = timing.cycle.si();
     let near = |a: f64, b: f64| {
         let off = (a - b).rem_euclid(cycle);
         off.min(cycle - off) < 1e-6
     };
-    let (from, to) = (radians(high.from), radians(high.to));
+    let (from, to) = (high.from.si(), high.to.si());
     assert!(
         (near(from, opens) && near(to, closes))
             || (near(from, frees + PI / 4.0) && near(to, covers - PI / 4.0))
@@ -315,7 +308,7 @@ fn a_smaller_hole_closes_where_a_satellite_just_covers_it() {
     );
     for closed in &timing.closed {
         // Mirrored ports close as long before as after.
-        assert!((closed.before - closed.after).abs() < angle_of_degrees(1e-4), "{closed:?}");
+        assert!((closed.before - closed.after).abs() < Angle::from_degrees(1e-4), "{closed:?}");
     }
     let trapped = plate.trapped(&timing, mpa(1400.0), mm2(0.0)).unwrap();
     let extremes = motor.extremes_of_chambers();
@@ -348,7 +341,7 @@ fn a_hole_too_large_joins_both_pressures() {
         let Finding::ShortCircuit { stretch } = finding else { panic!("{finding:?}") };
         // Both are open there, by points of a grid in the polygons of port and chamber.
         let middle = 0.5 * (stretch.from + stretch.to);
-        let walls = outline_of(&plate.motor, radians(plate.rotation_of(3, middle)), 3, 2000);
+        let walls = outline_of(&plate.motor, plate.rotation_of(3, middle).si(), 3, 2000);
         for side in SIDES {
             let seen = (0..6).any(|crest| {
                 polygon(&plate.port(side, crest), 2000).iter().any(|&point| inside(&walls, point))
@@ -363,21 +356,22 @@ fn openings_are_those_of_the_phase() {
     let plate =
         PortPlate::new(&motor(), kidney(17.5, 21.5, -14.0, 12.0, 0.5), hole(4.0, 19.7, 15.0)).unwrap();
     for (chamber, phase) in [(0, -0.6), (4, 0.2), (9, 0.7)] {
-        let phase = angle(phase);
+        let phase = Angle::from_si(phase);
         let open = plate.openings(plate.rotation_of(chamber, phase)).unwrap();
         for side in SIDES {
             let of_chamber = open.iter().filter(|open| open.chamber == chamber && open.side == side);
-            let sum: f64 = of_chamber.map(|open| open.area.get::<square_meter>()).sum();
-            let single = plate.opening_at(side, phase).unwrap().get::<square_meter>();
+            let sum: f64 = of_chamber.map(|open| open.area.si()).sum();
+            let single = plate.opening_at(side, phase).unwrap().si();
             assert!((sum - single).abs() < 1e-15, "{sum} {single}");
         }
     }
     assert!(
-        plate.openings(angle(f64::NAN)).is_err() && plate.opening_at(PortSide::Low, angle(f64::NAN)).is_err()
+        plate.openings(Angle::from_si(f64::NAN)).is_err()
+            && plate.opening_at(PortSide::Low, Angle::from_si(f64::NAN)).is_err()
     );
     // From the hole's centre across to the kidney's end at -8°, less the hole's radius.
-    let land = 19.7 * libm::sin(radians(deg(23.0))) - 2.0;
-    assert!((plate.land().get::<millimeter>() - land).abs() < 1e-12);
+    let land = 19.7 * libm::sin(deg(23.0).si()) - 2.0;
+    assert!((plate.land().mm() - land).abs() < 1e-12);
 }
 
 #[test]
@@ -385,23 +379,19 @@ fn the_drop_grows_with_the_square_of_speed_and_falls_with_that_of_the_coefficien
     let plate = PortPlate::of_ideal_holes(&motor(), 0.95).unwrap();
     let through = |speed, discharge| Through {
         width: mm(25.0),
-        speed: AngularVelocity::new::<radian_per_second>(speed),
-        density: MassDensity::new::<kilogram_per_cubic_meter>(870.0),
+        speed: AngularVelocity::from_si(speed),
+        density: MassDensity::from_si(870.0),
         discharge,
     };
     let throttling = |speed, discharge| plate.throttling(PortSide::High, through(speed, discharge)).unwrap();
     let one = throttling(20.0, 0.6);
     // By hand from the openings at the rotation named.
     let open = plate.openings(one.rotation).unwrap();
-    let sum: f64 = open
-        .iter()
-        .filter(|open| open.side == PortSide::High)
-        .map(|open| open.area.get::<square_meter>())
-        .sum();
-    let flow = motor().flow_per_width(one.rotation).unwrap().get::<square_meter>() * 0.025 * 20.0;
+    let sum: f64 = open.iter().filter(|open| open.side == PortSide::High).map(|open| open.area.si()).sum();
+    let flow = motor().flow_per_width(one.rotation).unwrap().si() * 0.025 * 20.0;
     let drop = 0.5 * 870.0 * (flow / (0.6 * sum)).powi(2);
     assert!((one.drop.value / drop - 1.0).abs() < 1e-12 && one.greatest_drop >= one.drop);
-    assert!((one.smallest_opening.get::<square_meter>() / sum - 1.0).abs() < 1e-12);
+    assert!((one.smallest_opening.si() / sum - 1.0).abs() < 1e-12);
     assert!(((throttling(40.0, 0.6).power / one.power).value - 8.0).abs() < 1e-9);
     assert!(((throttling(20.0, 0.3).greatest_drop / one.greatest_drop).value - 4.0).abs() < 1e-9);
     for bad in [

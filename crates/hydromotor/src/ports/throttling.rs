@@ -15,16 +15,15 @@
 //! One drop for all openings is the model: the chamber that is just opening has a greater one of its own, until compression
 //! of its oil limits it. The channels beyond the plate are left out.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, MassDensity, Power, Pressure};
 
 use crate::Error;
+use crate::modules::area;
 use crate::ports::{PortPlate, of};
 use crate::quantity::{PortSide, Quantity};
+use crate::ranges::{positive, ranging};
 use crate::tolerance::OPEN;
-use crate::units::{
-    angle, area, degrees, metres, positive_density, positive_speed, power_of_watts, pressure_of_pascals,
-    ranging, square_metres,
-};
 
 /// Rotations of a period that are looked at.
 const PLACES: u32 = 60;
@@ -64,9 +63,9 @@ impl PortPlate {
     /// [`Error::NotPositive`] for width, speed and density, [`Error::OutOfRange`] for the discharge coefficient, [`Error::NoOpening`] where all ports of
     /// the pressure are closed at once.
     pub fn throttling(&self, side: PortSide, through: Through) -> Result<Throttling, Error> {
-        let width = metres(crate::machine::width(through.width)?);
-        let speed = positive_speed(through.speed)?;
-        let density = positive_density(through.density)?;
+        let width = crate::machine::width(through.width)?.si();
+        let speed = positive(Quantity::Speed, through.speed.si(), "rad/s")?;
+        let density = positive(Quantity::Density, through.density.si(), "kg/m³")?;
         let discharge =
             ranging(Quantity::DischargeCoefficient, through.discharge, [f64::MIN_POSITIVE, 1.0], "")?;
         let module = self.motor.module();
@@ -77,10 +76,10 @@ impl PortPlate {
             let rotation = period * f64::from(i) / f64::from(PLACES);
             let opening = self.opening_sum(side, rotation);
             if opening <= OPEN * self.ports[of(side)].area() {
-                return Err(Error::NoOpening { side, rotation_deg: degrees(rotation) });
+                return Err(Error::NoOpening { side, rotation_deg: Angle::from_si(rotation).degrees() });
             }
-            let flow = square_metres(self.motor.flow_per_width(angle(rotation))?) * width * speed;
-            let velocity = flow / (discharge * square_metres(area(opening, module)));
+            let flow = self.motor.flow_per_width(Angle::from_si(rotation))?.si() * width * speed;
+            let velocity = flow / (discharge * area(opening, module).si());
             let drop = 0.5 * density * velocity * velocity;
             if opening < smallest.0 {
                 smallest = (opening, rotation, drop);
@@ -90,10 +89,10 @@ impl PortPlate {
         }
         Ok(Throttling {
             smallest_opening: area(smallest.0, module),
-            rotation: angle(smallest.1),
-            drop: pressure_of_pascals(smallest.2),
-            greatest_drop: pressure_of_pascals(greatest),
-            power: power_of_watts(sum / f64::from(PLACES)),
+            rotation: Angle::from_si(smallest.1),
+            drop: Pressure::from_si(smallest.2),
+            greatest_drop: Pressure::from_si(greatest),
+            power: Power::from_si(sum / f64::from(PLACES)),
         })
     }
 

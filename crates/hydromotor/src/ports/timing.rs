@@ -4,16 +4,17 @@
 //! stretch (`depth`), down to stretches of 1e-4 radians, 0.006°; what such a short one is, the area says that is open in its middle.
 //! So nothing that lasts longer is missed, be it an opening, a closure or a short circuit. The phase of a change is found by halving on.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area};
 
 use crate::Error;
 use crate::contact::Conjugate;
+use crate::modules::area;
 use crate::ports::depth::Throughout;
 use crate::ports::overlap::Region;
 use crate::ports::{PortPlate, SIDES, of};
 use crate::quantity::PortSide;
 use crate::tolerance::{INSTANT, OPEN};
-use crate::units::{angle, area, in_degrees, millimetres};
 use epicyclic_numerics::extremes::golden;
 use epicyclic_numerics::roots::bracketed;
 
@@ -110,9 +111,11 @@ impl PortPlate {
             }
         }
         let [high, low] = [high, low].map(|all| all.into_iter().map(Span::quantity).collect());
-        let widest = widest
-            .map(|(value, phase)| Widest { area: area(value, self.motor.module()), phase: angle(phase) });
-        Ok(Timing { cycle: angle(cycle), high, low, short_circuits, closed, widest })
+        let widest = widest.map(|(value, phase)| Widest {
+            area: area(value, self.motor.module()),
+            phase: Angle::from_si(phase),
+        });
+        Ok(Timing { cycle: Angle::from_si(cycle), high, low, short_circuits, closed, widest })
     }
 
     /// Where a chamber is open to a pressure; the widest opening and its phase.
@@ -198,11 +201,11 @@ impl PortPlate {
             PortSide::High => ideal.high[0],
             PortSide::Low => ideal.low[0],
         };
-        let (radius_mm, angle_deg) = (millimetres(port.centre_radius), in_degrees(port.angle));
+        let (radius_mm, angle_deg) = (port.centre_radius.mm(), port.angle.degrees());
         if is_closed {
             Error::PortNeverOpens { side, radius_mm, angle_deg }
         } else {
-            let most_mm = millimetres(port.greatest_diameter).max(0.0);
+            let most_mm = port.greatest_diameter.mm().max(0.0);
             Error::PortNeverCloses { side, most_mm, radius_mm, angle_deg }
         }
     }
@@ -227,7 +230,7 @@ impl Span {
     }
 
     fn quantity(self) -> Stretch {
-        Stretch { from: angle(self.from), to: angle(self.to) }
+        Stretch { from: Angle::from_si(self.from), to: Angle::from_si(self.to) }
     }
 
     fn closed(self, cycle: f64) -> Closed {
@@ -242,8 +245,8 @@ impl Span {
         Closed {
             stretch: self.quantity(),
             extreme,
-            before: angle(at - self.from),
-            after: angle(self.to - at),
+            before: Angle::from_si(at - self.from),
+            after: Angle::from_si(self.to - at),
         }
     }
 }

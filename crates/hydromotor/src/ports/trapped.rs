@@ -22,19 +22,18 @@
 //!
 //! All are of first order in `p/K`. Leaks, which relieve a slow motor, and the flow through the gaps of the teeth are left out.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area, Length, Pressure, Volume};
 
 use crate::Error;
 use crate::contact::Conjugate;
+use crate::modules::area;
 use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::ports::timing::{AtExtreme, Closed, Stretch, Timing};
 use crate::quantity::Quantity;
+use crate::ranges::{area_from_zero, finite_angle, finite_pressure, positive, positive_pressure, ranging};
 use crate::tolerance::WITHIN;
-use crate::units::{
-    angle, area, area_from_zero, finite_angle, finite_pascals, positive, positive_area, positive_pascals,
-    pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
-};
 
 /// A chamber at its greatest or least.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,9 +71,9 @@ impl Extreme {
     ) -> Result<Pressure, Error> {
         let (own, bend) = self.checked()?;
         let closed = from_zero(closed)?;
-        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
-        Ok(pressure_of_pascals(modulus * 0.5 * bend * closed * closed / (own + dead)))
+        Ok(Pressure::from_si(modulus * 0.5 * bend * closed * closed / (own + dead)))
     }
 
     /// The closed angle before the extreme in which a chamber changes its pressure by so much.
@@ -88,23 +87,23 @@ impl Extreme {
         dead_area: Area,
     ) -> Result<Angle, Error> {
         let (own, bend) = self.checked()?;
-        let rise = positive_pascals(Quantity::PressureDrop, rise)?;
-        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let rise = positive_pressure(Quantity::PressureDrop, rise)?.si();
+        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
-        Ok(angle((2.0 * rise * (own + dead) / (modulus * bend)).sqrt()))
+        Ok(Angle::from_si((2.0 * rise * (own + dead) / (modulus * bend)).sqrt()))
     }
 
     fn checked(&self) -> Result<(f64, f64), Error> {
-        let own = positive_area(Quantity::ChamberArea, self.area)?;
-        let bend = square_metres(self.bend).abs();
+        let own = positive(Quantity::ChamberArea, self.area.mm2(), "mm²").map(|_| self.area.si())?;
+        let bend = self.bend.si().abs();
         Ok((own, positive(Quantity::ChamberBend, bend, "m²/rad²")?))
     }
 }
 
 fn from_zero(closed: Angle) -> Result<f64, Error> {
-    let value = crate::units::in_degrees(closed);
+    let value = closed.degrees();
     ranging(Quantity::ClosedAngle, value, [0.0, f64::INFINITY], "°")?;
-    Ok(radians(closed))
+    Ok(closed.si())
 }
 
 /// What a closed stretch does to the pressure in a chamber.
@@ -141,21 +140,21 @@ impl Motor {
         bulk_modulus: Pressure,
         dead_area: Area,
     ) -> Result<Volume, Error> {
-        let width = crate::units::metres(crate::machine::width(width)?);
-        let drop = finite_pascals(Quantity::PressureDrop, pressure_drop)?;
-        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let width = crate::machine::width(width)?.si();
+        let drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?.si();
+        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
         let lobes = f64::from(self.numbers().stator_lobes() * self.numbers().rotor_lobes());
-        let least = square_metres(self.chamber_extremes()[0]);
-        Ok(volume_of_cubic_metres(lobes * (least + dead) * width * drop / modulus))
+        let least = self.chamber_extremes()[0].si();
+        Ok(Volume::from_si(lobes * (least + dead) * width * drop / modulus))
     }
 }
 
 impl PortPlate {
     /// The area of a chamber at a phase, in square metres.
     fn chamber_area(&self, phase: f64) -> Result<f64, Error> {
-        let rotation = angle(phase - 0.5 * self.motor.chamber_phase());
-        Ok(square_metres(self.motor.chambers(rotation)?[0].area))
+        let rotation = Angle::from_si(phase - 0.5 * self.motor.chamber_phase());
+        Ok(self.motor.chambers(rotation)?[0].area.si())
     }
 
     /// What every closed stretch does to the pressure, with the exact areas: `K·(A(closing) − A)/(A + A_dead)` where it is greatest.
@@ -168,22 +167,22 @@ impl PortPlate {
         bulk_modulus: Pressure,
         dead_area: Area,
     ) -> Result<Vec<Trapped>, Error> {
-        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
         let of = |closed: &Closed| {
             let Closed { stretch, extreme, before, .. } = *closed;
-            let (from, to) = (radians(stretch.from), radians(stretch.to));
+            let (from, to) = (stretch.from.si(), stretch.to.si());
             let at_closing = self.chamber_area(from)?;
             // Between closing, extreme and opening the area is monotone.
             let mut change = 0.0_f64;
-            for place in [to, from + radians(before)] {
+            for place in [to, from + before.si()] {
                 let here = self.chamber_area(place)?;
                 let candidate = modulus * (at_closing - here) / (here + dead);
                 if candidate.abs() > change.abs() {
                     change = candidate;
                 }
             }
-            Ok(Trapped { stretch, extreme, change: pressure_of_pascals(change) })
+            Ok(Trapped { stretch, extreme, change: Pressure::from_si(change) })
         };
         timing.closed.iter().map(of).collect()
     }
@@ -201,14 +200,14 @@ impl PortPlate {
         bulk_modulus: Pressure,
         dead_area: Area,
     ) -> Result<Option<Pressure>, Error> {
-        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
-        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
+        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
         let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
-        let (phase, cycle) = (finite_angle(Quantity::Rotation, phase)?, radians(timing.cycle));
+        let (phase, cycle) = (finite_angle(Quantity::Rotation, phase)?, timing.cycle.si());
         // Angles by which a phase stands behind the beginning of a stretch that it is within.
         let behind = |stretch: &Stretch| {
-            let behind = (phase - radians(stretch.from)).rem_euclid(cycle);
-            (behind <= radians(stretch.to) - radians(stretch.from)).then_some(behind)
+            let behind = (phase - stretch.from.si()).rem_euclid(cycle);
+            (behind <= stretch.to.si() - stretch.from.si()).then_some(behind)
         };
         let is_in = |all: &[Stretch]| all.iter().any(|stretch| behind(stretch).is_some());
         if is_in(&timing.short_circuits) {
@@ -216,17 +215,17 @@ impl PortPlate {
         }
         for closed in &timing.closed {
             let Some(behind) = behind(&closed.stretch) else { continue };
-            let from = radians(closed.stretch.from);
+            let from = closed.stretch.from.si();
             let ends_here = |stretch: &Stretch| {
-                let gap = (radians(stretch.to) - from).rem_euclid(cycle);
+                let gap = (stretch.to.si() - from).rem_euclid(cycle);
                 gap.min(cycle - gap) < WITHIN
             };
             let before = if timing.high.iter().any(ends_here) { drop } else { 0.0 };
             let (then, now) = (self.chamber_area(from)?, self.chamber_area(from + behind)?);
-            return Ok(Some(pressure_of_pascals(before + modulus * (then - now) / (now + dead))));
+            return Ok(Some(Pressure::from_si(before + modulus * (then - now) / (now + dead))));
         }
         let pressure = if is_in(&timing.high) { drop } else { 0.0 };
-        Ok(Some(pressure_of_pascals(pressure)))
+        Ok(Some(Pressure::from_si(pressure)))
     }
 
     /// What a revolution has against the ports: short circuits, and stretches that change the pressure by more than is allowed.
@@ -239,7 +238,7 @@ impl PortPlate {
         dead_area: Area,
         allowed: Pressure,
     ) -> Result<Vec<Finding>, Error> {
-        positive_pascals(Quantity::TrappedPressure, allowed)?;
+        positive_pressure(Quantity::TrappedPressure, allowed)?;
         let timing = self.timing()?;
         let trapped = self.trapped(&timing, bulk_modulus, dead_area)?;
         let short = timing.short_circuits.iter().map(|stretch| Finding::ShortCircuit { stretch: *stretch });

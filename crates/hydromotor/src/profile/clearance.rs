@@ -13,6 +13,7 @@
 //! golden section at last. Where flanks mesh the distance is `½·j·cos α` at each of their contacts.
 
 use crate::quantity::Quantity;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use super::cut::{Piece, point};
@@ -21,8 +22,8 @@ use super::{Part, Profile};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
+use crate::ranges::finite_angle;
 use crate::satellites::Point;
-use crate::units::{angle, finite_angle};
 use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 
@@ -267,7 +268,7 @@ impl Profile {
             clearance: length(distance),
             part,
             satellite,
-            rotation: angle(rotation),
+            rotation: Angle::from_si(rotation),
             at: Point { x: length(x), y: length(y) },
         }
     }

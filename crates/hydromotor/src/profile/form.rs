@@ -13,10 +13,11 @@
 //! A point of an involute has the roll angle `t = tan α_y`; half the tooth there spans `w/(2r) + inv α − (t − atan t)`.
 
 use crate::quantity::{Quantity, WheelKind};
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use crate::Error;
-use crate::units::{angle_of_degrees, finite_angle, in_degrees};
+use crate::ranges::finite_angle;
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -58,7 +59,7 @@ impl ToothForm {
     #[must_use]
     pub fn full_depth() -> Self {
         Self {
-            pressure_angle: angle_of_degrees(20.0),
+            pressure_angle: Angle::from_degrees(20.0),
             addendum: 1.0,
             clearance: 0.25,
             shift: 0.0,
@@ -117,7 +118,7 @@ fn within(quantity: Quantity, value: f64, low: f64, high: f64, unit: &'static st
 impl Teeth {
     pub(super) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Error> {
         let alpha = finite_angle(Quantity::PressureAngle, form.pressure_angle)?;
-        within(Quantity::PressureAngle, in_degrees(form.pressure_angle), 10.0, 40.0, "°")?;
+        within(Quantity::PressureAngle, form.pressure_angle.degrees(), 10.0, 40.0, "°")?;
         let addendum = within(Quantity::Addendum, form.addendum, 1e-3, 2.0, "modules")?;
         let clearance = within(Quantity::Clearance, form.clearance, 0.0, 1.0, "modules")?;
         // A thousandth of a module at least remains above the pitch curves.
@@ -241,7 +242,7 @@ impl Default for ToothForm {
     /// [`crate::profile`].
     fn default() -> Self {
         Self {
-            pressure_angle: angle_of_degrees(25.0),
+            pressure_angle: Angle::from_degrees(25.0),
             addendum: 0.85,
             clearance: 0.25,
             shift: 0.2,

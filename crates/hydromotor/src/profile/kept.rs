@@ -200,8 +200,9 @@ mod tests {
     use crate::checks::{Check, ToothHeights};
     use crate::profile::limits::Limit;
     use crate::profile::{Crest, Profile};
-    use crate::units::angle_of_degrees;
+    use epicyclic_units::Physical;
     use proptest::prelude::*;
+    use uom::si::f64::Angle;
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(160))]
@@ -214,7 +215,7 @@ mod tests {
             let (addendum, clearance, shift) = heights;
             let crest = if tooth { Crest::Tooth } else { Crest::Space };
             let form = ToothForm {
-                pressure_angle: angle_of_degrees(degrees), addendum, clearance, shift, crest, ..ToothForm::default()
+                pressure_angle: Angle::from_degrees(degrees), addendum, clearance, shift, crest, ..ToothForm::default()
             };
             let asked = ToothHeights { addendum: addendum + shift, dedendum: addendum + clearance + shift };
             let profile = Profile::new(&motor, form).ok().filter(|profile| {

@@ -34,7 +34,7 @@ use super::track::{Frame, Side, Track};
 use super::{Part, Profile};
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
-use crate::units::modules;
+use crate::modules::modules;
 use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 

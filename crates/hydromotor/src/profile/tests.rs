@@ -7,19 +7,17 @@ use crate::MotorNumbers;
 use crate::centrode::tests::any_motor;
 use crate::closure::Family;
 use crate::quantity::{Quantity, WheelKind};
-use crate::units::{angle, radians};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use uom::si::angle::degree;
 use uom::si::f64::{Angle, Length};
-use uom::si::length::meter;
 
 fn m(value: f64) -> Length {
-    Length::new::<meter>(value)
+    Length::from_si(value)
 }
 
 fn xy(point: Point) -> [f64; 2] {
-    [point.x.get::<meter>(), point.y.get::<meter>()]
+    [point.x.si(), point.y.si()]
 }
 
 fn numbers(n: (u32, u32, u32, u32)) -> MotorNumbers {
@@ -110,7 +108,7 @@ fn least_from_cutter(profile: &Profile, wheel: Wheel, point: [f64; 2]) -> f64 {
 /// A form that pleases most satellites.
 fn mild(alpha_deg: f64, crest: Crest) -> ToothForm {
     ToothForm {
-        pressure_angle: Angle::new::<degree>(alpha_deg),
+        pressure_angle: Angle::from_degrees(alpha_deg),
         addendum: 0.7,
         clearance: 0.2,
         shift: 0.1,
@@ -162,8 +160,8 @@ fn along_the_arcs_the_flanks_are_involutes_of_round_wheels() {
     let teeth = profile.teeth;
     let [l, a, r1, r2] =
         [arcs.trough_distance(), arcs.crest_distance(), arcs.trough_radius(), arcs.crest_radius()]
-            .map(|length| length.get::<meter>());
-    let junction = r2 * radians(arcs.crest_angle());
+            .map(Physical::si);
+    let junction = r2 * arcs.crest_angle().si();
     let trough = 0.5 * profile.track(Side::Stator).lobe();
     let (sin, cos) = libm::sincos(PI / 5.0);
     let mut seen = [0, 0];
@@ -195,7 +193,7 @@ fn the_default_passes_every_limit_and_meshes_with_half_its_backlash() {
         let clearances = profile.clearances(60).unwrap();
         let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
         for nearest in [clearances.stator, clearances.rotor] {
-            let clearance = nearest.clearance.get::<meter>();
+            let clearance = nearest.clearance.si();
             assert!((clearance - expected).abs() < 1e-8, "{clearance} {expected}");
             assert_eq!(nearest.part, Part::Flank);
         }
@@ -213,11 +211,11 @@ fn what_a_limit_of_distance_leaves_is_the_clearance() {
                 let [limit] = limits.iter().filter(|limit| limit.kind == kind).collect::<Vec<_>>()[..] else {
                     panic!("one limit {kind:?}")
                 };
-                (limit.value - limit.bound).get::<meter>()
+                (limit.value - limit.bound).si()
             };
             let clearances = profile.clearances(6).unwrap();
-            assert!((left(LimitKind::Wheels) - clearances.wheels.get::<meter>()).abs() < 1e-12);
-            assert!((left(LimitKind::Neighbours) - clearances.neighbours.0.get::<meter>()).abs() < 1e-12);
+            assert!((left(LimitKind::Wheels) - clearances.wheels.si()).abs() < 1e-12);
+            assert!((left(LimitKind::Neighbours) - clearances.neighbours.0.si()).abs() < 1e-12);
         }
     }
 }
@@ -231,7 +229,7 @@ fn whoever_is_thinner_the_clearance_is_the_same() {
         let clearances = profile.clearances(40).unwrap();
         let expected = 0.015 * profile.teeth.cos;
         for nearest in [clearances.stator, clearances.rotor] {
-            assert!((nearest.clearance.get::<meter>() - expected).abs() < 1e-8);
+            assert!((nearest.clearance.si() - expected).abs() < 1e-8);
         }
     }
 }
@@ -246,13 +244,13 @@ fn a_whole_revolution_comes_no_nearer_than_half_a_lobe() {
         let motor = in_the_middle(n);
         let profile = Profile::new(&motor, form).unwrap();
         let short = profile.clearances(80).unwrap();
-        let least = [short.stator, short.rotor].map(|nearest| nearest.clearance.get::<meter>());
+        let least = [short.stator, short.rotor].map(|nearest| nearest.clearance.si());
         let mut seen = [f64::INFINITY; 2];
         for i in 0..40 {
-            let rotation = angle(TAU * (f64::from(i) + 0.3) / 40.0);
+            let rotation = Angle::from_si(TAU * (f64::from(i) + 0.3) / 40.0);
             for satellite in profile.clearances_at(rotation).unwrap() {
                 for (nearest, seen) in satellite.iter().zip(&mut seen) {
-                    *seen = seen.min(nearest.clearance.get::<meter>());
+                    *seen = seen.min(nearest.clearance.si());
                 }
             }
         }
@@ -279,8 +277,8 @@ fn standard_teeth_undercut_the_satellite_and_overlap() {
         .find(|limit| limit.kind == LimitKind::Undercut && limit.wheel == Wheel::Satellite)
         .unwrap();
     let sin = libm::sin(20.0_f64.to_radians());
-    assert!((undercut.bound.get::<meter>() - 5.0 * sin).abs() < 1e-12);
-    assert!((undercut.value.get::<meter>() - (1.25 - 0.15 * (1.0 - sin)) / sin).abs() < 1e-12);
+    assert!((undercut.bound.si() - 5.0 * sin).abs() < 1e-12);
+    assert!((undercut.value.si() - (1.25 - 0.15 * (1.0 - sin)) / sin).abs() < 1e-12);
     assert!(undercut.margin() < m(0.0));
     assert!(!profile.clearances(60).unwrap().free());
 }
@@ -401,7 +399,7 @@ fn the_satellites_outline_is_at_no_distance_from_itself() {
 fn a_tip_that_keeps_the_involute_may_run_into_the_fillet() {
     let motor = motor((4, 2, 48, 11), 48.565);
     let form = ToothForm {
-        pressure_angle: Angle::new::<degree>(25.16),
+        pressure_angle: Angle::from_degrees(25.16),
         addendum: 0.8183,
         clearance: 0.2077,
         shift: 0.0857,
@@ -416,10 +414,10 @@ fn a_tip_that_keeps_the_involute_may_run_into_the_fillet() {
     let limits = profile.limits();
     let limit = limits.iter().find(|limit| !limit.holds()).unwrap();
     let flank = profile.cut(Side::Stator).flanks[0][1];
-    assert!(flank.roll(flank.tip) * profile.teeth.cos < limit.bound.get::<meter>() - 0.01);
+    assert!(flank.roll(flank.tip) * profile.teeth.cos < limit.bound.si() - 0.01);
     let nearest = profile.clearances(600).unwrap().stator;
-    let excess = nearest.clearance.get::<meter>() - 0.5 * profile.teeth.backlash * profile.teeth.cos;
-    assert!((limit.margin().get::<meter>() - excess).abs() < 1e-8, "{:?} {excess:e}", limit.margin());
+    let excess = nearest.clearance.si() - 0.5 * profile.teeth.backlash * profile.teeth.cos;
+    assert!((limit.margin().si() - excess).abs() < 1e-8, "{:?} {excess:e}", limit.margin());
     assert!(excess < -4e-5, "{excess:e}");
     // Lower tips stay clear.
     let lower = Profile::new(&motor, ToothForm { addendum: 0.78, ..form }).unwrap();
@@ -431,9 +429,9 @@ fn what_leaves_no_teeth_is_refused() {
     let motor = motor((5, 3, 55, 10), 40.0);
     let refuse = |form: ToothForm| Profile::new(&motor, form).unwrap_err();
     let standard = ToothForm::default;
-    let flat = ToothForm { pressure_angle: Angle::new::<degree>(5.0), ..standard() };
+    let flat = ToothForm { pressure_angle: Angle::from_degrees(5.0), ..standard() };
     assert_eq!(refuse(flat).to_string(), "pressure angle is 5°; it must lie between 10 and 40°");
-    let nan = ToothForm { pressure_angle: Angle::new::<degree>(f64::NAN), ..standard() };
+    let nan = ToothForm { pressure_angle: Angle::from_degrees(f64::NAN), ..standard() };
     assert!(matches!(refuse(nan), Error::NotFinite { .. }));
     let high = ToothForm { addendum: 1.5, ..standard() };
     let Error::PointedTip { wheel: WheelKind::Satellite, most, .. } = refuse(high) else {
@@ -457,13 +455,13 @@ fn what_leaves_no_teeth_is_refused() {
     }
     let profile = Profile::new(&motor, standard()).unwrap();
     assert!(profile.outline(Wheel::Stator, 0).is_err() && profile.outline(Wheel::Rotor, u32::MAX).is_err());
-    assert!(profile.clearances(0).is_err() && profile.clearances_at(angle(f64::NAN)).is_err());
+    assert!(profile.clearances(0).is_err() && profile.clearances_at(Angle::from_si(f64::NAN)).is_err());
 }
 
 fn any_form() -> impl Strategy<Value = ToothForm> {
     (15.0..32.0, 0.3..1.1, 0.0..0.4, -0.3..0.5, 0.0..0.1, 0.0..1.0, 0.0..0.3, any::<bool>()).prop_map(
         |(alpha, addendum, clearance, shift, backlash, satellite_share, fillet, tooth)| ToothForm {
-            pressure_angle: Angle::new::<degree>(alpha),
+            pressure_angle: Angle::from_degrees(alpha),
             addendum,
             clearance,
             shift,
@@ -479,7 +477,7 @@ fn any_form() -> impl Strategy<Value = ToothForm> {
 fn moderate_form() -> impl Strategy<Value = ToothForm> {
     (any_form(), 23.0..28.0, 0.5..0.85, 0.2..0.3, 0.05..0.25, 0.0..0.12).prop_map(
         |(form, alpha, addendum, clearance, shift, fillet)| ToothForm {
-            pressure_angle: Angle::new::<degree>(alpha),
+            pressure_angle: Angle::from_degrees(alpha),
             addendum,
             clearance,
             shift,
@@ -495,7 +493,7 @@ fn ask(profile: &Profile, rotation: f64) {
         let outline = profile.outline(wheel, 1).unwrap();
         assert!(outline.points.iter().all(|point| point.x.is_finite() && point.y.is_finite()));
     }
-    let _ = (profile.clearances(1), profile.clearances_at(angle(rotation)));
+    let _ = (profile.clearances(1), profile.clearances_at(Angle::from_si(rotation)));
 }
 
 proptest! {
@@ -506,17 +504,17 @@ proptest! {
         let [stator_phase, rotor_phase] =
             phases(if tooth { Crest::Tooth } else { Crest::Space }, motor.numbers().satellite_teeth());
         let z = f64::from(motor.numbers().satellite_teeth());
-        for satellite in motor.satellites(angle(rotation)).unwrap() {
+        for satellite in motor.satellites(Angle::from_si(rotation)).unwrap() {
             for (wheel, at, phase) in
                 [(Wheel::Stator, satellite.on_stator, stator_phase), (Wheel::Rotor, satellite.on_rotor, rotor_phase)]
             {
                 // Pitches from a tooth of the satellite to the contact, and from a space of the wheel, counted back from its outline.
                 let ([x, y], [cx, cy]) = (xy(at), xy(satellite.centre));
-                let on_satellite = libm::atan2(y - cy, x - cx) - radians(satellite.rotation);
+                let on_satellite = libm::atan2(y - cy, x - cx) - satellite.rotation.si();
                 let teeth = on_satellite * z / TAU - stator_phase / PI;
                 let turn = if wheel == Wheel::Rotor { rotation } else { 0.0 };
                 let [x, y] = turned([x, y], -turn);
-                let arc = motor.centrode(wheel).at_polar_angle(angle(libm::atan2(y, x))).unwrap().arc_length.get::<meter>();
+                let arc = motor.centrode(wheel).at_polar_angle(Angle::from_si(libm::atan2(y, x))).unwrap().arc_length.si();
                 let along = if wheel == Wheel::Rotor { -arc } else { arc };
                 let mismatch = teeth - (along - phase) / PI;
                 prop_assert!((mismatch - mismatch.round()).abs() < 1e-9, "{wheel:?} {mismatch}");
@@ -542,7 +540,7 @@ proptest! {
             let clearances = profile.clearances(24).unwrap();
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
-                let excess = nearest.clearance.get::<meter>() - expected;
+                let excess = nearest.clearance.si() - expected;
                 prop_assert!(excess > -1e-6, "{nearest:?} {excess:e}");
             }
         }
@@ -557,7 +555,7 @@ proptest! {
             let clearances = profile.clearances(24).unwrap();
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
-                let excess = nearest.clearance.get::<meter>() - expected;
+                let excess = nearest.clearance.si() - expected;
                 // What the module says is known wrong: up to 1e-4 modules of what the cutter removes may remain.
                 prop_assert!(excess > -1e-3, "{nearest:?} {excess:e}");
             }
@@ -571,7 +569,7 @@ proptest! {
         let mut odd = form;
         for x in [x, x.abs() % 2.0] {
             match which {
-                0 => odd.pressure_angle = Angle::new::<degree>(x * 20.0),
+                0 => odd.pressure_angle = Angle::from_degrees(x * 20.0),
                 1 => odd.addendum = x,
                 2 => odd.clearance = x,
                 3 => odd.shift = x,

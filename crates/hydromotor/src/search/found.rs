@@ -1,14 +1,15 @@
 //! What a search finds: designs with everything a table needs, and how many motors fell where.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
 
 use crate::Error;
 use crate::arcs::StatorArcs;
 use crate::checks::Subject;
 use crate::machine;
+use crate::modules::{length, volume};
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
-use crate::units::{length, length_of_metres, power, torque, volume, volume_rate};
 
 use super::front::Value;
 use super::objective::AtFlanks;
@@ -204,12 +205,12 @@ impl MotorSearch {
         radius: f64,
         [module, width]: [f64; 2],
     ) -> Dimensions {
-        let (module, width) = (length_of_metres(module), length_of_metres(width));
+        let (module, width) = (Length::from_si(module), Length::from_si(width));
         let arcs = StatorArcs { module, ..*arcs };
         let radian = |flow: f64| volume(flow, module, width);
         let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
         let (mean, least) = (radian(mean_flow(working.displacement)), radian(working.flow[0]));
-        let mean_torque = self.requirements.pressure_drop.map(|drop| torque(mean, drop));
+        let mean_torque = self.requirements.pressure_drop.map(|drop| Torque::from(mean * drop));
         Dimensions {
             module,
             width,
@@ -217,9 +218,9 @@ impl MotorSearch {
             volume: volume(disc, module, width),
             displacement: volume(working.displacement, module, width),
             torque: mean_torque,
-            least_torque: self.requirements.pressure_drop.map(|drop| torque(least, drop)),
-            flow: self.requirements.speed.map(|speed| volume_rate(mean, speed)),
-            power: mean_torque.zip(self.requirements.speed).map(|(mean, speed)| power(mean, speed)),
+            least_torque: self.requirements.pressure_drop.map(|drop| (least * drop).into()),
+            flow: self.requirements.speed.map(|speed| mean * speed),
+            power: mean_torque.zip(self.requirements.speed).map(|(mean, speed)| mean * speed),
             trough_distance: arcs.trough_distance(),
             crest_distance: arcs.crest_distance(),
             trough_radius: arcs.trough_radius(),

@@ -86,21 +86,23 @@ mod point;
 mod requirements;
 
 use crate::quantity::{Choice, Quantity};
+use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use uom::si::f64::Length;
 
 use crate::Error;
 use crate::checks::{Subject, ToothHeights, finite_heights};
 use crate::closure::Family;
 use crate::numbers::{Bounds, MotorNumbers};
 use crate::profile::limits::LimitKind;
+use crate::ranges::positive;
 use crate::threads::{map, map_mut};
-use crate::units::length_of_metres;
 use branch::Branch;
 use forms::FormRefusal;
 use front::{Cover, Value, apart, front};
 use point::Yardstick;
-use requirements::{Sizing, positive};
+use requirements::Sizing;
 
 pub use found::{Design, Dimensions, Found, Funnel, SpacingError};
 pub use objective::{AtFlanks, FlankTerms, Objective};
@@ -492,7 +494,7 @@ impl<'a> Pass<'a> {
 
 /// The intervals of a family; none without one.
 fn branches(yardstick: &Yardstick, numbers: MotorNumbers, points: u32) -> Vec<Branch> {
-    let Ok(family) = Family::new(numbers, length_of_metres(1.0)) else { return Vec::new() };
+    let Ok(family) = Family::new(numbers, Length::from_si(1.0)) else { return Vec::new() };
     let branch = |&interval| Branch::new(yardstick, family.clone(), interval, points);
     family.intervals().iter().map(branch).collect()
 }

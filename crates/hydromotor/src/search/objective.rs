@@ -5,7 +5,7 @@ use crate::flanks::SealingContact;
 use crate::motor::Motor;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
-use crate::units::positive;
+use crate::ranges::positive;
 
 /// What a design is good for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -4,15 +4,13 @@ use crate::quantity::Quantity;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 
+use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
 
 use crate::Error;
 use crate::machine::{self, MODULE_MM, WIDTH_MM};
+use crate::ranges::{finite_speed, positive, positive_length};
 use crate::tolerance::SLACK;
-use crate::units::{
-    cubic_centimetres, cubic_metres, displacement_of_torque, finite_speed, length_of_metres, megapascals,
-    metres, millimetres, newton_metres, positive_length,
-};
 
 /// The first series of modules of ISO 54, in millimetres.
 pub const PREFERRED_MODULES_MM: [f64; 18] =
@@ -54,17 +52,17 @@ impl Requirements {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn of_torque(torque: Torque, pressure_drop: Pressure) -> Result<Self, Error> {
-        positive(Quantity::Torque, newton_metres(torque), "N·m")?;
-        positive(Quantity::PressureDrop, megapascals(pressure_drop), "MPa")?;
-        let displacement = displacement_of_torque(torque, pressure_drop);
+        positive(Quantity::Torque, torque.si(), "N·m")?;
+        positive(Quantity::PressureDrop, pressure_drop.mpa(), "MPa")?;
+        let displacement = TAU * (torque / pressure_drop);
         Ok(Self { pressure_drop: Some(pressure_drop), ..Self::of_displacement(displacement) })
     }
 
     pub(super) fn checked(&self) -> Result<(), Error> {
-        positive(Quantity::Displacement, cubic_centimetres(self.displacement), "cm³")?;
-        positive(Quantity::Displacement, cubic_metres(self.displacement), "m³")?;
+        positive(Quantity::Displacement, self.displacement.cm3(), "cm³")?;
+        positive(Quantity::Displacement, self.displacement.si(), "m³")?;
         if let Some(pressure) = self.pressure_drop {
-            positive(Quantity::PressureDrop, megapascals(pressure), "MPa")?;
+            positive(Quantity::PressureDrop, pressure.mpa(), "MPa")?;
         }
         self.speed.map_or(Ok(()), |speed| finite_speed(speed).map(|_| ()))
     }
@@ -93,7 +91,7 @@ pub enum Size {
 impl Default for Size {
     /// The preferred modules.
     fn default() -> Self {
-        Self::Modules(PREFERRED_MODULES_MM.iter().map(|mm| length_of_metres(mm / 1e3)).collect())
+        Self::Modules(PREFERRED_MODULES_MM.iter().map(|mm| Length::from_si(mm / 1e3)).collect())
     }
 }
 
@@ -140,19 +138,19 @@ impl Sizing {
             if modules.is_empty() {
                 return Err(Error::NoModules);
             }
-            modules.iter().map(|&module| machine::module(module).map(metres)).collect::<Result<_, _>>()
+            modules.iter().map(|&module| machine::module(module).map(Physical::si)).collect::<Result<_, _>>()
         };
         let mut ratio = [*limits.width_over_diameter.start(), *limits.width_over_diameter.end()];
         ordered(Quantity::WidthOverDiameter, ratio, "")?;
         let choice = match &requirements.size {
             Size::Modules(list) => Choice::Modules(modules(list)?),
-            Size::Width(width) => Choice::Width(metres(machine::width(*width)?)),
+            Size::Width(width) => Choice::Width(machine::width(*width)?.si()),
             Size::ModulesAndWidth { modules: list, width, tolerance } => {
                 if !(*tolerance > 0.0 && *tolerance <= 1.0) {
                     let (quantity, value, unit) = (Quantity::DisplacementTolerance, *tolerance, "");
                     return Err(Error::OutOfRange { quantity, value, low: 0.0, high: 1.0, unit });
                 }
-                let width = metres(machine::width(*width)?);
+                let width = machine::width(*width)?.si();
                 Choice::Both { modules: modules(list)?, width, tolerance: *tolerance }
             }
             Size::WidthOverDiameter(part) => {
@@ -163,16 +161,16 @@ impl Sizing {
         let width = match &limits.width {
             Some(range) => {
                 let ends = [*range.start(), *range.end()];
-                ordered(Quantity::Width, ends.map(millimetres), "mm")?;
-                ends.map(metres)
+                ordered(Quantity::Width, ends.map(Physical::mm), "mm")?;
+                ends.map(Physical::si)
             }
             None => [0.0, f64::INFINITY],
         };
         let diameter = match limits.outer_diameter {
-            Some(diameter) => metres(positive_length(Quantity::OuterDiameter, diameter)?),
+            Some(diameter) => positive_length(Quantity::OuterDiameter, diameter)?.si(),
             None => f64::INFINITY,
         };
-        Ok(Self { displacement: cubic_metres(requirements.displacement), choice, diameter, width, ratio })
+        Ok(Self { displacement: requirements.displacement.si(), choice, diameter, width, ratio })
     }
 
     /// Module and width of each choice, and how far they keep within the limits.
@@ -225,15 +223,6 @@ impl Sizing {
     pub(super) fn sizes(&self, displacement: f64, diameter: f64) -> Vec<[f64; 2]> {
         let choices = self.choices(displacement, diameter);
         choices.filter(|(_, margin)| *margin >= 0.0).map(|(size, _)| size).collect()
-    }
-}
-
-/// A number that is finite and above 0.
-pub(super) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Error::NotPositive { quantity, value, unit })
     }
 }
 

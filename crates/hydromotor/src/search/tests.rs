@@ -2,22 +2,21 @@
 
 use std::f64::consts::PI;
 
+use epicyclic_units::Physical;
 use proptest::prelude::*;
+use uom::si::f64::Length;
 use uom::si::f64::{AngularVelocity, Pressure, Torque, Volume};
-use uom::si::length::{meter, millimeter};
-use uom::si::{angular_velocity::radian_per_second, pressure::megapascal, torque::newton_meter};
-use uom::si::{f64::Length, volume::cubic_centimeter};
 
 use super::*;
 use crate::closure::Interval;
 use crate::motor::Motor;
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn cm3(value: f64) -> Volume {
-    Volume::new::<cubic_centimeter>(value)
+    Volume::from_cm3(value)
 }
 
 /// Few numbers, so that a test can try them all; sizes are free.
@@ -41,17 +40,16 @@ struct Tried {
 
 /// The motor at a part of an interval, by the public way: every check, ripple, envelope.
 fn tried(search: &MotorSearch, numbers: MotorNumbers, interval: &Interval, part: f64) -> Tried {
-    let metre = Length::new::<meter>(1.0);
-    let inverse = |end: &crate::closure::End| {
-        end.arcs().map_or(0.0, |arcs| arcs.trough_distance().get::<meter>().recip())
-    };
+    let metre = Length::from_si(1.0);
+    let inverse =
+        |end: &crate::closure::End| end.arcs().map_or(0.0, |arcs| arcs.trough_distance().si().recip());
     let (from, to) = (inverse(&interval.lower), inverse(&interval.upper));
     let l = (from + (to - from) * part).recip();
     let motor = Motor::of_closed_arcs(numbers, crate::closure::arcs_at(numbers, metre, metre * l).unwrap());
     let checks = motor.checks(search.heights).unwrap();
     let curved = [Subject::StatorBulge, Subject::StatorHollow, Subject::RotorBulge, Subject::RotorHollow];
     let radii = checks.iter().filter(|check| curved.contains(&check.subject));
-    let least = radii.map(|check| check.value.get::<meter>()).fold(f64::INFINITY, f64::min);
+    let least = radii.map(|check| check.value.si()).fold(f64::INFINITY, f64::min);
     Tried {
         numbers,
         l,
@@ -78,7 +76,7 @@ fn trial(search: &MotorSearch, places: u32) -> (Vec<Tried>, usize) {
             for rotor in 1..=*search.bounds.stator_lobes.end() {
                 for stator in search.bounds.stator_lobes.clone() {
                     let Ok(numbers) = MotorNumbers::new(stator, rotor, teeth, satellite) else { continue };
-                    let Ok(family) = Family::new(numbers, Length::new::<meter>(1.0)) else {
+                    let Ok(family) = Family::new(numbers, Length::from_si(1.0)) else {
                         without += 1;
                         continue;
                     };
@@ -118,7 +116,7 @@ fn the_search_finds_what_trial_of_every_motor_finds() {
     assert!(front.len() > 20 && found.designs.len() == front.len(), "{}", front.len());
     for (design, tried) in found.designs.iter().zip(front) {
         assert_eq!(design.numbers, tried.numbers);
-        let l = design.arcs(Length::new::<meter>(1.0)).unwrap().trough_distance().get::<meter>();
+        let l = design.arcs(Length::from_si(1.0)).unwrap().trough_distance().si();
         assert!((l / tried.l - 1.0).abs() < 1e-12);
         let own = [design.displacement_by_volume, -design.ripple, design.least_radius];
         for (own, tried) in own.iter().zip(tried.objectives) {
@@ -175,7 +173,7 @@ fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
     assert!(!found.designs.is_empty() && found.funnel.refused(Reason::FlankRipple) > 0, "{:?}", found.funnel);
     let mut tried = 0;
     for numbers in search.bounds.all().unwrap() {
-        let Ok(family) = Family::new(numbers, Length::new::<meter>(1.0)) else { continue };
+        let Ok(family) = Family::new(numbers, Length::from_si(1.0)) else { continue };
         for i in 0..96 {
             let part = (f64::from(i) / 95.0).clamp(1e-6, 1.0 - 1e-6);
             let Some(arcs) = family.within(&family.intervals()[0], part) else { continue };
@@ -230,7 +228,7 @@ fn the_front_of_what_can_be_made_is_that_of_trial() {
     let found = search.front().unwrap();
     let form = search.flanks.form;
     let can_be_made = |tried: &Tried| {
-        let metre = Length::new::<meter>(1.0);
+        let metre = Length::from_si(1.0);
         let motor = Motor::of_two_arcs(tried.numbers, metre, metre * tried.l).unwrap();
         let profile = crate::profile::Profile::new(&motor, form);
         profile.is_ok_and(|profile| profile.limits().iter().all(crate::profile::limits::Limit::holds))
@@ -292,9 +290,9 @@ fn a_finer_resolution_lists_more_and_leaves_less() {
 /// Every record agrees with the motor that it describes, in every way to give a size.
 #[test]
 fn the_records_are_those_of_the_motors() {
-    let pressure = Pressure::new::<megapascal>(20.0);
-    let speed = AngularVelocity::new::<radian_per_second>(10.0);
-    let torque = Torque::new::<newton_meter>(900.0);
+    let pressure = Pressure::from_mpa(20.0);
+    let speed = AngularVelocity::from_si(10.0);
+    let torque = Torque::from_si(900.0);
     let list = vec![mm(2.0), mm(2.5), mm(3.0)];
     let both = Size::ModulesAndWidth { modules: list.clone(), width: mm(50.0), tolerance: 0.1 };
     let mut refused = [0; 3];
@@ -399,9 +397,9 @@ fn orders_that_make_no_sense_are_refused() {
     #[allow(clippy::reversed_empty_ranges)] // the fault under test
     let messages = [
         refused(&|search| search.requirements.displacement = cm3(-3.0)),
-        refused(&|search| search.requirements.pressure_drop = Some(Pressure::new::<megapascal>(0.0))),
+        refused(&|search| search.requirements.pressure_drop = Some(Pressure::from_mpa(0.0))),
         refused(&|search| {
-            search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(f64::NAN));
+            search.requirements.speed = Some(AngularVelocity::from_si(f64::NAN));
         }),
         refused(&|search| search.requirements.size = Size::Modules(Vec::new())),
         refused(&|search| search.requirements.size = Size::Modules(vec![mm(2.0), mm(0.0)])),
@@ -428,12 +426,8 @@ fn orders_that_make_no_sense_are_refused() {
             search.bounds =
                 Bounds { stator_lobes: 2..=5000, stator_teeth: 1..=10_000, satellite_teeth: 1..=u32::MAX }
         }),
-        Requirements::of_torque(Torque::new::<newton_meter>(0.0), Pressure::new::<megapascal>(20.0))
-            .unwrap_err()
-            .to_string(),
-        Requirements::of_torque(Torque::new::<newton_meter>(9.0), Pressure::new::<megapascal>(-2.0))
-            .unwrap_err()
-            .to_string(),
+        Requirements::of_torque(Torque::from_si(0.0), Pressure::from_mpa(20.0)).unwrap_err().to_string(),
+        Requirements::of_torque(Torque::from_si(9.0), Pressure::from_mpa(-2.0)).unwrap_err().to_string(),
     ];
     insta::assert_snapshot!(messages.join("\n"));
 }
@@ -442,9 +436,7 @@ fn orders_that_make_no_sense_are_refused() {
 #[test]
 fn the_front_of_a_few_numbers() {
     let mut search = small(5..=6, 50..=66);
-    search.requirements =
-        Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))
-            .unwrap();
+    search.requirements = Requirements::of_torque(Torque::from_si(900.0), Pressure::from_mpa(20.0)).unwrap();
     search.limits.size.outer_diameter = Some(mm(180.0));
     search.resolution = Some(0.2);
     let found = search.front().unwrap();
@@ -454,9 +446,7 @@ fn the_front_of_a_few_numbers() {
         let sizes: Vec<String> = design
             .dimensions
             .iter()
-            .map(|size| {
-                format!("{} x {:.1}", size.module.get::<millimeter>(), size.width.get::<millimeter>())
-            })
+            .map(|size| format!("{} x {:.1}", size.module.mm(), size.width.mm()))
             .collect();
         table += &format!(
             "{}×{} {}/{}/{} {:.4} {:.4} {:.3} {:?}; {:?} {:.3}; {}\n",
@@ -515,8 +505,8 @@ proptest! {
         let (displacement, pressure, addendum, dedendum) = numbers;
         let mut search = MotorSearch::new(Requirements::of_displacement(cm3(displacement)));
         search.requirements.size = size;
-        search.requirements.pressure_drop = Some(Pressure::new::<megapascal>(pressure.abs()));
-        search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(pressure));
+        search.requirements.pressure_drop = Some(Pressure::from_mpa(pressure.abs()));
+        search.requirements.speed = Some(AngularVelocity::from_si(pressure));
         search.bounds = Bounds {
             stator_lobes: lobes..=lobes + more,
             stator_teeth: teeth..=teeth + wider,
@@ -535,7 +525,7 @@ proptest! {
                 prop_assert!(design.displacement_by_volume > 0.0 && design.ripple >= 0.0 && !design.dimensions.is_empty());
             }
         }
-        let _ = Requirements::of_torque(Torque::new::<newton_meter>(displacement), Pressure::new::<megapascal>(pressure));
+        let _ = Requirements::of_torque(Torque::from_si(displacement), Pressure::from_mpa(pressure));
     }
 
     /// What is asked for to the last digit is not refused by rounding.

@@ -3,13 +3,13 @@
 use super::{Mechanism, MeshForce, Place, SetMotion, not_negative};
 use crate::Error;
 use crate::tolerance::RANK;
-use crate::units::{kg_m2, kilograms, meters};
 use epicyclic_dynamics::gearbox::PlanetMasses;
 use epicyclic_numerics::linear::Matrix;
 use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::compound::CentralKind;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_units::Physical;
 
 /// An equation of a set over the nodes.
 pub(super) struct Asked {
@@ -166,9 +166,9 @@ fn add_planets(set: &PlanetSet, planets: &PlanetMasses, own: &mut [f64]) -> Resu
             what: "planet",
             name: format!("{} of set {}", place + 1, set.id()),
         })?;
-        let mass = not_negative(field("the mass in kg"), kilograms(planet.mass))?;
-        let inertia = not_negative(field("the inertia in kg·m²"), kg_m2(planet.inertia))?;
-        let radius = not_negative(field("the centre radius in m"), meters(planet.radius))?;
+        let mass = not_negative(field("the mass in kg"), planet.mass.si())?;
+        let inertia = not_negative(field("the inertia in kg·m²"), planet.inertia.si())?;
+        let radius = not_negative(field("the centre radius in m"), planet.radius.si())?;
         let count = f64::from(planets.count);
         *of_own += count * inertia;
         orbital += count * mass * radius * radius;

@@ -6,12 +6,12 @@ use epicyclic_drawing::{Color, Dash, Point, Scene, Shape, Style};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, millimetres, number};
 use crate::Error;
-use crate::units::{deg, mm, rad};
 
 /// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
 const REACH: f64 = 1.9;
@@ -24,7 +24,7 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let satellites = motor.satellites(rotation)?;
     let (stator, rotor) = (outline(motor, Wheel::Stator)?, outline(motor, Wheel::Rotor)?);
     let envelope = motor.envelope();
-    let outer = 0.5 * mm(envelope.stator_outer);
+    let outer = 0.5 * envelope.stator_outer.mm();
     let centre = Point::new(0.0, 0.0);
     let mut sheet = Sheet::new(motor, "centrodes");
     let stator_layer = sheet.layer("stator", Style::line(0.45))?;
@@ -39,21 +39,21 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let stator_deviation = stator.deviation_mm;
     let stator_arcs = stator.vertices.len();
     sheet.outline(stator_layer, stator);
-    sheet.outline(rotor_layer, rotor.turned(rad(rotation)));
-    let r = mm(motor.satellite_radius());
+    sheet.outline(rotor_layer, rotor.turned(rotation.si()));
+    let r = motor.satellite_radius().mm();
     for satellite in &satellites {
-        let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
+        let at = Point::new(satellite.centre.x.mm(), satellite.centre.y.mm());
         sheet.circle(satellite_layer, at, r);
         sheet.circle(satellite_layer, at, 0.35 * sheet.unit);
         for contact in [satellite.on_stator, satellite.on_rotor] {
-            sheet.circle(satellite_layer, Point::new(mm(contact.x), mm(contact.y)), 0.35 * sheet.unit);
+            sheet.circle(satellite_layer, Point::new(contact.x.mm(), contact.y.mm()), 0.35 * sheet.unit);
         }
     }
     let far = 1.06 * outer;
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
     for diameter in [envelope.stator_outer, envelope.stator_inner] {
-        sheet.circle(axes, centre, 0.5 * mm(diameter));
+        sheet.circle(axes, centre, 0.5 * diameter.mm());
     }
     if let Some(arcs) = motor.arcs() {
         junctions(&mut sheet, marks, motor, arcs, rotation)?;
@@ -69,7 +69,7 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
         }
         (None, Some(law)) => {
             sheet.say("Rotor by the cosine law, stator conjugate to it");
-            sheet.say(&format!("mean radius c = {}", millimetres(mm(law.mean_radius))));
+            sheet.say(&format!("mean radius c = {}", millimetres(law.mean_radius.mm())));
             sheet.say(&format!("relative amplitude ε = {}", number(law.amplitude)));
             if law.second_amplitude != 0.0 {
                 sheet.say(&format!("of the second harmonic ε₂ = {}", number(law.second_amplitude)));
@@ -82,7 +82,7 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     sheet.skip();
     sheet.say(&format!("Rotor: exact curve, drawn with {arcs_drawn} arcs"));
     sheet.say(&format!("at most {} mm off it", below(deviation)));
-    sheet.say(&format!("Rotor turned by {}°", number(deg(rotation))));
+    sheet.say(&format!("Rotor turned by {}°", number(rotation.degrees())));
     sheet.skip();
     sheet.say("Diameters");
     for (what, diameter) in [
@@ -92,7 +92,7 @@ pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
         ("rotor, least", envelope.rotor_inner),
         ("satellite", 2.0 * motor.satellite_radius()),
     ] {
-        sheet.say(&format!("{what}: {}", millimetres(mm(diameter))));
+        sheet.say(&format!("{what}: {}", millimetres(diameter.mm())));
     }
     Ok(sheet.scene)
 }
@@ -129,20 +129,20 @@ fn junctions(
     arcs: &StatorArcs,
     rotation: Angle,
 ) -> Result<(), Error> {
-    let contact = motor.contact_at_stator_arc(arcs.crest_radius() * rad(arcs.crest_angle()))?;
+    let contact = motor.contact_at_stator_arc(arcs.crest_radius() * arcs.crest_angle().si())?;
     let numbers = motor.numbers();
     let wheels = [
         (numbers.stator_lobes(), contact.stator_radius, contact.stator_angle, 0.0),
-        (numbers.rotor_lobes(), contact.rotor_radius, contact.rotor_angle, rad(rotation)),
+        (numbers.rotor_lobes(), contact.rotor_radius, contact.rotor_angle, rotation.si()),
     ];
     for (lobes, radius, angle, turn) in wheels {
         for lobe in 0..lobes {
             for side in [-1.0, 1.0] {
-                let polar = turn + side * rad(angle) + TAU * f64::from(lobe) / f64::from(lobes);
-                let at = Point::polar(Point::default(), mm(radius), polar);
+                let polar = turn + side * angle.si() + TAU * f64::from(lobe) / f64::from(lobes);
+                let at = Point::polar(Point::default(), radius.mm(), polar);
                 // A stroke across the curve, radial: short enough to stay on it.
-                let [inner, outside] =
-                    [-0.9, 0.9].map(|by| Point::polar(Point::default(), mm(radius) + by * sheet.unit, polar));
+                let [inner, outside] = [-0.9, 0.9]
+                    .map(|by| Point::polar(Point::default(), radius.mm() + by * sheet.unit, polar));
                 sheet.circle(layer, at, 0.5 * sheet.unit);
                 sheet.line(layer, inner, outside);
             }
@@ -160,9 +160,9 @@ fn construct(
     outer: f64,
 ) {
     let theta = PI / f64::from(motor.numbers().stator_lobes());
-    let (l, a) = (mm(arcs.trough_distance()), mm(arcs.crest_distance()));
-    let (r1, r2) = (mm(arcs.trough_radius()), mm(arcs.crest_radius()));
-    let (gamma, beta) = (rad(arcs.trough_angle()), rad(arcs.crest_angle()));
+    let (l, a) = (arcs.trough_distance().mm(), arcs.crest_distance().mm());
+    let (r1, r2) = (arcs.trough_radius().mm(), arcs.crest_radius().mm());
+    let (gamma, beta) = (arcs.trough_angle().si(), arcs.crest_angle().si());
     let o = Point::default();
     let o2 = Point::new(a, 0.0);
     let p = Point::new(a + r2 * libm::cos(beta), r2 * libm::sin(beta));
@@ -219,18 +219,18 @@ fn turned_from(from: f64, to: f64) -> f64 {
 }
 
 fn say_arcs(sheet: &mut Sheet, arcs: &StatorArcs, outer: f64) {
-    let l = mm(arcs.trough_distance());
+    let l = arcs.trough_distance().mm();
     sheet.say(&format!("l = {}", millimetres(l)));
     if l > REACH * outer {
         sheet.say("O₁ lies outside the picture");
     }
-    sheet.say(&format!("a = {}", millimetres(mm(arcs.crest_distance()))));
-    sheet.say(&format!("R₁ = {}, about O₁ at the troughs", millimetres(mm(arcs.trough_radius()))));
-    sheet.say(&format!("R₂ = {}, about O₂ at the crests", millimetres(mm(arcs.crest_radius()))));
+    sheet.say(&format!("a = {}", millimetres(arcs.crest_distance().mm())));
+    sheet.say(&format!("R₁ = {}, about O₁ at the troughs", millimetres(arcs.trough_radius().mm())));
+    sheet.say(&format!("R₂ = {}, about O₂ at the crests", millimetres(arcs.crest_radius().mm())));
     sheet.say(&format!(
         "Γ = {}°, B = {}°",
-        number(deg(arcs.trough_angle())),
-        number(deg(arcs.crest_angle()))
+        number(arcs.trough_angle().degrees()),
+        number(arcs.crest_angle().degrees())
     ));
     sheet.say("P and its like: where arcs meet");
 }

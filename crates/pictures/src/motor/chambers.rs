@@ -6,12 +6,12 @@ use epicyclic_drawing::{Color, Point, Scene, Shape, Style, Text};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::chambers::Phase;
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, HIGH, IDLE, LOW, STEEL, Sheet, number};
 use crate::Error;
-use crate::units::{deg, mm, mm2, rad};
 
 /// Straight sides for each of a chamber's four walls.
 pub const STEPS: u32 = 48;
@@ -30,18 +30,18 @@ const fn color(phase: Phase) -> Color {
 /// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
 pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let all = motor.chambers(rotation)?;
-    let outer = 0.5 * mm(motor.envelope().stator_outer);
+    let outer = 0.5 * motor.envelope().stator_outer.mm();
     let mut sheet = Sheet::new(motor, "chambers");
     let unit = sheet.unit;
     let middles = coloured(&mut sheet, motor, rotation)?;
     let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
     let leaders = sheet.layer("numbers", Style::line(0.12).color(AUXILIARY))?;
-    let r = mm(motor.satellite_radius());
+    let r = motor.satellite_radius().mm();
     for satellite in motor.satellites(rotation)? {
-        let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
-        sheet.line(marks, at, Point::polar(at, 0.8 * r, rad(satellite.rotation)));
+        let at = Point::new(satellite.centre.x.mm(), satellite.centre.y.mm());
+        sheet.line(marks, at, Point::polar(at, 0.8 * r, satellite.rotation.si()));
     }
-    direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), rad(rotation));
+    direction(&mut sheet, marks, 0.5 * motor.envelope().rotor_inner.mm(), rotation.si());
 
     for (chamber, wall) in all.iter().zip(middles) {
         let angle = libm::atan2(wall.y, wall.x);
@@ -52,18 +52,18 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     }
 
     sheet.column(motor)?;
-    sheet.say(&format!("Rotor turned by {}°, running counter-clockwise", number(deg(rotation))));
+    sheet.say(&format!("Rotor turned by {}°, running counter-clockwise", number(rotation.degrees())));
     sheet.skip();
     sheet.legend(HIGH.towards(Color::WHITE, 0.35), "filling: high pressure");
     sheet.legend(LOW.towards(Color::WHITE, 0.35), "emptying: low pressure");
     sheet.legend(IDLE.towards(Color::WHITE, 0.35), "changing over: at its greatest or least");
     sheet.skip();
     sheet.say("Chamber: area, and what it gains a degree");
-    let total: f64 = all.iter().map(|chamber| mm2(chamber.area)).sum();
+    let total: f64 = all.iter().map(|chamber| chamber.area.mm2()).sum();
     for chamber in &all {
-        let growth = mm2(chamber.growth) * PI / 180.0;
+        let growth = chamber.growth.mm2() * PI / 180.0;
         let growth = if Phase::of(chamber, &all) == Phase::AtExtreme { 0.0 } else { growth };
-        let words = format!("{}: {} mm², {:+.3} mm²", chamber.index, number(mm2(chamber.area)), growth);
+        let words = format!("{}: {} mm², {:+.3} mm²", chamber.index, number(chamber.area.mm2()), growth);
         sheet.say(&words.replace('-', "−"));
     }
     sheet.say(&format!("together: {} mm²", number(total)));
@@ -92,7 +92,7 @@ pub(super) fn coloured(sheet: &mut Sheet, motor: &Motor, rotation: Angle) -> Res
     let mut middles = vec![];
     for chamber in &all {
         let points = motor.chamber_outline(rotation, chamber.index, STEPS)?;
-        let points: Vec<Point> = points.iter().map(|point| Point::new(mm(point.x), mm(point.y))).collect();
+        let points: Vec<Point> = points.iter().map(|point| Point::new(point.x.mm(), point.y.mm())).collect();
         // The stator's wall comes first.
         middles.push(points[(STEPS / 2) as usize]);
         let phase = Phase::of(chamber, &all);
@@ -103,10 +103,10 @@ pub(super) fn coloured(sheet: &mut Sheet, motor: &Motor, rotation: Angle) -> Res
         }
     }
     sheet.outline(stator, outline(motor, Wheel::Stator)?);
-    sheet.outline(rotor, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
-    let r = mm(motor.satellite_radius());
+    sheet.outline(rotor, outline(motor, Wheel::Rotor)?.turned(rotation.si()));
+    let r = motor.satellite_radius().mm();
     for satellite in motor.satellites(rotation)? {
-        sheet.circle(satellite_layer, Point::new(mm(satellite.centre.x), mm(satellite.centre.y)), r);
+        sheet.circle(satellite_layer, Point::new(satellite.centre.x.mm(), satellite.centre.y.mm()), r);
     }
     Ok(middles)
 }

@@ -13,11 +13,11 @@ use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::{Closure, closure};
 use epicyclic_hydromotor::junction::{Junction, junction, rolled};
 use epicyclic_hydromotor::motor::SatelliteContact;
-use uom::si::f64::Length;
+use epicyclic_units::Physical;
+use uom::si::f64::{Angle, Length};
 
 use super::sheet::{AUXILIARY, Sheet, millimetres, name, number};
 use crate::Error;
-use crate::units::{deg, mm, rad};
 
 /// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
 const REACH: f64 = 1.9;
@@ -44,7 +44,7 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
 
     figure.stator(&mut sheet, stator);
     sheet.scene.add(rotor, Shape::polyline(figure.rotor.iter().copied()));
-    let r = mm(arcs.module()) * f64::from(numbers.satellite_teeth()) / 2.0;
+    let r = arcs.module().mm() * f64::from(numbers.satellite_teeth()) / 2.0;
     let centre = Point::polar(figure.o2, figure.r2 - r, figure.beta);
     sheet.circle(satellite, centre, r);
     sheet.circle(satellite, centre, 0.4 * sheet.unit);
@@ -71,13 +71,13 @@ pub fn construction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Scene, E
 
 /// Lines of text below the picture.
 fn words(arcs: &StatorArcs, found: &Junction, closed: &Closure) -> Vec<String> {
-    let length = |length: Length| millimetres(mm(length));
-    let angle = |angle| format!("{}°", number(deg(angle)));
+    let length = |length: Length| millimetres(length.mm());
+    let angle = |angle: Angle| format!("{}°", number(angle.degrees()));
     let open = closed.open();
-    let by = number(deg(open).abs());
+    let by = number(open.degrees().abs());
     let closes = if closed.closes() {
         "Rotor: closes".to_owned()
-    } else if deg(open) > 0.0 {
+    } else if open.degrees() > 0.0 {
         format!("Rotor: half a lobe stays open by {by}°, to the dashes")
     } else {
         format!("Rotor: half a lobe overlaps the next by {by}°, from the dashes")
@@ -126,33 +126,33 @@ struct Figure {
 impl Figure {
     fn new(arcs: &StatorArcs, found: &Junction, points: &[SatelliteContact]) -> Self {
         let o = Point::default();
-        let theta = rad(arcs.piece_angle());
-        let (l, a) = (mm(arcs.trough_distance()), mm(arcs.crest_distance()));
-        let (r1, r2) = (mm(arcs.trough_radius()), mm(arcs.crest_radius()));
-        let to_p = theta - rad(found.stator_angle);
-        let rotor_trough = to_p - rad(found.rotor_angle);
-        let span = points.last().map_or(0.0, |trough| rad(trough.rotor_angle));
+        let theta = arcs.piece_angle().si();
+        let (l, a) = (arcs.trough_distance().mm(), arcs.crest_distance().mm());
+        let (r1, r2) = (arcs.trough_radius().mm(), arcs.crest_radius().mm());
+        let to_p = theta - found.stator_angle.si();
+        let rotor_trough = to_p - found.rotor_angle.si();
+        let span = points.last().map_or(0.0, |trough| trough.rotor_angle.si());
         let rotor_crest = rotor_trough + span;
         // The rotor's angles run against those of the stator, from its crest.
         let on_rotor = |contact: &SatelliteContact| {
-            Point::polar(o, mm(contact.rotor_radius), rotor_crest - rad(contact.rotor_angle))
+            Point::polar(o, contact.rotor_radius.mm(), rotor_crest - contact.rotor_angle.si())
         };
         let rotor: Vec<Point> = points.iter().map(on_rotor).collect();
         let outer = a + r2;
         Self {
             theta,
-            gamma: rad(arcs.trough_angle()),
-            beta: rad(arcs.crest_angle()),
+            gamma: arcs.trough_angle().si(),
+            beta: arcs.crest_angle().si(),
             r1,
             r2,
             o1: Point::polar(o, l, theta),
             o2: Point::new(a, 0.0),
-            p: Point::polar(o, mm(found.stator_radius), to_p),
-            p1: Point::polar(o, mm(found.rotor_radius), to_p),
+            p: Point::polar(o, found.stator_radius.mm(), to_p),
+            p1: Point::polar(o, found.rotor_radius.mm(), to_p),
             to_p,
             rotor_trough,
             rotor_crest,
-            rotor_crest_radius: points.first().map_or(outer, |crest| mm(crest.rotor_radius)),
+            rotor_crest_radius: points.first().map_or(outer, |crest| crest.rotor_radius.mm()),
             rotor,
             outer,
             is_near: l <= REACH * outer,

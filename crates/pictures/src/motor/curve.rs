@@ -15,10 +15,11 @@ use std::f64::consts::TAU;
 use epicyclic_drawing::{Point, Vertex};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::{Centrode, CurvePoint, Wheel};
+use epicyclic_units::Physical;
+use uom::si::f64::Length;
 
 use crate::Error;
 use crate::tolerance::CURVE;
-use crate::units::{mm, of_mm, rad};
 
 /// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a kilometre
 /// a ten-billionth of its length, which no coordinate holds better.
@@ -76,8 +77,9 @@ pub(super) fn turned(point: Point, angle_rad: f64) -> Point {
 pub fn outline(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     match (wheel, motor.arcs()) {
         (Wheel::Stator, Some(arcs)) => {
-            let (a, r2, beta) = (mm(arcs.crest_distance()), mm(arcs.crest_radius()), rad(arcs.crest_angle()));
-            let gamma = rad(arcs.trough_angle());
+            let (a, r2, beta) =
+                (arcs.crest_distance().mm(), arcs.crest_radius().mm(), arcs.crest_angle().si());
+            let gamma = arcs.trough_angle().si();
             let junction = Point::new(a + r2 * libm::cos(beta), r2 * libm::sin(beta));
             let lobes = motor.numbers().stator_lobes();
             let of_lobe = |lobe: u32| {
@@ -91,7 +93,7 @@ pub fn outline(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
             Ok(Outline { vertices: (0..lobes).flat_map(of_lobe).collect(), deviation_mm: 0.0 })
         }
         (Wheel::Satellite, _) => {
-            let r = mm(motor.satellite_radius());
+            let r = motor.satellite_radius().mm();
             let half = |x: f64| Vertex { at: Point::new(x, 0.0), bulge: 1.0 };
             Ok(Outline { vertices: vec![half(r), half(-r)], deviation_mm: 0.0 })
         }
@@ -105,13 +107,13 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
         Wheel::Stator => motor.numbers().stator_lobes(),
         _ => motor.numbers().rotor_lobes(),
     };
-    let half = mm(curve.length()) / f64::from(2 * lobes);
-    let tolerance_mm = TOLERANCE_MM.max(CURVE * mm(curve.length()));
+    let half = curve.length().mm() / f64::from(2 * lobes);
+    let tolerance_mm = TOLERANCE_MM.max(CURVE * curve.length().mm());
     // The curvature jumps where the images of the stator's arcs meet: a piece ends there.
     let mut ends = vec![0.0];
     if let Some(arcs) = motor.arcs() {
-        let rolled = arcs.crest_radius() * rad(arcs.crest_angle());
-        ends.push(mm(motor.contact_at_stator_arc(rolled)?.rotor_arc));
+        let rolled = arcs.crest_radius() * arcs.crest_angle().si();
+        ends.push(motor.contact_at_stator_arc(rolled)?.rotor_arc.mm());
     }
     ends.push(half);
     let (mut nodes, mut deviation_mm) = (vec![], 0.0_f64);
@@ -126,7 +128,7 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     let mut points = vec![];
     for lobe in 0..lobes {
         for node in &nodes {
-            points.push(curve.at(of_mm(node + 2.0 * half * f64::from(lobe)))?);
+            points.push(curve.at(Length::from_mm(node + 2.0 * half * f64::from(lobe)))?);
         }
     }
     let next = points.iter().cycle().skip(1);
@@ -143,12 +145,13 @@ fn pieces(
     nodes: &mut Vec<f64>,
 ) -> Result<f64, Error> {
     if halvings > 0 {
-        let (start, end) = (curve.at(of_mm(from))?, curve.at(of_mm(to))?);
+        let (start, end) = (curve.at(Length::from_mm(from))?, curve.at(Length::from_mm(to))?);
         let biarc = Biarc::new(&start, &end);
         let mut missed = 0.0_f64;
         for place in 1..=PLACES {
-            let point = curve.at(of_mm(from + (to - from) * f64::from(place) / f64::from(PLACES + 1)))?;
-            missed = missed.max(biarc.distance([mm(point.x), mm(point.y)]));
+            let point =
+                curve.at(Length::from_mm(from + (to - from) * f64::from(place) / f64::from(PLACES + 1)))?;
+            missed = missed.max(biarc.distance([point.x.mm(), point.y.mm()]));
         }
         if missed <= tolerance_mm || halvings > MOST_HALVINGS {
             nodes.push(from);
@@ -187,9 +190,9 @@ struct Biarc {
 
 impl Biarc {
     fn new(start: &CurvePoint, end: &CurvePoint) -> Self {
-        let at = |point: &CurvePoint| [mm(point.x), mm(point.y)];
+        let at = |point: &CurvePoint| [point.x.mm(), point.y.mm()];
         let direction = |point: &CurvePoint| {
-            let (sin, cos) = libm::sincos(rad(point.tangent));
+            let (sin, cos) = libm::sincos(point.tangent.si());
             [cos, sin]
         };
         let ([p0, p1], [t0, t1]) = ([at(start), at(end)], [direction(start), direction(end)]);

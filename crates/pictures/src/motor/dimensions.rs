@@ -9,12 +9,12 @@ use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style,
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::profile::Profile;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, name, number};
 use crate::Error;
-use crate::units::{deg, mm, rad};
 
 /// From the drawing to the first dimension line, and from line to line, in units of the sheet.
 const FIRST: f64 = 8.0;
@@ -47,10 +47,10 @@ pub fn dimensions(
     let table = sheet.layer("table", Style::line(0.18))?;
 
     sheet.outline(body, outline(motor, Wheel::Stator)?);
-    sheet.outline(body, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
-    let r = mm(motor.satellite_radius());
+    sheet.outline(body, outline(motor, Wheel::Rotor)?.turned(rotation.si()));
+    let r = motor.satellite_radius().mm();
     let places: Vec<Point> =
-        satellites.iter().map(|one| Point::new(mm(one.centre.x), mm(one.centre.y))).collect();
+        satellites.iter().map(|one| Point::new(one.centre.x.mm(), one.centre.y.mm())).collect();
     for at in &places {
         sheet.circle(body, *at, r);
         for [dx, dy] in [[0.3 * r, 0.0], [0.0, 0.3 * r]] {
@@ -63,26 +63,26 @@ pub fn dimensions(
         .iter()
         .chain(&ports.low)
         .map(|port| {
-            let at = Point::polar(centre, mm(port.centre_radius), rad(port.angle));
-            (at, 0.5 * mm(port.greatest_diameter))
+            let at = Point::polar(centre, port.centre_radius.mm(), port.angle.si());
+            (at, 0.5 * port.greatest_diameter.mm())
         })
         .filter(|(_, radius)| *radius > 0.0)
         .collect();
     for (at, radius) in &round {
         sheet.circle(ports_layer, *at, *radius);
     }
-    let outer = 0.5 * mm(envelope.stator_outer);
+    let outer = 0.5 * envelope.stator_outer.mm();
     let far = 1.04 * outer;
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
 
     // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table alone.
-    let curves =
-        [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer].map(mm);
+    let curves = [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer]
+        .map(Physical::mm);
     let mut diameters: Vec<(f64, String)> =
         curves.into_iter().map(|diameter| (diameter, format!("Ø{}", number(diameter)))).collect();
     if !round.is_empty() {
-        let circle = ports.high.first().map(|port| 2.0 * mm(port.centre_radius));
+        let circle = ports.high.first().map(|port| 2.0 * port.centre_radius.mm());
         diameters.extend(circle.map(|diameter| (diameter, format!("ports on Ø{}", number(diameter)))));
     }
     diameters.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -131,8 +131,8 @@ fn arrow(sheet: &mut Sheet, layer: LayerId, tip: Point, direction_rad: f64) {
 fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer: f64) {
     let Some(arcs) = motor.arcs() else { return };
     let theta = PI / f64::from(motor.numbers().stator_lobes());
-    let (l, a) = (mm(arcs.trough_distance()), mm(arcs.crest_distance()));
-    let (r1, r2) = (mm(arcs.trough_radius()), mm(arcs.crest_radius()));
+    let (l, a) = (arcs.trough_distance().mm(), arcs.crest_distance().mm());
+    let (r1, r2) = (arcs.trough_radius().mm(), arcs.crest_radius().mm());
     let centre = Point::default();
     let unit = sheet.unit;
     let cross = |sheet: &mut Sheet, at: Point| {
@@ -142,7 +142,7 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     };
     // The crest on the x axis: from its centre to the arc, the number outside.
     let crest = Point::new(a, 0.0);
-    let turn = 0.5 * rad(arcs.crest_angle());
+    let turn = 0.5 * arcs.crest_angle().si();
     cross(sheet, crest);
     let tip = Point::polar(crest, r2, turn);
     let end = Point::polar(crest, r2 + 0.1 * outer + 4.0 * unit, turn);
@@ -260,7 +260,7 @@ fn wheel_data(
 ) {
     let numbers = motor.numbers();
     let envelope = motor.envelope();
-    let length = |value: Length| number(mm(value));
+    let length = |value: Length| number(value.mm());
     let mut rows: Vec<(String, String)> = vec![];
     let mut say = |what: &str, value: String| rows.push((what.to_owned(), value));
     say("Lobes, stator N / rotor n", format!("{} / {}", numbers.stator_lobes(), numbers.rotor_lobes()));
@@ -274,7 +274,7 @@ fn wheel_data(
         Some(profile) => {
             let form = profile.form();
             let [tip, root] = profile.satellite_radii();
-            say("Pressure angle α", format!("{}°", number(deg(form.pressure_angle))));
+            say("Pressure angle α", format!("{}°", number(form.pressure_angle.degrees())));
             say("Profile shift x", number(form.shift));
             say(
                 "Addendum h_a*, clearance c*",
@@ -299,10 +299,10 @@ fn wheel_data(
         (Some(arcs), _) => {
             say("Arc 1 (troughs): radius R₁", length(arcs.trough_radius()));
             say("  centre from the axis l", length(arcs.trough_distance()));
-            say("  angle Γ", format!("{}°", number(deg(arcs.trough_angle()))));
+            say("  angle Γ", format!("{}°", number(arcs.trough_angle().degrees())));
             say("Arc 2 (crests): radius R₂", length(arcs.crest_radius()));
             say("  centre from the axis a", length(arcs.crest_distance()));
-            say("  angle B", format!("{}°", number(deg(arcs.crest_angle()))));
+            say("  angle B", format!("{}°", number(arcs.crest_angle().degrees())));
         }
         (None, Some(law)) => {
             say("Rotor by the cosine law: mean radius c", length(law.mean_radius));
@@ -314,7 +314,7 @@ fn wheel_data(
         (None, None) => {}
     }
     let ports = motor.ports();
-    if let Some(port) = ports.high.first().filter(|port| mm(port.greatest_diameter) > 0.0) {
+    if let Some(port) = ports.high.first().filter(|port| port.greatest_diameter.mm() > 0.0) {
         say("Ports, high / low pressure", format!("{} / {}", ports.high.len(), ports.low.len()));
         say("  Ø at most", length(port.greatest_diameter));
         say("  on Ø", length(2.0 * port.centre_radius));

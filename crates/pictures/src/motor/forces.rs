@@ -5,13 +5,13 @@ use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::flanks::{FlankForce, Push};
 use epicyclic_hydromotor::forces::SatelliteForce;
 use epicyclic_hydromotor::satellites::Satellite;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::chambers::{coloured, direction};
 use super::sheet::{AUXILIARY, Sheet, number};
 use crate::Error;
 use crate::tolerance::BALANCED;
-use crate::units::{deg, mm, newtons, rad};
 
 /// Of the pressure.
 const OF_PRESSURE: Color = Color::new(30, 30, 30);
@@ -48,19 +48,19 @@ pub fn forces(
     ];
     let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
     let numbers = sheet.layer("numbers", Style::line(0.12).color(AUXILIARY))?;
-    let r = mm(motor.satellite_radius());
-    let sizes = on_flanks.iter().map(|one| newtons(one.force));
-    let sizes = sizes.chain(of_pressure.iter().map(|one| newtons(one.force).abs()));
-    let greatest = sizes.chain([newtons(bearing.force)]).fold(0.0, f64::max);
+    let r = motor.satellite_radius().mm();
+    let sizes = on_flanks.iter().map(|one| one.force.si());
+    let sizes = sizes.chain(of_pressure.iter().map(|one| one.force.si().abs()));
+    let greatest = sizes.chain([bearing.force.si()]).fold(0.0, f64::max);
     // The greatest force is two radii of a satellite long.
     let scale = 2.0 * r / greatest;
 
     for ((satellite, on_flank), force) in satellites.iter().zip(&on_flanks).zip(&of_pressure) {
-        let centre = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
+        let centre = Point::new(satellite.centre.x.mm(), satellite.centre.y.mm());
         if let Some(frame) = Frame::of(satellite, on_flank, force) {
-            let pressure = scale * newtons(force.force);
+            let pressure = scale * force.force.si();
             arrow(&mut sheet, layers[0], centre, frame.across(pressure));
-            let length = scale * newtons(on_flank.force);
+            let length = scale * on_flank.force.si();
             for (at, way) in frame.contacts() {
                 let tail = Point::new(at.x - length * way[0], at.y - length * way[1]);
                 arrow(&mut sheet, layers[1], tail, [length * way[0], length * way[1]]);
@@ -73,15 +73,15 @@ pub fn forces(
             Point::polar(centre, 0.55 * r, libm::atan2(centre.y, centre.x) + side * std::f64::consts::PI);
         sheet.scene.add(numbers, Text::new(beside, sheet.letter(), satellite.index.to_string()));
     }
-    let is_loaded = newtons(bearing.force) > BALANCED * greatest;
+    let is_loaded = bearing.force.si() > BALANCED * greatest;
     if is_loaded {
-        let on_axis = [scale * newtons(bearing.x), scale * newtons(bearing.y)];
+        let on_axis = [scale * bearing.x.si(), scale * bearing.y.si()];
         arrow(&mut sheet, layers[2], Point::default(), on_axis);
     }
-    direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), rad(rotation));
+    direction(&mut sheet, marks, 0.5 * motor.envelope().rotor_inner.mm(), rotation.si());
 
     sheet.column(motor)?;
-    sheet.say(&format!("Rotor turned by {}°, running counter-clockwise", number(deg(rotation))));
+    sheet.say(&format!("Rotor turned by {}°, running counter-clockwise", number(rotation.degrees())));
     sheet.skip();
     sheet.legend(OF_PRESSURE, "force of the pressure on a satellite");
     sheet.legend(OF_FLANKS, "force of a flank on it, at the pitch point");
@@ -92,19 +92,14 @@ pub fn forces(
     sheet.say("Satellite: pressure, each of both flanks");
     for (on_flank, force) in on_flanks.iter().zip(&of_pressure) {
         let words = if on_flank.push.is_some() {
-            format!(
-                "{}: {:.0} N, {:.0} N",
-                on_flank.index,
-                newtons(force.force).abs(),
-                newtons(on_flank.force)
-            )
+            format!("{}: {:.0} N, {:.0} N", on_flank.index, force.force.si().abs(), on_flank.force.si())
         } else {
             format!("{}: idle", on_flank.index)
         };
         sheet.say(&words);
     }
     if is_loaded {
-        sheet.say(&format!("bearing: {:.0} N", newtons(bearing.force)));
+        sheet.say(&format!("bearing: {:.0} N", bearing.force.si()));
     } else {
         sheet.say("bearing: none");
     }
@@ -129,14 +124,14 @@ impl Frame {
             Push::Forward => 1.0,
             Push::Back => -1.0,
         };
-        let ray = rad(force.ray);
-        let along = mm(satellite.centre.x) * libm::cos(ray) + mm(satellite.centre.y) * libm::sin(ray);
+        let ray = force.ray.si();
+        let along = satellite.centre.x.mm() * libm::cos(ray) + satellite.centre.y.mm() * libm::sin(ray);
         Some(Self {
             ray,
             middle: Point::polar(Point::default(), along, ray),
-            half: 0.5 * mm(force.chord),
+            half: 0.5 * force.chord.mm(),
             sigma,
-            inclination: rad(on_flank.inclination),
+            inclination: on_flank.inclination.si(),
         })
     }
 

@@ -5,13 +5,13 @@ use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::ports::timing::{Stretch, Timing};
 use epicyclic_hydromotor::ports::{PortOutline, PortPlate, PortShape};
 use epicyclic_hydromotor::quantity::PortSide;
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, HIGH, LOW, STEEL, Sheet, millimetres, number};
 use super::whole::WALL;
 use crate::Error;
-use crate::units::{deg, mm, mm2, rad};
 
 /// The ports as they are made, on layers of their own, over the centrodes after a rotation of the rotor.
 ///
@@ -37,7 +37,7 @@ pub fn plate(ports: &PortPlate, timing: &Timing, rotation: Angle) -> Result<Scen
     let motor = ports.motor();
     let satellites = motor.satellites(rotation)?;
     let centre = Point::default();
-    let outer = 0.5 * mm(motor.envelope().stator_outer);
+    let outer = 0.5 * motor.envelope().stator_outer.mm();
     let mut sheet = Sheet::new(motor, "port plate");
     let edge = sheet.layer("plate", Style::line(0.5).fill(STEEL))?;
     let behind = sheet.layer("motor behind", Style::line(0.15).color(AUXILIARY))?;
@@ -45,7 +45,7 @@ pub fn plate(ports: &PortPlate, timing: &Timing, rotation: Angle) -> Result<Scen
     let high = sheet.layer("high-pressure ports", Style::line(0.4).color(HIGH))?;
     let low = sheet.layer("low-pressure ports", Style::line(0.4).color(LOW))?;
 
-    let wall = outer + (1.25 + WALL) * mm(motor.module());
+    let wall = outer + (1.25 + WALL) * motor.module().mm();
     sheet.circle(edge, centre, wall);
     for outline in ports.outlines() {
         let (layer, color) = match outline.side {
@@ -56,10 +56,10 @@ pub fn plate(ports: &PortPlate, timing: &Timing, rotation: Angle) -> Result<Scen
         sheet.scene.add_styled(layer, style, closed(&outline));
     }
     sheet.outline(behind, outline(motor, Wheel::Stator)?);
-    sheet.outline(behind, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
+    sheet.outline(behind, outline(motor, Wheel::Rotor)?.turned(rotation.si()));
     for satellite in &satellites {
-        let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
-        sheet.circle(behind, at, mm(motor.satellite_radius()));
+        let at = Point::new(satellite.centre.x.mm(), satellite.centre.y.mm());
+        sheet.circle(behind, at, motor.satellite_radius().mm());
     }
     let far = wall + 2.0 * sheet.unit;
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
@@ -73,24 +73,28 @@ pub fn plate(ports: &PortPlate, timing: &Timing, rotation: Angle) -> Result<Scen
             &format!("{lobes} {name}-pressure ports, one at each crest"),
         );
         words(&mut sheet, ports.shape(side));
-        sheet.say(&format!("area {} mm²", number(mm2(ports.port_area(side)))));
+        sheet.say(&format!("area {} mm²", number(ports.port_area(side).mm2())));
         sheet.skip();
     }
-    sheet.say(&format!("Least land between the pressures: {}", millimetres(mm(ports.land()))));
-    sheet.say(&format!("Thin lines: the motor behind, rotor turned by {}°", number(deg(rotation))));
+    sheet.say(&format!("Least land between the pressures: {}", millimetres(ports.land().mm())));
+    sheet.say(&format!("Thin lines: the motor behind, rotor turned by {}°", number(rotation.degrees())));
     sheet.skip();
-    sheet.say(&format!("A chamber over its cycle of {}° of the rotor,", number(deg(timing.cycle))));
+    sheet.say(&format!("A chamber over its cycle of {}° of the rotor,", number(timing.cycle.degrees())));
     sheet.say("counted from where it is greatest:");
     for (name, stretches) in
         [("high", &timing.high), ("low", &timing.low), ("both: short circuit", &timing.short_circuits)]
     {
         for stretch in stretches {
-            sheet.say(&format!("{name}: {} to {}°", signed(deg(stretch.from)), signed(deg(stretch.to))));
+            sheet.say(&format!(
+                "{name}: {} to {}°",
+                signed(stretch.from.degrees()),
+                signed(stretch.to.degrees())
+            ));
         }
     }
     for closed in &timing.closed {
         let Stretch { from, to } = closed.stretch;
-        sheet.say(&format!("closed: {} to {}°", signed(deg(from)), signed(deg(to))));
+        sheet.say(&format!("closed: {} to {}°", signed(from.degrees()), signed(to.degrees())));
     }
     Ok(sheet.scene)
 }
@@ -108,24 +112,28 @@ fn closed(outline: &PortOutline) -> Shape {
     let vertices = outline
         .vertices
         .iter()
-        .map(|vertex| Vertex { at: Point::new(mm(vertex.at.x), mm(vertex.at.y)), bulge: vertex.bulge });
+        .map(|vertex| Vertex { at: Point::new(vertex.at.x.mm(), vertex.at.y.mm()), bulge: vertex.bulge });
     Shape::Polyline { vertices: vertices.collect(), closed: true }
 }
 
 fn words(sheet: &mut Sheet, shape: PortShape) {
     match shape {
         PortShape::Hole { diameter, pitch_radius, angle } => {
-            sheet.say(&format!("hole Ø {}", millimetres(mm(diameter))));
+            sheet.say(&format!("hole Ø {}", millimetres(diameter.mm())));
             sheet.say(&format!(
                 "on Ø {}, {}° from the crest",
-                millimetres(2.0 * mm(pitch_radius)),
-                signed(deg(angle))
+                millimetres(2.0 * pitch_radius.mm()),
+                signed(angle.degrees())
             ));
         }
         PortShape::Kidney { inner_radius, outer_radius, angle, span, corner } => {
-            let [inner, outer] = [inner_radius, outer_radius].map(|radius| millimetres(mm(radius)));
-            sheet.say(&format!("kidney R {inner} to R {outer}, corners R {}", millimetres(mm(corner))));
-            sheet.say(&format!("over {}°, middle {}° from the crest", number(deg(span)), signed(deg(angle))));
+            let [inner, outer] = [inner_radius, outer_radius].map(|radius| millimetres(radius.mm()));
+            sheet.say(&format!("kidney R {inner} to R {outer}, corners R {}", millimetres(corner.mm())));
+            sheet.say(&format!(
+                "over {}°, middle {}° from the crest",
+                number(span.degrees()),
+                signed(angle.degrees())
+            ));
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text, text};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
+use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
 use super::curve::Outline;
 use crate::Error;
-use crate::units::mm;
 
 /// High pressure.
 pub(super) const HIGH: Color = Color::new(200, 50, 47);
@@ -32,7 +32,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     pub(super) fn new(motor: &Motor, view: &str) -> Self {
-        let unit = mm(motor.envelope().stator_outer) / 100.0;
+        let unit = motor.envelope().stator_outer.mm() / 100.0;
         Self::of(&name(motor.numbers(), motor.module()), view, unit)
     }
 
@@ -159,7 +159,7 @@ pub(super) fn name(numbers: MotorNumbers, module: Length) -> String {
         numbers.stator_teeth(),
         numbers.rotor_teeth(),
         numbers.satellite_teeth(),
-        millimetres(mm(module))
+        millimetres(module.mm())
     )
 }
 

@@ -3,6 +3,7 @@
 use epicyclic_drawing::{Color, Dash, Point, Scene, Shape, Style, Text};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::profile::{self, Profile};
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use super::chambers::direction;
@@ -10,7 +11,6 @@ use super::curve::{outline, turned};
 use super::sheet::{AUXILIARY, STEEL, Sheet, millimetres, number};
 use super::whole::WALL;
 use crate::Error;
-use crate::units::{deg, mm, rad};
 
 /// Straight sides of each tooth.
 pub const SIDES: u32 = 120;
@@ -35,15 +35,15 @@ pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
     let pitch = sheet.layer("pitch curves", Style::line(0.1).color(AUXILIARY).dash(Dash::DashDot))?;
     let marks = sheet.layer("marks", Style::line(0.15).color(AUXILIARY))?;
 
-    let outer = 0.5 * mm(motor.envelope().stator_outer);
+    let outer = 0.5 * motor.envelope().stator_outer.mm();
     let form = profile.form();
-    let wall = outer + (form.addendum + form.clearance + form.shift.max(0.0) + WALL) * mm(motor.module());
+    let wall = outer + (form.addendum + form.clearance + form.shift.max(0.0) + WALL) * motor.module().mm();
     sheet.circle(housing, Point::default(), wall);
 
     let of = |wheel, teeth: u32| -> Result<(Vec<Point>, f64), Error> {
         let outline = profile.outline(wheel, SIDES * teeth)?;
         let points: Vec<Point> =
-            outline.points.iter().map(|point| Point::new(mm(point.x), mm(point.y))).collect();
+            outline.points.iter().map(|point| Point::new(point.x.mm(), point.y.mm())).collect();
         let missed = sagitta(&points, &outline.segments);
         Ok((points, missed))
     };
@@ -51,10 +51,10 @@ pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
     let (rotor_points, rotor_missed) = of(Wheel::Rotor, numbers.rotor_teeth())?;
     let (satellite_points, satellite_missed) = of(Wheel::Satellite, numbers.satellite_teeth())?;
     sheet.scene.add(stator, Shape::polygon(stator_points));
-    let turn = rad(rotation);
+    let turn = rotation.si();
     sheet.scene.add(rotor, Shape::polygon(rotor_points.into_iter().map(|point| turned(point, turn))));
     for satellite in &satellites {
-        let (x, y, turn) = (mm(satellite.centre.x), mm(satellite.centre.y), rad(satellite.rotation));
+        let (x, y, turn) = (satellite.centre.x.mm(), satellite.centre.y.mm(), satellite.rotation.si());
         let placed = satellite_points.iter().map(|&point| {
             let Point { x: along, y: across } = turned(point, turn);
             Point::new(x + along, y + across)
@@ -64,19 +64,19 @@ pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
     sheet.outline(pitch, outline(motor, Wheel::Stator)?);
     sheet.outline(pitch, outline(motor, Wheel::Rotor)?.turned(turn));
     for satellite in &satellites {
-        let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
-        sheet.circle(pitch, at, mm(motor.satellite_radius()));
+        let at = Point::new(satellite.centre.x.mm(), satellite.centre.y.mm());
+        sheet.circle(pitch, at, motor.satellite_radius().mm());
         sheet.circle(marks, at, 0.3 * sheet.unit);
         let beside = Point::polar(Point::default(), wall + 3.0 * sheet.unit, libm::atan2(at.y, at.x));
         let text = Text::new(beside, sheet.letter(), satellite.index.to_string());
         sheet.scene.add(marks, text);
     }
-    direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), turn);
+    direction(&mut sheet, marks, 0.5 * motor.envelope().rotor_inner.mm(), turn);
 
     sheet.column(motor)?;
-    sheet.say(&format!("Rotor turned by {}°", number(deg(rotation))));
+    sheet.say(&format!("Rotor turned by {}°", number(rotation.degrees())));
     sheet.skip();
-    sheet.say(&format!("Involute satellites, α = {}°", number(deg(form.pressure_angle))));
+    sheet.say(&format!("Involute satellites, α = {}°", number(form.pressure_angle.degrees())));
     sheet.say("stator and rotor are their envelopes");
     sheet.say(&format!(
         "addendum h_a* = {}, clearance c* = {}",
@@ -86,8 +86,8 @@ pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
     sheet.say(&format!("shift x = {}, backlash j* = {}", number(form.shift), number(form.backlash)));
     sheet.say(&format!("rounded tips of the cutters ρ* = {}", number(form.fillet)));
     let [tip, root] = profile.satellite_radii();
-    sheet.say(&format!("satellite: tip Ø {}", millimetres(2.0 * mm(tip))));
-    sheet.say(&format!("satellite: root Ø {}", millimetres(2.0 * mm(root))));
+    sheet.say(&format!("satellite: tip Ø {}", millimetres(2.0 * tip.mm())));
+    sheet.say(&format!("satellite: root Ø {}", millimetres(2.0 * root.mm())));
     sheet.skip();
     let failed = profile.limits().iter().filter(|limit| !limit.holds()).count();
     match failed {

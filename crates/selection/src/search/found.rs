@@ -7,10 +7,10 @@ use crate::front::Entry;
 use crate::objectives::Objectives;
 use crate::quantity::Limited;
 use crate::size::Rating;
-use crate::units::in_metres;
 use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::structures::Structure;
+use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::Length;
 
@@ -85,9 +85,9 @@ impl SizeLimits {
         if module.is_none() && ring_diameter.is_none() {
             return Ok(Self { module: None, ring: f64::INFINITY });
         }
-        let unit = in_metres(rating.unit().ok_or(Error::SizeWithoutTorque)?);
+        let unit = rating.unit().ok_or(Error::SizeWithoutTorque)?.si();
         let relative = |what, length: Length| {
-            let value = in_metres(length);
+            let value = length.si();
             if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
         };
         let module = match module {

@@ -25,9 +25,10 @@
 //! ISO 6336-3:2006, clauses 6 to 10 and 13 to 15, annex B.
 
 use super::section::RootSection;
+use crate::checks::within;
 use crate::material::{Class, Material};
-use crate::units::{self, within};
 use crate::{Error, Quantity};
+use epicyclic_units::Physical;
 
 /// `Y_F`, with the normal pressure angle, rad.
 #[must_use]
@@ -134,7 +135,7 @@ fn slip_layer(material: &Material) -> Result<f64, Error> {
         Class::Structural => &STRUCTURAL,
         Class::GreyIron | Class::NodularFerritic => &GREY,
     };
-    let strength = material.strength.map(units::mpa).ok_or(Error::MissingFactor {
+    let strength = material.strength.map(Physical::mpa).ok_or(Error::MissingFactor {
         symbol: crate::symbol::Symbol::NotchSensitivity,
         because: "the material's class asks for its yield or tensile strength",
     })?;

@@ -5,11 +5,11 @@
 
 use super::factors::form_factor;
 use super::section::{RootSection, Shaper, section};
-use crate::units::radians;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::function::{angle_of_involute, involute};
 use epicyclic_gears::involute::{InvoluteGear, Profile};
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 type Point = [f64; 2];
@@ -29,7 +29,7 @@ fn touched(centre: Point, pitch: Point, radius: f64) -> Point {
 /// The fillet of a spur gear cut by a rack, at a travel of the rack.
 fn by_rack(gear: &InvoluteGear, travel: f64) -> Point {
     let profile = gear.profile();
-    let alpha = radians(profile.rack.pressure_angle);
+    let alpha = profile.rack.pressure_angle.si();
     let depth = profile.rack.addendum + profile.rack.clearance;
     let rho = profile.fillet;
     let radius = gear.reference_diameter() / 2.0;
@@ -45,7 +45,7 @@ fn by_rack(gear: &InvoluteGear, travel: f64) -> Point {
 /// The fillet of a ring cut by a shaper, at an angle of the shaper's tip arc.
 fn by_shaper(ring: &InvoluteGear, shaper: Shaper, angle: f64) -> Point {
     let profile = ring.profile();
-    let alpha = radians(profile.rack.pressure_angle);
+    let alpha = profile.rack.pressure_angle.si();
     let depth = profile.rack.addendum + profile.rack.clearance;
     let rho = profile.fillet;
     let (z, z0) = (ring.teeth().as_f64(), f64::from(shaper.teeth));

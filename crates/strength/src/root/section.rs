@@ -28,11 +28,12 @@
 //! # Source
 //! ISO 6336-3:2006 with its corrigendum of 2007, clause 6.2.
 
-use crate::units::{not_negative, positive, radians, within};
+use crate::checks::{not_negative, positive, within};
 use crate::{Error, Quantity, tolerance};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::involute::function::involute;
+use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 
 /// A shaper: the pinion-type cutter that makes a ring.
@@ -99,11 +100,11 @@ pub(crate) fn section_of(
     let none = |because| Error::NoRootSection { teeth: gear.teeth().get(), because };
     let profile = gear.profile();
     let rack = &profile.rack;
-    let alpha = radians(rack.pressure_angle);
+    let alpha = rack.pressure_angle.si();
     let narrowing = libm::cos(base_helix).powi(2);
     let is_internal = gear.kind() == GearKind::Internal;
     let sign = if is_internal { -1.0 } else { 1.0 };
-    let z = sign * gear.teeth().as_f64() / (narrowing * libm::cos(radians(profile.helix_angle)));
+    let z = sign * gear.teeth().as_f64() / (narrowing * libm::cos(profile.helix_angle.si()));
     let contact_ratio =
         within(Quantity::ContactRatio, contact_ratio / narrowing, [1.0, MOST_CONTACT_RATIO], "")?;
 

@@ -9,8 +9,8 @@
 //! differ by a quarter, or none could be read.
 
 use crate::Error;
-use crate::units::{force, length_mm};
 use epicyclic_gears::life::Rolling;
+use epicyclic_units::Physical;
 use std::sync::LazyLock;
 use uom::si::f64::{Force, Length};
 
@@ -173,13 +173,13 @@ fn bearing(line: usize, row: &str, places: [Option<usize>; COLUMNS.len()]) -> Re
     if outside <= bore {
         return Err(wrong(3, "a number above that of d_mm"));
     }
-    let kilonewtons = |value: f64| force(value * 1e3);
+    let kilonewtons = |value: f64| Force::from_si(value * 1e3);
     Ok(Bearing {
         designation: cell(0).to_owned(),
         rolling,
-        bore: length_mm(bore),
-        outside_diameter: length_mm(outside),
-        width: length_mm(number(4)?),
+        bore: Length::from_mm(bore),
+        outside_diameter: Length::from_mm(outside),
+        width: Length::from_mm(number(4)?),
         load_rating: kilonewtons(number(5)?),
         static_load_rating: if cell(6).is_empty() { None } else { Some(kilonewtons(number(6)?)) },
     })
@@ -188,24 +188,23 @@ fn bearing(line: usize, row: &str, places: [Option<usize>; COLUMNS.len()]) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::mm;
 
     #[test]
     fn the_table_is_whole_and_in_order() {
         let all = listed();
         assert_eq!(all.len(), 63);
-        let key = |bearing: &Bearing| (mm(bearing.bore), mm(bearing.outside_diameter));
+        let key = |bearing: &Bearing| (bearing.bore.mm(), bearing.outside_diameter.mm());
         assert!(all.windows(2).all(|two| key(&two[0]) < key(&two[1])));
         // Series 62 and 63 have the envelope of the other table of the workspace.
-        for bearing in all.iter().filter(|bearing| mm(bearing.bore) >= 20.0) {
+        for bearing in all.iter().filter(|bearing| bearing.bore.mm() >= 20.0) {
             if let Ok(other) = epicyclic_gears::bearing::by_designation(&bearing.designation) {
                 assert_eq!(
-                    mm(other.outside_diameter),
-                    mm(bearing.outside_diameter),
+                    other.outside_diameter.mm(),
+                    bearing.outside_diameter.mm(),
                     "{}",
                     bearing.designation
                 );
-                assert_eq!(mm(other.width), mm(bearing.width), "{}", bearing.designation);
+                assert_eq!(other.width.mm(), bearing.width.mm(), "{}", bearing.designation);
             }
         }
     }
@@ -213,7 +212,7 @@ mod tests {
     /// Each row as another maker has it: the same dimensions, and ratings that differ as makers' do.
     #[test]
     fn each_roller_bearing_was_read_twice() {
-        let kilonewtons = |rating: Force| crate::units::newtons(rating) / 1e3;
+        let kilonewtons = |rating: Force| rating.si() / 1e3;
         let again = include_str!("../../data/planet_roller_bearings_again.csv");
         let again: Vec<Vec<&str>> = again
             .lines()
@@ -224,7 +223,7 @@ mod tests {
         for (bearing, again) in listed_rollers().iter().zip(&again) {
             let number = |place: usize| again[place].parse::<f64>().unwrap();
             assert_eq!((bearing.designation.as_str(), bearing.rolling), (again[0], Rolling::Rollers));
-            let envelope = [bearing.bore, bearing.outside_diameter, bearing.width].map(mm);
+            let envelope = [bearing.bore, bearing.outside_diameter, bearing.width].map(Physical::mm);
             assert!(
                 envelope.iter().zip(1..).all(|(one, place)| (one - number(place)).abs() < 1e-9),
                 "{again:?}"
@@ -238,10 +237,11 @@ mod tests {
             if let Some(balls) =
                 listed().iter().find(|balls| bearing.designation == format!("NJ {}", &balls.designation[1..]))
             {
-                assert_eq!([balls.bore, balls.outside_diameter, balls.width].map(mm), envelope);
+                assert_eq!([balls.bore, balls.outside_diameter, balls.width].map(Physical::mm), envelope);
             }
         }
-        let key = |bearing: &Bearing| [bearing.bore, bearing.outside_diameter, bearing.width].map(mm);
+        let key =
+            |bearing: &Bearing| [bearing.bore, bearing.outside_diameter, bearing.width].map(Physical::mm);
         assert!(listed_rollers().windows(2).all(|two| key(&two[0]) < key(&two[1])));
     }
 
@@ -251,7 +251,7 @@ mod tests {
         let [bearing] = &parse(table).unwrap()[..] else { panic!() };
         assert_eq!((bearing.designation.as_str(), bearing.rolling), ("NJ 202", Rolling::Rollers));
         assert_eq!(bearing.static_load_rating, None);
-        assert!((mm(bearing.outside_diameter) - 35.0).abs() < 1e-9);
+        assert!((bearing.outside_diameter.mm() - 35.0).abs() < 1e-9);
     }
 
     #[test]

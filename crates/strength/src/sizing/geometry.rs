@@ -2,7 +2,6 @@
 
 use super::{LeftOut, Sizing};
 use crate::tolerance::EDGE;
-use crate::units::{kg_m3, mm, radians};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::check::{Check, Rule};
@@ -11,6 +10,7 @@ use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_units::Physical;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 
@@ -49,9 +49,9 @@ impl Geometry {
         limited_by: Option<Check>,
     ) -> Result<Self, Error> {
         let [sun, planet, ring] = set.gears();
-        let ring_rim_mm = task.held_ring_rim.map_or(task.ring_rim * module_mm, mm);
+        let ring_rim_mm = task.held_ring_rim.map_or(task.ring_rim * module_mm, Physical::mm);
         let ring_mm = ring.root_diameter() * module_mm + 2.0 * ring_rim_mm;
-        let [sun_rho, planet_rho, ring_rho] = task.gears.map(|gear| kg_m3(gear.material.density) / MM3);
+        let [sun_rho, planet_rho, ring_rho] = task.gears.map(|gear| gear.material.density.si() / MM3);
         // A circle with the mean area of those of tips and roots.
         let filled = |gear: &InvoluteGear| {
             let square = |diameter: f64| (diameter * module_mm).powi(2);
@@ -96,7 +96,7 @@ impl Geometry {
 
 /// The centre distances of a module, in modules.
 fn centres(task: &Sizing, natural: f64, module_mm: f64) -> Vec<f64> {
-    let step = mm(task.space.centre_distance_step) / module_mm;
+    let step = task.space.centre_distance_step.mm() / module_mm;
     let first = ((natural - task.space.reach) / step - EDGE).ceil() as i64;
     let last = ((natural + task.space.reach) / step + EDGE).floor() as i64;
     (first..=last).map(|count| count as f64 * step).collect()
@@ -107,7 +107,7 @@ const MOST: u32 = 300_000;
 
 /// Refuses a space of more centre distances and face widths than a search holds.
 pub(super) fn check_extent(task: &Sizing, modules_mm: &[f64], widths: usize) -> Result<(), Error> {
-    let step_mm = mm(task.space.centre_distance_step);
+    let step_mm = task.space.centre_distance_step.mm();
     let of_module = |module_mm: &f64| match task.held_shifts {
         Some(_) => 1.0,
         None => (2.0 * task.space.reach * module_mm / step_mm).max(1.0),
@@ -146,7 +146,7 @@ fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
 fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
     let planet =
         TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };
-    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, radians(angle)) <= task.limits.planet_gap)
+    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, angle.si()) <= task.limits.planet_gap)
 }
 
 /// The gears at every centre distance of the space; `others` is how many designs each of them has.

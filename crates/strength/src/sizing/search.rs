@@ -4,6 +4,7 @@ use super::bearing::Bearing;
 use super::geometry::{Geometry, check_extent, geometries};
 use super::{Design, Found, Governing, LeftOut, Objective, Requirement, SetOverload, Sizing, Space};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
+use crate::checks::{not_negative, positive, within};
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::mesh::{Gear, Mesh, Method};
@@ -11,13 +12,13 @@ use crate::planets::loads;
 use crate::rating::overload;
 use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::spectrum::{GearDuty, Step, Worn, check_shares, rate_duty};
-use crate::units::{force, hours, length_mm, mass, mm, n_m, not_negative, positive, rad_s, um, within};
 use crate::{Error, Quantity};
 use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
-use uom::si::f64::{AngularVelocity, Length, Time, Torque};
+use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
 
 /// Below this rim over tooth height a rim weakens the root ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
@@ -100,7 +101,7 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
 
 /// Lengths in mm, ascending and each once.
 fn sorted(lengths: &[Length]) -> Vec<f64> {
-    let mut all: Vec<f64> = lengths.iter().map(|length| mm(*length)).collect();
+    let mut all: Vec<f64> = lengths.iter().map(|length| length.mm()).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -119,13 +120,13 @@ impl Space {
                 return Err(Error::NothingToSearch { quantity });
             }
             for length in lengths {
-                positive(quantity, mm(*length), "mm")?;
+                positive(quantity, length.mm(), "mm")?;
             }
         }
         if self.planets.is_empty() {
             return Err(Error::NothingToSearch { quantity: Quantity::Planets });
         }
-        positive(Quantity::CentreDistanceStep, mm(self.centre_distance_step), "mm")?;
+        positive(Quantity::CentreDistanceStep, self.centre_distance_step.mm(), "mm")?;
         not_negative(Quantity::CentreDistanceReach, self.reach, "modules")?;
         if let Some(ratio) = self.width_ratio {
             positive(Quantity::WidthRatio, ratio, "")?;
@@ -137,13 +138,13 @@ impl Space {
 /// Refuses what is no space, no duty or no requirement.
 fn check(task: &Sizing) -> Result<(), Error> {
     task.space.check()?;
-    positive(Quantity::Life, hours(task.life), "h")?;
+    positive(Quantity::Life, task.life.hours(), "h")?;
     let overloads = task.overloads.iter().flat_map(|one| [one.required_contact, one.required_root]);
     for required in [task.required_contact, task.required_root].into_iter().chain(overloads) {
         positive(Quantity::RequiredSafety, required, "")?;
     }
     for gear in &task.gears {
-        within(Quantity::RootRoughness, um(gear.root_roughness), [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
+        within(Quantity::RootRoughness, gear.root_roughness.um(), [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
     }
     not_negative(Quantity::LeastRim, task.planet_rim, "modules")?;
     not_negative(Quantity::RingRimInModules, task.ring_rim, "modules")?;
@@ -153,7 +154,7 @@ fn check(task: &Sizing) -> Result<(), Error> {
         (Quantity::PlanetBore, task.planet_bore),
     ] {
         if let Some(length) = length {
-            positive(quantity, mm(length), "mm")?;
+            positive(quantity, length.mm(), "mm")?;
         }
     }
     task.limits.check()?;
@@ -182,7 +183,7 @@ fn steps(task: &Sizing, planets: u32) -> Result<MeshSteps, Error> {
         contacts = both.map(|load| load.contacts);
     }
     let mut overloads = vec![];
-    for one in task.overloads.iter().filter(|one| n_m(one.sun_torque) != 0.0) {
+    for one in task.overloads.iter().filter(|one| one.sun_torque.si() != 0.0) {
         let both = loads(one.sun_torque, AngularVelocity::default(), planets, [sun, planet], task.life)?;
         overloads.push((both.map(|load| load.torque), *one));
     }
@@ -256,8 +257,8 @@ impl Search<'_> {
     /// Outside diameter of a bearing, or the bore of the planets without one; 0 of solid ones.
     fn bore_mm(&self, bearing: usize) -> f64 {
         match self.choices[bearing] {
-            Some(bearing) => mm(bearing.outside_diameter),
-            None => self.task.planet_bore.map_or(0.0, mm),
+            Some(bearing) => bearing.outside_diameter.mm(),
+            None => self.task.planet_bore.map_or(0.0, Physical::mm),
         }
     }
 
@@ -280,8 +281,8 @@ impl Search<'_> {
             let sun_mm = own.set.gears()[0].reference_diameter() * own.module_mm;
             let widest = self.task.space.width_ratio.map_or(f64::INFINITY, |ratio| ratio * sun_mm);
             let end = self.widths_mm.partition_point(|width| *width <= widest);
-            let least =
-                (self.task.planet_rim * own.module_mm).max(self.task.least_planet_rim.map_or(0.0, mm));
+            let least = (self.task.planet_rim * own.module_mm)
+                .max(self.task.least_planet_rim.map_or(0.0, Physical::mm));
             let root_mm = own.planet_root_mm;
             self.left_out.width_ratio += ((all - end) * self.choices.len()) as u64;
             for bearing in 0..self.choices.len() {
@@ -290,7 +291,7 @@ impl Search<'_> {
                     self.left_out.rim += end as u64;
                     continue;
                 }
-                let width_mm = self.choices[bearing].map_or(0.0, |bearing| mm(bearing.width));
+                let width_mm = self.choices[bearing].map_or(0.0, |bearing| bearing.width.mm());
                 let first = self.widths_mm.partition_point(|width| *width < width_mm).min(end);
                 self.left_out.bearing_width += first as u64;
                 if first < end {
@@ -332,22 +333,22 @@ impl Search<'_> {
             requirement: Requirement::BearingLife,
             mesh: 0,
             gear: SimpleGear::Planet,
-            value: libm::pow(hours(life) / hours(self.task.life), 1.0 / bearing.rolling.exponent()),
+            value: libm::pow(life.hours() / self.task.life.hours(), 1.0 / bearing.rolling.exponent()),
             required: 1.0,
         });
         let governing = least([over_duty].into_iter().chain(overload).chain(of_bearing)).unwrap_or(over_duty);
         Ok(Some(Design {
-            module: length_mm(own.module_mm),
-            face_width: length_mm(face_mm),
-            centre_distance: length_mm(own.centre_mm),
+            module: Length::from_mm(own.module_mm),
+            face_width: Length::from_mm(face_mm),
+            centre_distance: Length::from_mm(own.centre_mm),
             set: own.set,
             limited_by: own.limited_by,
             bearing: bearing.cloned(),
-            planet_bore: (bore_mm > 0.0).then(|| length_mm(bore_mm)),
-            planet_rim: rim_mm.map(length_mm),
-            ring_rim: length_mm(own.ring_rim_mm),
-            ring_diameter: length_mm(own.ring_mm),
-            mass: mass(own.mass(bore_mm, face_mm)),
+            planet_bore: (bore_mm > 0.0).then(|| Length::from_mm(bore_mm)),
+            planet_rim: rim_mm.map(Length::from_mm),
+            ring_rim: Length::from_mm(own.ring_rim_mm),
+            ring_diameter: Length::from_mm(own.ring_mm),
+            mass: Mass::from_si(own.mass(bore_mm, face_mm)),
             meshes,
             overload,
             bearing_life,
@@ -365,14 +366,14 @@ impl Search<'_> {
         let task = self.task;
         let own = &self.geometries[one.geometry];
         let [sun, planet, ring] = task.gears;
-        let planet = Gear { rim: planet_rim_mm.map(length_mm), ..planet };
-        let ring = Gear { rim: Some(length_mm(own.ring_rim_mm)), ..ring };
+        let planet = Gear { rim: planet_rim_mm.map(Length::from_mm), ..planet };
+        let ring = Gear { rim: Some(Length::from_mm(own.ring_rim_mm)), ..ring };
         let steps = self.steps_of(own.planets);
         let rated = |place: usize, gears: [Gear; 2]| {
             let mesh = Mesh {
                 pair: own.pairs[place],
-                module: length_mm(own.module_mm),
-                face_width: length_mm(self.widths_mm[one.width]),
+                module: Length::from_mm(own.module_mm),
+                face_width: Length::from_mm(self.widths_mm[one.width]),
                 gears,
                 viscosity: task.viscosity,
             };
@@ -433,13 +434,13 @@ impl Search<'_> {
             .duty
             .iter()
             .map(|step| {
-                let torque = n_m(step.sun_torque).abs() * sharing;
+                let torque = step.sun_torque.si().abs() * sharing;
                 let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
-                let centrifugal = planet_kg * centre_m * rad_s(step.carrier_speed).powi(2);
+                let centrifugal = planet_kg * centre_m * step.carrier_speed.si().powi(2);
                 let radial = first * outer - second * inner + centrifugal;
                 BearingStep {
                     share: step.share,
-                    load: force(libm::hypot(first + second, radial)),
+                    load: Force::from_si(libm::hypot(first + second, radial)),
                     speed: step.sun_speed.abs() * (sun / planet),
                     modification: 1.0,
                 }

@@ -1,10 +1,11 @@
 use super::*;
 use crate::Gearbox;
 use crate::set::{SetKind, SetSpec};
-use crate::units::degrees;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
+use uom::si::f64::Angle;
 
 fn built(spec: SetSpec) -> Result<PlanetSet, Error> {
     let gearbox = Gearbox::builder("one").links(["s", "H"]).set(spec).input("s").output("H").build()?;
@@ -23,7 +24,7 @@ fn double(sun: u32, inner: u32, outer: u32, ring: u32) -> SetSpec {
 }
 
 fn at(degrees_of: &[f64]) -> Spacing {
-    Spacing::At(degrees_of.iter().map(|angle| degrees(*angle)).collect())
+    Spacing::At(degrees_of.iter().map(|angle| Angle::from_degrees(*angle)).collect())
 }
 
 /// Phase of the teeth of a planet of a simple set, in teeth, that the sun's and the ring's teeth ask for at an angle in turns, where a planet
@@ -57,14 +58,14 @@ proptest! {
         let ring = sun + 2 * planet;
         let spec = || simple(sun, ring).planet_count(planets);
         let least = built(spec().spaced(Spacing::Placed(Placement::LeastUnequal))).unwrap();
-        let mut angles: Vec<f64> = least.planet_angles().unwrap().iter().map(|one| radians(*one).to_degrees()).collect();
+        let mut angles: Vec<f64> = least.planet_angles().unwrap().iter().map(|one| one.si().to_degrees()).collect();
         let turned = |one: &f64| ((one + turn) * 100.0).round() / 100.0;
         angles.rotate_left(shift % planets as usize);
         let given = built(spec().spaced(at(&angles.iter().map(turned).collect::<Vec<_>>()))).unwrap();
         prop_assert!(given.misplaced().is_empty(), "{:?}", given.misplaced());
         let rack = BasicRack::default();
         prop_assert_eq!(given.planet_fit(&rack), least.planet_fit(&rack));
-        let [one, other] = [&given, &least].map(|set| radians(set.least_planet_angle().unwrap()));
+        let [one, other] = [&given, &least].map(|set| set.least_planet_angle().unwrap().si());
         prop_assert!((one - other).abs() < 1e-12, "{} {}", one, other);
     }
 

@@ -4,13 +4,13 @@ use super::flows::{Flows, Part};
 use crate::planet_places::planet_of;
 use crate::planet_set::GearOf;
 use crate::tolerance::NO_TORQUE;
-use crate::units::{force, in_metres, n_m, rad_per_s, radians, torque};
 use crate::{LinkId, LoadCase, Operation};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, Quantity};
 use epicyclic_numerics::values::largest_absolute;
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Time, Torque};
 
 /// What is missing for a force, or why none follows.
@@ -137,7 +137,7 @@ impl Contact {
     ) -> Option<([f64; 2], f64)> {
         let [out, along] = self.direction?;
         let about_own_n_m = self.weighed(flows, torques_n_m)? / count;
-        let across_n = about_own_n_m / in_metres(self.pitch_radius?);
+        let across_n = about_own_n_m / self.pitch_radius?.si();
         let apart_n = across_n.abs() * tan_alpha;
         let outwards_n = -across_n * along - apart_n * out;
         let along_n = across_n * out - apart_n * along;
@@ -166,8 +166,9 @@ impl PlanetBearing {
     /// # Errors
     /// Those of [`forces`](Self::forces); [`Error::OutOfRange`] for a load case of another gearbox.
     pub fn of_unit_input(&self, case: &LoadCase) -> Result<BearingForces, Error> {
-        let of_input =
-            |torques: &Vec<f64>| torques.iter().map(|of| torque(of / case.input)).collect::<Vec<_>>();
+        let of_input = |torques: &Vec<f64>| {
+            torques.iter().map(|of| Torque::from_si(of / case.input)).collect::<Vec<_>>()
+        };
         let torques = case.members.get(self.set).and_then(Option::as_ref).map(of_input);
         self.forces(torques.as_deref(), None)
     }
@@ -191,13 +192,13 @@ impl PlanetBearing {
             return Err(Error::OutOfRange { quantity, value, low: due, high: due, unit: "" });
         }
         if let (Some(planets), Some([centrals @ .., carrier])) = (self.planets, torques) {
-            let of_centrals: Vec<f64> = centrals.iter().map(|torque| n_m(*torque)).collect();
+            let of_centrals: Vec<f64> = centrals.iter().map(|torque| torque.si()).collect();
             let between = self.between(&of_centrals, planets, radius);
             let push = |contact: &Contact| {
                 if planet_of(contact.with).is_some() {
                     return None;
                 }
-                let torque = contact.weighed(&self.flows, &of_centrals).map(torque);
+                let torque = contact.weighed(&self.flows, &of_centrals).map(Torque::from_si);
                 let known = contact.pitch_radius.zip(torque);
                 Some(known.map(|(pitch_radius, torque)| Push {
                     kind: contact.gear_kind,
@@ -220,7 +221,7 @@ impl PlanetBearing {
                     }
                     _ => planet_bearing::radial_force(&pushes, planets, self.pressure_angle)?,
                 };
-                forces.radial = Some(of_centrals + force(outwards_n));
+                forces.radial = Some(of_centrals + Force::from_si(outwards_n));
             }
             forces.tangential = if self.is_only {
                 Some(of_carrier)
@@ -231,14 +232,14 @@ impl PlanetBearing {
                         gears.filter_map(|gear| gear.weighed(&self.flows, &of_centrals)).sum();
                     let own = of_gears + self.shafts.iter().map(|&shaft| of_centrals[shaft]).sum::<f64>();
                     let largest = largest_absolute(&of_centrals);
-                    let is_against = n_m(*carrier) > NO_TORQUE * largest;
-                    let along_n = (own / f64::from(planets) + moment_n_m) / in_metres(radius);
-                    force(if is_against { -along_n } else { along_n })
+                    let is_against = carrier.si() > NO_TORQUE * largest;
+                    let along_n = (own / f64::from(planets) + moment_n_m) / radius.si();
+                    Force::from_si(if is_against { -along_n } else { along_n })
                 })
             };
         }
         forces.centrifugal = match (self.mass, carrier_speed) {
-            (_, Some(speed)) if rad_per_s(speed) == 0.0 => Some(Force::default()),
+            (_, Some(speed)) if speed.si() == 0.0 => Some(Force::default()),
             (Some(mass), Some(speed)) => Some(planet_bearing::centrifugal_force(mass, radius, speed)?),
             _ => None,
         };
@@ -250,11 +251,11 @@ impl PlanetBearing {
 
     /// What other planets in mesh do to it: force outwards, N, and moment about the main axis, N·m.
     fn between(&self, torques_n_m: &[f64], planets: u32, radius: Length) -> Option<[f64; 2]> {
-        let (count, tan_alpha) = (f64::from(planets), libm::tan(radians(self.pressure_angle)));
+        let (count, tan_alpha) = (f64::from(planets), libm::tan(self.pressure_angle.si()));
         let meshing = self.contacts.iter().filter(|contact| planet_of(contact.with).is_some());
         meshing.into_iter().try_fold([0.0, 0.0], |[out, about], contact| {
             let ([outwards_n, _], moment_n_m) =
-                contact.of_planet(&self.flows, torques_n_m, count, tan_alpha, in_metres(radius))?;
+                contact.of_planet(&self.flows, torques_n_m, count, tan_alpha, radius.si())?;
             Some([out + outwards_n, about + moment_n_m])
         })
     }

@@ -1,10 +1,10 @@
 //! What is known of the size of a set, as far as its planet bearings ask for it.
 
 use crate::planet_set::PlanetSet;
-use crate::units::{degrees, in_metres, kg_per_m3, kilograms};
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::planet_bearing;
 use epicyclic_gears::{Error, Quantity};
+use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
 
 /// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
@@ -72,8 +72,8 @@ impl Default for SetSize {
             planet_bore: None,
             planet_mass: None,
             bearing: None,
-            density: kg_per_m3(7850.0),
-            pressure_angle: degrees(20.0),
+            density: MassDensity::from_si(7850.0),
+            pressure_angle: Angle::from_degrees(20.0),
             planets: vec![],
             meshes: vec![],
         }
@@ -104,14 +104,14 @@ impl SetSize {
             lengths.extend(own.face_widths.iter().map(|width| (Quantity::FaceWidth, *width)));
         }
         for (quantity, length) in lengths {
-            if let Some(value_m) = length.map(in_metres)
+            if let Some(value_m) = length.map(Physical::si)
                 && !(value_m > 0.0 && value_m.is_finite())
             {
                 return Err(Error::NotPositive { quantity, value: value_m * 1e3, unit: "mm" });
             }
         }
         for mass in self.planets.iter().map(|own| own.mass).chain([self.planet_mass]).flatten() {
-            let value = kilograms(mass);
+            let value = mass.si();
             if !(value > 0.0 && value.is_finite()) {
                 return Err(Error::NotPositive { quantity: Quantity::PlanetMass, value, unit: "kg" });
             }

@@ -2,13 +2,12 @@
 
 use super::*;
 use crate::set::{MeshLoss, SetSpec};
-use crate::units::{angular_velocity, torque};
 use epicyclic_gears::Quantity;
-use uom::si::f64::{Force, Length, Torque};
-use uom::si::{force::newton, length::millimeter, mass::kilogram};
+use epicyclic_units::Physical;
+use uom::si::f64::{AngularVelocity, Force, Length, Mass, Torque};
 
 fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 fn gearbox(set: SetSpec) -> Gearbox {
@@ -38,17 +37,14 @@ fn teeth(count: u32) -> ToothCount {
 fn a_simple_set_by_hand() {
     let set = SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3);
     let gearbox = gearbox(set);
-    let size = SetSize {
-        module: Some(mm(3.0)),
-        planet_mass: Some(Mass::new::<kilogram>(0.5)),
-        ..SetSize::default()
-    };
+    let size = SetSize { module: Some(mm(3.0)), planet_mass: Some(Mass::from_si(0.5)), ..SetSize::default() };
     let bearing = only(&gearbox, &size);
     assert_eq!(bearing.lacks, []);
-    assert!((in_metres(bearing.radius.unwrap()) - 0.06).abs() < 1e-15);
-    let forces =
-        bearing.forces(Some(&[100.0, 300.0, -400.0].map(torque)), Some(angular_velocity(100.0))).unwrap();
-    let newtons = |force: Option<Force>| force.unwrap().get::<newton>();
+    assert!((bearing.radius.unwrap().si() - 0.06).abs() < 1e-15);
+    let forces = bearing
+        .forces(Some(&[100.0, 300.0, -400.0].map(Torque::from_si)), Some(AngularVelocity::from_si(100.0)))
+        .unwrap();
+    let newtons = |force: Option<Force>| force.unwrap().si();
     // 400/(3·0.06) = 2·100/(3·0.03); 0.5·0.06·100².
     assert!((newtons(forces.tangential) - 20_000.0 / 9.0).abs() < 1e-9);
     assert!(newtons(forces.radial).abs() < 1e-9);
@@ -61,7 +57,7 @@ fn without_a_size_the_lacks_are_named() {
     let gearbox = gearbox(SetSpec::simple("P", ["a", "b", "H"], 3.0));
     let bearing = only(&gearbox, &SetSize::default());
     assert_eq!(bearing.lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
-    assert_eq!(bearing.forces(Some(&[torque(1.0); 3]), None).unwrap(), BearingForces::default());
+    assert_eq!(bearing.forces(Some(&[Torque::from_si(1.0); 3]), None).unwrap(), BearingForces::default());
     let refused =
         gearbox.planet_bearings(0, &SetSize { module: Some(mm(-1.0)), ..SetSize::default() }).unwrap();
     assert_eq!(refused.unwrap_err().to_string(), "module is -1 mm; it must be finite and above 0");
@@ -118,12 +114,12 @@ fn stepped_planets_turn_about_the_axis_as_the_meshes_push_them() {
         let bearing = only(&gearbox, &size);
         assert_eq!(bearing.lacks, [Lack::Mass], "{kind}");
         let [r1, r2] = [0, 1].map(|mesh: usize| bearing.contacts[mesh].pitch_radius.unwrap());
-        let radius = in_metres(bearing.radius.unwrap());
+        let radius = bearing.radius.unwrap().si();
         // No moment about the planet's own axis: the forces stand as the inverse steps.
-        let (f1, f2) = (ideal[0] / (4.0 * in_metres(r1)), ideal[1] / (4.0 * in_metres(r2)));
-        let torques: Vec<Torque> = ideal.iter().copied().map(torque).collect();
+        let (f1, f2) = (ideal[0] / (4.0 * r1.si()), ideal[1] / (4.0 * r2.si()));
+        let torques: Vec<Torque> = ideal.iter().copied().map(Torque::from_si).collect();
         let force = bearing.forces(Some(&torques), None).unwrap().tangential.unwrap();
-        assert!((force.get::<newton>() - (f1 + f2).abs()).abs() < 1e-9 * f1.abs(), "{kind}");
+        assert!((force.si() - (f1 + f2).abs()).abs() < 1e-9 * f1.abs(), "{kind}");
         assert!((f1 + f2 + ideal[2] / (4.0 * radius)).abs() < 1e-9 * f1.abs(), "{kind}");
     }
 }
@@ -136,7 +132,7 @@ fn losses_leave_a_little_of_the_radial_forces() {
     let members = gearbox.analyze("1").unwrap().driving().unwrap().members[0].clone().unwrap();
     let size = SetSize { carrier_radius: Some(mm(60.0)), ..SetSize::default() };
     let bearing = only(&gearbox, &size);
-    let torques: Vec<Torque> = members.into_iter().map(torque).collect();
+    let torques: Vec<Torque> = members.into_iter().map(Torque::from_si).collect();
     let forces = bearing.forces(Some(&torques), None).unwrap();
     let share = forces.radial.unwrap() / forces.tangential.unwrap();
     // F_a − F_b = 0.03·F_a of F_a + F_b.
@@ -157,7 +153,7 @@ fn a_double_planet_by_hand() {
     let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
     assert_eq!([&*bearings[0].name, &*bearings[1].name], ["planet 1", "planet 2"]);
     // i₀ = 3: 100 N·m on the sun, −300 on the ring, 200 on the carrier.
-    let torques = [100.0, -300.0, 200.0].map(torque);
+    let torques = [100.0, -300.0, 200.0].map(Torque::from_si);
     // Every mesh carries F = 100/(3·0.02) N.
     let f = 100.0 / 0.06;
     let (sin, cos) = libm::sincos(60_f64.to_radians());
@@ -171,15 +167,15 @@ fn a_double_planet_by_hand() {
     for (bearing, [radial, tangential]) in bearings.iter().zip(expected) {
         assert_eq!(bearing.lacks, [Lack::Mass]);
         let forces = bearing.forces(Some(&torques), None).unwrap();
-        assert!((forces.radial.unwrap().get::<newton>() - radial).abs() < 1e-9);
-        assert!((forces.tangential.unwrap().get::<newton>() - tangential).abs() < 1e-9);
+        assert!((forces.radial.unwrap().si() - radial).abs() < 1e-9);
+        assert!((forces.tangential.unwrap().si() - tangential).abs() < 1e-9);
     }
     // The other way round the along parts of the separating forces change sides.
     let meshes = vec![MeshSize::default(), MeshSize { is_behind: true, ..MeshSize::default() }];
     let bearings = gearbox.planet_bearings(0, &SetSize { meshes, ..size }).unwrap().unwrap();
     let forces = bearings[0].forces(Some(&torques), None).unwrap();
-    assert!((forces.radial.unwrap().get::<newton>() - (s + f * sin + s * cos)).abs() < 1e-9);
-    assert!((forces.tangential.unwrap().get::<newton>() + (f - f * cos + s * sin)).abs() < 1e-9);
+    assert!((forces.radial.unwrap().si() - (s + f * sin + s * cos)).abs() < 1e-9);
+    assert!((forces.tangential.unwrap().si() + (f - f * cos + s * sin)).abs() < 1e-9);
 }
 
 #[test]
@@ -191,10 +187,10 @@ fn planets_that_cannot_stand_so_far_apart_are_named() {
     let Lack::Triangle { other: 1, radii, distance } = bearings[0].lacks[0] else {
         unreachable!("{:?}", bearings[0].lacks)
     };
-    let in_mm = [radii[0], radii[1], distance].map(|length| (1e3 * in_metres(length)).round());
+    let in_mm = [radii[0], radii[1], distance].map(|length| (1e3 * length.si()).round());
     assert_eq!(in_mm, [81.0, 40.0, 40.0]);
-    let torques = [100.0, -300.0, 200.0].map(torque);
-    let forces = bearings[1].forces(Some(&torques), Some(angular_velocity(0.0))).unwrap();
+    let torques = [100.0, -300.0, 200.0].map(Torque::from_si);
+    let forces = bearings[1].forces(Some(&torques), Some(AngularVelocity::from_si(0.0))).unwrap();
     assert_eq!((forces.tangential, forces.radial, forces.total), (None, None, None));
     assert_eq!(forces.centrifugal, Some(Force::default()));
     let refused = bearings[1].forces(Some(&torques[..2]), None).unwrap_err();

@@ -1,8 +1,8 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
 use crate::planet_angles::Misplaced;
-use crate::units::in_degrees;
 use epicyclic_gears::involute::check::Severity;
+use epicyclic_units::Physical;
 use std::fmt;
 use uom::si::f64::Angle;
 
@@ -178,7 +178,7 @@ impl ToothWarning {
                 ("assembly", left, 0.0, "positions", "take another number of planets, or unequal angles")
             }
             Self::Misplaced { at } => {
-                let apart = in_degrees(at.angle - at.nearest).abs();
+                let apart = (at.angle - at.nearest).degrees().abs();
                 ("planet-angle", apart, 0.0, "deg", "state an assembly position, or `spacing: least_unequal`")
             }
             Self::ShiftsRefused { .. } => {
@@ -198,7 +198,7 @@ impl fmt::Display for NamedGear {
 /// An angle as messages show it, to a ten-thousandth of a degree.
 fn rounded_degrees(angle: Angle) -> f64 {
     const TEN_THOUSANDTHS: f64 = 1e4;
-    (in_degrees(angle) * TEN_THOUSANDTHS).round() / TEN_THOUSANDTHS
+    (angle.degrees() * TEN_THOUSANDTHS).round() / TEN_THOUSANDTHS
 }
 
 fn teeth(count: u32) -> String {

@@ -15,7 +15,6 @@ use super::Worked;
 use super::records::planet_name;
 use crate::answer::Warning;
 use crate::shared::gearbox::Subject;
-use crate::shared::units::{millimetres, rpm};
 use crate::tolerance::rounded;
 use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
 use epicyclic_units::Physical;
@@ -79,7 +78,7 @@ fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, 
 }
 
 fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
-    let (speed_rpm, diameter_mm) = (rpm(speed), millimetres(diameter));
+    let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
     let (most, kind) = match rolling {
         RollingEntry::FullComplement => (FULL, "full of rollers"),
         _ => (CAGED, "with a cage"),

@@ -220,7 +220,7 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
     // Beyond these digits is the rounding of their units.
     let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
     let greatest = wanted.overload.map(|factor| written(factor * torque.si(), "N·m"));
-    let [torque, speed] = [written(torque.si(), "N·m"), written(crate::shared::units::rpm(speed), "rpm")];
+    let [torque, speed] = [written(torque.si(), "N·m"), written(speed.rpm(), "rpm")];
     let step = |(gear, share): (&str, f64)| {
         let mut step = Mapping::new();
         step.insert("gear".into(), gear.into());

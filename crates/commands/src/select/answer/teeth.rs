@@ -13,7 +13,6 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::finite;
 use crate::shared::catalogue::GearName;
-use crate::shared::units::millimetres;
 use crate::teeth::answer::shifted::{RequiredShifts, SetShifts, WantedShifts};
 use crate::tolerance::LEAST_MODULE_M;
 use epicyclic_formats::gearbox::WrittenSize;
@@ -92,10 +91,7 @@ impl SizeLimits {
         let least = self.least_module.unwrap_or(Length::from_si(LEAST_MODULE_M));
         let greatest = self.greatest_module.unwrap_or(Length::from_si(1.0));
         if least > greatest {
-            return Err(Error::ModuleRange {
-                least_mm: millimetres(least),
-                greatest_mm: millimetres(greatest),
-            });
+            return Err(Error::ModuleRange { least_mm: least.mm(), greatest_mm: greatest.mm() });
         }
         Ok(Some(least..=greatest))
     }

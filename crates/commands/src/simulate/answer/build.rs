@@ -5,7 +5,6 @@ use super::program::Program;
 use super::{ABOVE_0, AT_LEAST_0, INSTANTS, MOST_SAMPLES, placed, refused, root};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
 use epicyclic_formats::Path;
 use epicyclic_formats::scenario::{
@@ -15,6 +14,7 @@ use epicyclic_formats::scenario::{
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
 use epicyclic_train::{GROUND, ShiftElement};
 use epicyclic_units::{Number, Physical, Quantity};
+use std::f64::consts::TAU;
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
 
 /// How finely a run is sampled.
@@ -200,8 +200,8 @@ impl Scenario<'_> {
         } else if let Some(law) = &entry.harmonic {
             let mean = law.mean.map_or(Torque::from_si(0.0), |mean| mean.0);
             let phase = law.phase.map_or(Angle::from_si(0.0), |phase| phase.0);
-            Course::harmonic(mean, law.amplitude.0, per_second(law.frequency.0), phase)
-                .map(TorqueLaw::over_time)
+            let speed = AngularVelocity::from_si(TAU * law.frequency.0.si());
+            Course::harmonic(mean, law.amplitude.0, speed, phase).map(TorqueLaw::over_time)
         } else if let Some(law) = &entry.constant_power {
             TorqueLaw::constant_power(law.power.0, law.limit.0)
         } else if let Some(law) = &entry.throttle {

@@ -1,7 +1,7 @@
 //! Plots over time: speeds, torques of elements with their capacities, temperatures.
 
 use crate::simulate::answer::{ElementKind, EventRecord, Simulation, State};
-use crate::table::units::rpm;
+use crate::table::figure::rpm;
 use epicyclic_pictures::plot::{Curve, Plot};
 
 /// Events that are marked at most: more would hide the curves.

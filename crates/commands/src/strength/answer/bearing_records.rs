@@ -81,8 +81,7 @@ impl BearingOverDuty {
         if life >= required {
             return None;
         }
-        let [life, required] =
-            [life, required].map(|time| trimmed(crate::shared::units::hours(time), LIFE_DIGITS));
+        let [life, required] = [life, required].map(|time| trimmed(time.hours(), LIFE_DIGITS));
         let which = if self.modified.is_some() { "modified " } else { "" };
         let message = format!(
             "the planet bearings of set {} ({}) have a {which}life of {life} h over the duty, below the {required} h required",

@@ -2,10 +2,10 @@
 
 use crate::strength::answer::records::{AxialForce, BearingOverDuty};
 use crate::table::columns::Table;
+use crate::table::figure::hours;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::optional;
 use crate::table::report::{Column, Records, View};
-use crate::table::units::hours;
 use epicyclic_units::Dimension;
 
 pub(super) fn axial_forces(all: &[AxialForce]) -> Records {

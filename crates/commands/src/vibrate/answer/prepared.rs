@@ -6,7 +6,6 @@ use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
 use crate::shared::gearbox::Subject;
 use crate::shared::toothed::{self, missing_teeth};
-use crate::shared::units::millimetres;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
@@ -273,7 +272,7 @@ impl Of<'_> {
         keys: &[&str],
     ) -> Result<MassProperties, Error> {
         if outside <= root {
-            let [outside, root] = [outside, root].map(millimetres);
+            let [outside, root] = [outside, root].map(Physical::mm);
             let message = format!("{outside} mm is not above the root circle of the ring, {root} mm");
             return Err(self.refused(keys, &Named("no-rim", message)));
         }

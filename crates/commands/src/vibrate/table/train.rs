@@ -1,10 +1,9 @@
 //! Modes of the whole gearbox as tables: torsional with what excites them, and coupled in the plane.
 
-use super::{branch_kind, hertz, kind, member, most, ray_name, share, source};
-use crate::table::figure::{Figure, count, text};
+use super::{SECONDS_A_MINUTE, branch_kind, hertz, kind, member, most, ray_name, share, source};
+use crate::table::figure::{Figure, count, rpm, text};
 use crate::table::quantities::column;
 use crate::table::report::{Column, Records, View};
-use crate::table::units::{hertz_of_rpm, rpm};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::Source;
 use crate::vibrate::answer::train_records::{
@@ -27,7 +26,7 @@ pub fn torsional_campbell(all: &Vibration, place: usize) -> Option<Campbell> {
             _ if several => format!("{}: {name}", order.of),
             _ => name,
         };
-        Ray { name: of, slope: hertz_of_rpm(order.of_input) }
+        Ray { name: of, slope: order.of_input / SECONDS_A_MINUTE }
     };
     let branch = |mode: &TorsionalMode| Branch {
         kind: branch_kind(mode.kind),

@@ -4,20 +4,18 @@ use super::*;
 use crate::MotorNumbers;
 use crate::centrode::Wheel;
 use crate::centrode::tests::any_motor;
-use crate::units::{angle_of_degrees, radians};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
 use std::f64::consts::PI;
-use uom::si::force::{kilonewton, newton};
-use uom::si::length::{meter, millimeter};
-use uom::si::pressure::{megapascal, pascal};
-use uom::si::torque::newton_meter;
+use uom::si::f64::{Angle, Length, Pressure};
+use uom::si::force::kilonewton;
 
 pub(in crate::flanks) fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
+    Length::from_mm(value)
 }
 
 pub(in crate::flanks) fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 pub(in crate::flanks) fn motor(numbers: (u32, u32, u32, u32), module: f64, l: f64) -> Motor {
@@ -26,7 +24,7 @@ pub(in crate::flanks) fn motor(numbers: (u32, u32, u32, u32), module: f64, l: f6
 }
 
 pub(in crate::flanks) fn alpha() -> Angle {
-    angle_of_degrees(25.0)
+    Angle::from_degrees(25.0)
 }
 
 /// Of the motor of 6×4 lobes, 1 MPa on 1 mm: newtons are `N/(Δp·b·m)`.
@@ -34,17 +32,17 @@ pub(in crate::flanks) fn alpha() -> Angle {
 fn the_forces_of_the_derivation_are_met() {
     let motor = motor((6, 4, 66, 10), 1.0, 40.0);
     for (phase, expected) in [(0.0, 5.516890), (0.3, 5.011278), (-0.3, 6.135978)] {
-        let forces = motor.flank_forces(alpha(), angle(phase), mm(1.0), mpa(1.0)).unwrap();
+        let forces = motor.flank_forces(alpha(), Angle::from_si(phase), mm(1.0), mpa(1.0)).unwrap();
         let first = forces[0];
         assert_eq!(first.push, Some(Push::Forward));
-        assert!((first.force.get::<newton>() - expected).abs() < 5e-7, "{}", first.force.get::<newton>());
+        assert!((first.force.si() - expected).abs() < 5e-7, "{}", first.force.si());
     }
     // The derivation prints −12.208865°, one more in the last digit than the closed form has.
-    let mu = motor.contact(angle(0.3)).unwrap().slope_angle;
-    assert!((crate::units::in_degrees(mu) + 12.208865).abs() < 1.5e-6, "{}", crate::units::in_degrees(mu));
+    let mu = motor.contact(Angle::from_si(0.3)).unwrap().slope_angle;
+    assert!((mu.degrees() + 12.208865).abs() < 1.5e-6, "{}", mu.degrees());
     let [crest, trough] = motor.greatest_flank_forces(alpha(), mm(1.0), mpa(1.0)).unwrap();
-    assert!((crest.force.get::<newton>() - 6.7580).abs() < 5e-5, "{}", crest.force.get::<newton>());
-    assert!((trough.force.get::<newton>() - 7.1357).abs() < 5e-5, "{}", trough.force.get::<newton>());
+    assert!((crest.force.si() - 6.7580).abs() < 5e-5, "{}", crest.force.si());
+    assert!((trough.force.si() - 7.1357).abs() < 5e-5, "{}", trough.force.si());
     assert_eq!((crest.push, trough.push), (Push::Forward, Push::Back));
 }
 
@@ -55,7 +53,7 @@ fn the_bearing_of_five_by_three_carries_34_8_kilonewtons() {
     assert!((load.force.get::<kilonewton>() - 34.8).abs() < 0.05, "{}", load.force.get::<kilonewton>());
     // Over a period it is nowhere greater, and reversed pressures give the same.
     for i in 0..200 {
-        let rotation = angle(motor.period() * f64::from(i) / 200.0);
+        let rotation = Angle::from_si(motor.period() * f64::from(i) / 200.0);
         let at = motor.bearing_load(alpha(), rotation, mm(50.0), mpa(20.0)).unwrap();
         assert!(at.force <= load.force * (1.0 + 1e-12));
         assert!((libm::hypot(at.x.value, at.y.value) - at.force.value).abs() < 1e-9 * at.force.value);
@@ -67,12 +65,12 @@ fn the_bearing_of_five_by_three_carries_34_8_kilonewtons() {
 /// A motor whose flanks hold its satellites at a pressure angle.
 fn held() -> impl Strategy<Value = (Motor, f64)> {
     (any_motor(), 10.0..40.0).prop_filter("held", |(motor, alpha)| {
-        motor.greatest_flank_forces(angle_of_degrees(*alpha), m(1.0), mpa(1.0)).is_ok()
+        motor.greatest_flank_forces(Angle::from_degrees(*alpha), m(1.0), mpa(1.0)).is_ok()
     })
 }
 
 fn m(value: f64) -> Length {
-    Length::new::<meter>(value)
+    Length::from_si(value)
 }
 
 proptest! {
@@ -83,10 +81,10 @@ proptest! {
         held in held(), rotation in -9.0..9.0, drop in -3e7..3e7, width in 0.01..2.0,
     ) {
         let (motor, alpha) = held;
-        let (rotation, drop) = (angle(rotation), Pressure::new::<pascal>(drop));
-        let by_forces = motor.torque_by_forces(angle_of_degrees(alpha), rotation, m(width), drop).unwrap();
+        let (rotation, drop) = (Angle::from_si(rotation), Pressure::from_si(drop));
+        let by_forces = motor.torque_by_forces(Angle::from_degrees(alpha), rotation, m(width), drop).unwrap();
         let by_volumes = motor.torque(rotation, m(width), drop).unwrap();
-        let [by_forces, by_volumes] = [by_forces, by_volumes].map(|torque| torque.get::<newton_meter>());
+        let [by_forces, by_volumes] = [by_forces, by_volumes].map(Physical::si);
         prop_assert!((by_forces - by_volumes).abs() <= 1e-9 * by_volumes.abs(), "{by_forces} {by_volumes}");
     }
 
@@ -94,10 +92,10 @@ proptest! {
     #[test]
     fn forces_on_the_drawn_rotor_give_its_bearing_and_torque(held in held(), rotation in -9.0..9.0) {
         let (motor, alpha_deg) = held;
-        let rotation_angle = angle(rotation);
-        let alpha = angle_of_degrees(alpha_deg);
-        let forces = motor.satellite_forces(rotation_angle, m(1.0), Pressure::new::<pascal>(1.0), Pressure::default()).unwrap();
-        let flanks = motor.flank_forces(alpha, rotation_angle, m(1.0), Pressure::new::<pascal>(1.0)).unwrap();
+        let rotation_angle = Angle::from_si(rotation);
+        let alpha = Angle::from_degrees(alpha_deg);
+        let forces = motor.satellite_forces(rotation_angle, m(1.0), Pressure::from_si(1.0), Pressure::default()).unwrap();
+        let flanks = motor.flank_forces(alpha, rotation_angle, m(1.0), Pressure::from_si(1.0)).unwrap();
         let (centrode, lobe) = (motor.centrode(Wheel::Rotor), 2.0 * motor.shape.trough().s1);
         let (mut sum, mut torque) = ([0.0; 2], 0.0);
         let mut add = |[x, y]: [f64; 2], [fx, fy]: [f64; 2]| {
@@ -106,12 +104,12 @@ proptest! {
         };
         let count = forces.len();
         for j in 0..count {
-            let pressure = forces[j].pressure_in_front.get::<pascal>();
+            let pressure = forces[j].pressure_in_front.si();
             let s1 = |j: usize| j as f64 * lobe - motor.shape.at(By::Phase, motor.phase(rotation, j as u32)).s1;
             let point = |i: u32| {
                 let s = s1(j) + (s1(j + 1) - s1(j)) * f64::from(i) / 40.0;
                 let place = centrode.at(m(s)).unwrap();
-                turned([place.x.get::<meter>(), place.y.get::<meter>()], rotation)
+                turned([place.x.si(), place.y.si()], rotation)
             };
             for i in 0..40 {
                 let ([ax, ay], [bx, by]) = (point(i), point(i + 1));
@@ -122,23 +120,23 @@ proptest! {
             if let Some(push) = flanks[j].push {
                 let [cx, cy] = [place.on_rotor[0] - place.centre[0], place.on_rotor[1] - place.centre[1]];
                 let r = libm::hypot(cx, cy);
-                let turn = if push == Push::Forward { 1.0 } else { -1.0 } * (PI / 2.0 - radians(alpha));
-                let n = flanks[j].force.get::<newton>() / r;
+                let turn = if push == Push::Forward { 1.0 } else { -1.0 } * (PI / 2.0 - alpha.si());
+                let n = flanks[j].force.si() / r;
                 add(place.on_rotor, turned([n * cx, n * cy], -turn));
             }
         }
-        let load = motor.bearing_load(alpha, rotation_angle, m(1.0), Pressure::new::<pascal>(1.0)).unwrap();
+        let load = motor.bearing_load(alpha, rotation_angle, m(1.0), Pressure::from_si(1.0)).unwrap();
         let scale = motor.shape.trough().rho3;
-        prop_assert!((load.x.get::<newton>() - sum[0]).abs() < 1e-8 * scale, "{load:?} {sum:?}");
-        prop_assert!((load.y.get::<newton>() - sum[1]).abs() < 1e-8 * scale, "{load:?} {sum:?}");
-        let volumes = motor.torque(rotation_angle, m(1.0), Pressure::new::<pascal>(1.0)).unwrap().get::<newton_meter>();
+        prop_assert!((load.x.si() - sum[0]).abs() < 1e-8 * scale, "{load:?} {sum:?}");
+        prop_assert!((load.y.si() - sum[1]).abs() < 1e-8 * scale, "{load:?} {sum:?}");
+        let volumes = motor.torque(rotation_angle, m(1.0), Pressure::from_si(1.0)).unwrap().si();
         prop_assert!((torque - volumes).abs() < 1e-9 * volumes, "{torque} {volumes}");
     }
 
     #[test]
     fn two_n_satellites_carry_and_each_is_near_a_crest_or_a_trough(held in held(), rotation in -9.0..9.0) {
         let (motor, alpha) = held;
-        let forces = motor.flank_forces(angle_of_degrees(alpha), angle(rotation), m(1.0), mpa(1.0)).unwrap();
+        let forces = motor.flank_forces(Angle::from_degrees(alpha), Angle::from_si(rotation), m(1.0), mpa(1.0)).unwrap();
         let numbers = motor.numbers();
         let idle = forces.iter().filter(|force| force.push.is_none()).count() as u32;
         prop_assert_eq!(idle, numbers.stator_lobes() - numbers.rotor_lobes());
@@ -156,17 +154,17 @@ proptest! {
     fn pressure_and_flanks_leave_a_satellite_at_rest(held in held(), rotation in -9.0..9.0, sign in prop::bool::ANY) {
         let (motor, alpha_deg) = held;
         let (high, low) = if sign { (1.0, 0.0) } else { (0.0, 1.0) };
-        let drop = Pressure::new::<pascal>(high - low);
-        let pressure = Pressure::new::<pascal>;
-        let pushed = motor.satellite_forces(angle(rotation), m(1.0), pressure(high), pressure(low)).unwrap();
-        let flanks = motor.flank_forces(angle_of_degrees(alpha_deg), angle(rotation), m(1.0), drop).unwrap();
+        let drop = Pressure::from_si(high - low);
+        let pressure = Pressure::from_si;
+        let pushed = motor.satellite_forces(Angle::from_si(rotation), m(1.0), pressure(high), pressure(low)).unwrap();
+        let flanks = motor.flank_forces(Angle::from_degrees(alpha_deg), Angle::from_si(rotation), m(1.0), drop).unwrap();
         for (force, flank) in pushed.iter().zip(&flanks) {
             let contact = motor.shape.at(By::Phase, motor.phase(rotation, force.index));
             let sigma = match flank.push { Some(Push::Forward) => 1.0, Some(Push::Back) => -1.0, None => continue };
-            let n = flank.force.get::<newton>();
+            let n = flank.force.si();
             let [stator, rotor] = [Side::Stator, Side::Rotor].map(|side| direction(side, sigma, alpha_deg.to_radians(), contact.mu));
             prop_assert!((n * (stator[0] + rotor[0])).abs() < 1e-12 * n);
-            let left = n * (stator[1] + rotor[1]) + force.force.get::<newton>();
+            let left = n * (stator[1] + rotor[1]) + force.force.si();
             prop_assert!(left.abs() < 1e-10 * n, "{left}");
         }
     }
@@ -174,11 +172,11 @@ proptest! {
     #[test]
     fn no_flank_force_of_a_revolution_exceeds_the_greatest(held in held(), drop in prop::bool::ANY) {
         let (motor, alpha) = held;
-        let (alpha, drop) = (angle_of_degrees(alpha), if drop { mpa(1.0) } else { mpa(-1.0) });
+        let (alpha, drop) = (Angle::from_degrees(alpha), if drop { mpa(1.0) } else { mpa(-1.0) });
         let greatest = motor.greatest_flank_forces(alpha, m(1.0), drop).unwrap();
         let end = motor.shape.trough().phase;
         for i in 0..400 {
-            for force in motor.flank_forces(alpha, angle(motor.chamber_phase() * f64::from(i) / 400.0), m(1.0), drop).unwrap() {
+            for force in motor.flank_forces(alpha, Angle::from_si(motor.chamber_phase() * f64::from(i) / 400.0), m(1.0), drop).unwrap() {
                 let Some(push) = force.push else { continue };
                 let at = greatest.iter().position(|one| one.push == push).unwrap();
                 prop_assert!(force.force <= greatest[at].force * (1.0 + 1e-12), "{force:?}");
@@ -187,25 +185,25 @@ proptest! {
         // At its rotation satellite 0 has it.
         for (one, crest) in greatest.iter().zip([true, false]) {
             let [from, to] = motor.loaded(crest);
-            let inside = radians(one.rotation).clamp(from + 1e-9 * end, to - 1e-9 * end);
-            let first = motor.flank_forces(alpha, angle(inside), m(1.0), drop).unwrap()[0];
+            let inside = one.rotation.si().clamp(from + 1e-9 * end, to - 1e-9 * end);
+            let first = motor.flank_forces(alpha, Angle::from_si(inside), m(1.0), drop).unwrap()[0];
             prop_assert_eq!(first.push, Some(one.push));
             // A hair beside it a nearly radial flank may already carry much less: held against its own contact, exactly there.
             let sigma = if one.push == Push::Forward { 1.0 } else { -1.0 };
-            let contact = motor.shape.at(By::Phase, radians(one.rotation));
-            let number = flank_number(motor.shape.satellite_radius(), radians(alpha), &contact, sigma).unwrap();
-            prop_assert!((one.force.get::<newton>() / (number * 1e6) - 1.0).abs() < 1e-12, "{one:?} {number}");
+            let contact = motor.shape.at(By::Phase, one.rotation.si());
+            let number = flank_number(motor.shape.satellite_radius(), alpha.si(), &contact, sigma).unwrap();
+            prop_assert!((one.force.si() / (number * 1e6) - 1.0).abs() < 1e-12, "{one:?} {number}");
         }
     }
 
     #[test]
     fn the_bearing_is_free_where_the_pressures_repeat_about_the_axis(held in held(), rotation in -9.0..9.0) {
         let (motor, alpha) = held;
-        let load = motor.bearing_load(angle_of_degrees(alpha), angle(rotation), m(1.0), Pressure::new::<pascal>(1.0)).unwrap();
+        let load = motor.bearing_load(Angle::from_degrees(alpha), Angle::from_si(rotation), m(1.0), Pressure::from_si(1.0)).unwrap();
         let scale = motor.shape.trough().rho3;
         let free = motor.numbers().common_divisor() > 1;
-        prop_assert!(!free || load.force.get::<newton>() < 1e-10 * scale, "{load:?}");
-        prop_assert!(free || load.force.get::<newton>() > 1e-6 * scale, "{load:?}");
+        prop_assert!(!free || load.force.si() < 1e-10 * scale, "{load:?}");
+        prop_assert!(free || load.force.si() > 1e-6 * scale, "{load:?}");
     }
 }
 
@@ -213,7 +211,7 @@ proptest! {
 fn bad_loads_are_refused() {
     let motor = motor((5, 3, 55, 10), 1.0, 40.0);
     let ask = |alpha, rotation, width, drop| {
-        motor.flank_forces(angle_of_degrees(alpha), angle(rotation), mm(width), mpa(drop))
+        motor.flank_forces(Angle::from_degrees(alpha), Angle::from_si(rotation), mm(width), mpa(drop))
     };
     assert!(ask(25.0, 0.0, 1.0, 1.0).is_ok());
     assert!(matches!(
@@ -235,8 +233,8 @@ fn slopes_that_no_flank_holds_are_refused() {
     let numbers = MotorNumbers::new(7, 5, 84, 8).unwrap();
     let arcs = crate::closure::Family::new(numbers, mm(1.0)).unwrap().at_part(0.01).unwrap();
     let steep = Motor::of_closed_arcs(numbers, arcs);
-    let refused = steep.greatest_flank_forces(angle_of_degrees(40.0), mm(1.0), mpa(1.0)).unwrap_err();
+    let refused = steep.greatest_flank_forces(Angle::from_degrees(40.0), mm(1.0), mpa(1.0)).unwrap_err();
     assert_eq!(refused.name(), "cannot-hold");
     assert!(refused.to_string().contains("slopes by 61.1584° against its push"), "{refused}");
-    assert!(steep.greatest_flank_forces(angle_of_degrees(20.0), mm(1.0), mpa(1.0)).is_ok());
+    assert!(steep.greatest_flank_forces(Angle::from_degrees(20.0), mm(1.0), mpa(1.0)).is_ok());
 }

@@ -8,8 +8,8 @@ use crate::flanks::slow;
 use crate::flanks::stress::tests::steel;
 use crate::profile::ToothForm;
 use crate::profile::{Loading, Tooth};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::pressure::megapascal;
 
 /// Bending stress of a force of 1 on a width of 1, and the thickness of the section.
 fn bending(tooth: &Tooth, (at, force): Loading) -> (f64, f64) {
@@ -195,9 +195,9 @@ proptest! {
         let motor = other.motor();
         for allowed in [b.by_contact, b.by_root] {
             let stresses = other.root_stresses(LoadedPath::Whole, allowed).unwrap();
-            let greatest = stresses.iter().map(|stress| stress.stress.get::<megapascal>()).fold(0.0, f64::max);
+            let greatest = stresses.iter().map(|stress| stress.stress.mpa()).fold(0.0, f64::max);
             let hertz = other.contact_stresses(allowed, limits().modulus).unwrap();
-            let pressure = hertz.iter().filter_map(|stress| stress.on_path).map(|peak| peak.pressure.get::<megapascal>()).fold(0.0, f64::max);
+            let pressure = hertz.iter().filter_map(|stress| stress.on_path).map(|peak| peak.pressure.mpa()).fold(0.0, f64::max);
             if allowed == b.by_root {
                 prop_assert!((greatest - 400.0).abs() < 1e-6);
             } else {
@@ -207,7 +207,7 @@ proptest! {
         // N, and with it 6·N·arm/(b·s²), by the width itself.
         let stress = other.root_stresses(LoadedPath::Whole, mpa(20.0)).unwrap()[2];
         let inside = stress.rotation * (1.0 - 1e-12);
-        let contact = motor.shape.at(crate::contact::By::Phase, crate::units::radians(inside));
+        let contact = motor.shape.at(crate::contact::By::Phase, inside.si());
         let n = motor.flank_forces(other.form().pressure_angle, inside, mm(width), mpa(20.0)).unwrap()[0].force.value;
         let (unit, _) = bending(&other.satellite_tooth(POINTS), other.satellite_loading((stress.offset / motor.module()).value));
         let by_width = n * unit / (mm(width) * motor.module()).value;

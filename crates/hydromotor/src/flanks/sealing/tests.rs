@@ -8,9 +8,9 @@ use crate::flanks::forces::tests::{mm, motor};
 use crate::flanks::kernel::{direction, turned};
 use crate::profile::{Crest, Outline, ToothForm};
 use epicyclic_numerics::quadrature::quadrature;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::area::square_millimeter;
-use uom::si::length::millimeter;
+use uom::si::f64::Angle;
 
 /// No shift, no backlash: half a space is a quarter of a pitch.
 fn plain() -> ToothForm {
@@ -18,17 +18,17 @@ fn plain() -> ToothForm {
 }
 
 fn get(area: Area) -> f64 {
-    area.get::<square_millimeter>()
+    area.mm2()
 }
 
 #[test]
 fn the_sweeps_of_the_derivation_are_met() {
     let motor = motor((6, 4, 66, 10), 1.0, 40.0);
-    let swept = |e3, e1| get(motor.sealed_sweep(angle(0.3), mm(e3), mm(e1)).unwrap());
+    let swept = |e3, e1| get(motor.sealed_sweep(Angle::from_si(0.3), mm(e3), mm(e1)).unwrap());
     assert!((swept(0.8, 0.3) - swept(0.0, 0.0) + 0.603780).abs() < 5e-7);
     assert!((swept(-0.8, 0.9) - swept(0.0, 0.0) - 0.605532).abs() < 5e-7);
-    assert!(motor.sealed_sweep(angle(0.3), mm(f64::NAN), mm(0.0)).is_err());
-    assert!(motor.sealed_sweep(angle(0.3), mm(0.0), mm(f64::NAN)).is_err());
+    assert!(motor.sealed_sweep(Angle::from_si(0.3), mm(f64::NAN), mm(0.0)).is_err());
+    assert!(motor.sealed_sweep(Angle::from_si(0.3), mm(0.0), mm(f64::NAN)).is_err());
 }
 
 /// The derivation prints 8.0 % and .956, and 10.9 % and .934. Of 5×3 the exact ripple is 10.97 %: it lies between the limits on both sides of
@@ -53,7 +53,8 @@ fn the_ripples_of_the_derivation_are_met_and_that_of_five_by_three_is_a_little_m
         assert!(change.abs() < 5e-4 && change != 0.0, "{change}");
         // From the middles of 360 parts of a period.
         let period = profile.motor().period();
-        let at: Vec<Angle> = (0..360).map(|i| angle(period * (f64::from(i) + 0.5) / 360.0)).collect();
+        let at: Vec<Angle> =
+            (0..360).map(|i| Angle::from_si(period * (f64::from(i) + 0.5) / 360.0)).collect();
         let flows = profile.flank_flows_per_width(SealingContact::Nearest, &at).unwrap();
         let (low, high) = flows
             .into_iter()
@@ -82,7 +83,7 @@ pub(in crate::flanks) fn any_profile() -> impl Strategy<Value = Profile> {
     let form =
         (15.0..30.0, -0.1..0.3, any::<bool>(), 0.0..0.1).prop_map(|(alpha, shift, tooth, backlash)| {
             ToothForm {
-                pressure_angle: crate::units::angle_of_degrees(alpha),
+                pressure_angle: Angle::from_degrees(alpha),
                 shift,
                 backlash,
                 fillet: 0.02,
@@ -170,8 +171,8 @@ proptest! {
         let ripple = profile.flank_ripple(rule);
         let period = profile.motor().period();
         let changes = profile.flank_changes(rule);
-        let mut at: Vec<Angle> = (0..4000).map(|i| angle(period * f64::from(i) / 4000.0)).collect();
-        at.extend(changes.iter().flat_map(|&change| [change - angle(1e-9), change + angle(1e-9)]));
+        let mut at: Vec<Angle> = (0..4000).map(|i| Angle::from_si(period * f64::from(i) / 4000.0)).collect();
+        at.extend(changes.iter().flat_map(|&change| [change - Angle::from_si(1e-9), change + Angle::from_si(1e-9)]));
         let flows = profile.flank_flows_per_width(rule, &at).unwrap();
         let (low, high) = flows.iter().map(|&flow| get(flow)).fold((f64::INFINITY, 0.0_f64), |(low, high), flow| (low.min(flow), high.max(flow)));
         let (least, greatest, mean) = (get(ripple.at_flanks.least), get(ripple.at_flanks.greatest), get(ripple.at_flanks.mean));
@@ -231,12 +232,12 @@ fn the_sweep_is_the_change_of_area_of_drawn_outlines() {
         let profile = Profile::new(&motor, form).unwrap();
         let drawn = |wheel, count| -> Vec<[f64; 2]> {
             let Outline { points, .. } = profile.outline(wheel, count).unwrap();
-            points.iter().map(|point| [point.x.get::<millimeter>(), point.y.get::<millimeter>()]).collect()
+            points.iter().map(|point| [point.x.mm(), point.y.mm()]).collect()
         };
         let [stator, rotor, satellite] =
             [(Wheel::Stator, 200_000), (Wheel::Rotor, 120_000), (Wheel::Satellite, 40_000)]
                 .map(|(wheel, count)| drawn(wheel, count));
-        let alpha = crate::units::radians(form.pressure_angle);
+        let alpha = form.pressure_angle.si();
         let end = motor.shape.trough().phase;
         let mut moved = 0.0_f64;
         for (phase, sigma) in

@@ -5,12 +5,10 @@ use crate::contact::By;
 use crate::flanks::forces::tests::{mm, motor};
 use crate::motor::Motor;
 use crate::profile::ToothForm;
-use crate::units::radians;
 use epicyclic_numerics::quadrature::quadrature;
+use epicyclic_units::Physical;
 use std::f64::consts::PI;
-use uom::si::area::square_meter;
-use uom::si::length::meter;
-use uom::si::pressure::megapascal;
+use uom::si::f64::{Angle, Pressure};
 
 const RULE: SealingContact = SealingContact::Nearest;
 
@@ -20,7 +18,7 @@ fn plain() -> ToothForm {
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn range(low: f64, high: f64) -> FrictionRange {
@@ -37,12 +35,12 @@ fn within(e: f64, pitch: f64) -> f64 {
 fn lost_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -> f64 {
     let h = 1e-6;
     let alpha = plain().pressure_angle;
-    let cos = libm::cos(radians(alpha));
+    let cos = libm::cos(alpha.si());
     let pitch = PI * cos;
-    let forces = motor.flank_forces(alpha, angle(rotation), width, drop).unwrap();
-    let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
+    let forces = motor.flank_forces(alpha, Angle::from_si(rotation), width, drop).unwrap();
+    let at = |rotation: f64| motor.satellites(Angle::from_si(rotation)).unwrap();
     let (back, front) = (at(rotation - h), at(rotation + h));
-    let module = motor.module().get::<meter>();
+    let module = motor.module().si();
     let of = |force: &super::super::FlankForce| {
         let Some(push) = force.push else { return 0.0 };
         let sigma = if push == super::super::Push::Forward { 1.0 } else { -1.0 };
@@ -50,7 +48,7 @@ fn lost_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -
         let e3 = within(sigma * cos * contact.s3 - 0.25 * pitch, pitch);
         let e1 = within(-sigma * cos * contact.s1 - 0.25 * pitch, pitch);
         let i = force.index as usize;
-        let spin = radians(front[i].rotation - back[i].rotation) / (2.0 * h);
+        let spin = (front[i].rotation - back[i].rotation).si() / (2.0 * h);
         force.force.value * module * ((e3 * spin).abs() + (e1 * (spin - 1.0)).abs())
     };
     forces.iter().map(of).sum()
@@ -61,7 +59,7 @@ fn without_friction_it_is_the_least_at_the_flanks() {
     for form in [plain(), ToothForm::default()] {
         let profile = Profile::new(&motor((6, 4, 66, 10), 1.0, 40.0), form).unwrap();
         let start = profile.starting_torque(RULE, mm(10.0), mpa(20.0), range(0.0, 0.12)).unwrap();
-        let least = profile.flank_ripple(RULE).at_flanks.least.get::<square_meter>() * 0.01 * 20e6;
+        let least = profile.flank_ripple(RULE).at_flanks.least.si() * 0.01 * 20e6;
         assert!((start.frictionless.value / least - 1.0).abs() < 1e-12, "{start:?} {least}");
         assert_eq!(start.range[1], start.frictionless);
     }
@@ -76,9 +74,8 @@ fn it_is_the_least_of_all_angles() {
         let start = profile.starting_torque(RULE, mm(10.0), mpa(20.0), range(0.0, 0.12)).unwrap();
         let worst = start.range[0].value;
         let left = |rotation: f64| {
-            let flow = profile.flank_flow_per_width(RULE, angle(rotation)).unwrap();
-            flow.get::<square_meter>() * 0.01 * 20e6
-                - 0.12 * lost_by_motion(&motor, rotation, mm(10.0), mpa(20.0))
+            let flow = profile.flank_flow_per_width(RULE, Angle::from_si(rotation)).unwrap();
+            flow.si() * 0.01 * 20e6 - 0.12 * lost_by_motion(&motor, rotation, mm(10.0), mpa(20.0))
         };
         let places = 4000;
         let period = motor.period();
@@ -88,7 +85,7 @@ fn it_is_the_least_of_all_angles() {
         }
         assert!(least > worst * (1.0 - 1e-7) && least < worst * 1.002, "{least} {worst}");
         // At the angle itself, a hair on either side of a jump.
-        let beside = [-1e-7, 1e-7].map(|hair| left(radians(start.rotation) + hair));
+        let beside = [-1e-7, 1e-7].map(|hair| left(start.rotation.si() + hair));
         assert!(beside.iter().any(|value| (value / worst - 1.0).abs() < 1e-5), "{beside:?} {worst}");
     }
 }
@@ -107,7 +104,7 @@ fn its_mean_over_the_angle_is_that_with_the_mean_arm() {
             .pieces_of_arms()
             .iter()
             .map(|([from, to], piece)| {
-                quadrature(*from, *to, 2, |rotation| torques(piece, r, radians(alpha), rotation)[1])
+                quadrature(*from, *to, 2, |rotation| torques(piece, r, alpha.si(), rotation)[1])
             })
             .sum();
         let mean = sum / motor.period() * 0.01 * 20e6 * 1e-6;

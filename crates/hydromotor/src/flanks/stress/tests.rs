@@ -6,9 +6,10 @@ use crate::flanks::forces::tests::{alpha, mm, motor, mpa};
 use crate::flanks::sealing::tests::any_profile;
 use crate::flanks::slow;
 use crate::profile::ToothForm;
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::length::millimeter;
-use uom::si::pressure::{gigapascal, megapascal};
+use uom::si::f64::Angle;
+use uom::si::pressure::gigapascal;
 
 pub(in crate::flanks) fn steel(e: f64) -> Pressure {
     effective_modulus([Pressure::new::<gigapascal>(e); 2], [0.3; 2]).unwrap()
@@ -27,15 +28,12 @@ fn the_pressures_of_the_derivation_are_met() {
         let profile = Profile::new(&motor, ToothForm::default()).unwrap();
         let stresses = profile.contact_stresses(mpa(20.0), steel(210.0)).unwrap();
         let stress = stresses.iter().find(|stress| stress.mesh == mesh && stress.push == push).unwrap();
-        let found = stress.at_pitch_point.pressure.get::<megapascal>();
+        let found = stress.at_pitch_point.pressure.mpa();
         assert!((found - at_pitch).abs() < 0.5, "{found}");
         // A hair within the loaded range.
-        let rotation = stress.at_pitch_point.rotation + angle(1e-9);
+        let rotation = stress.at_pitch_point.rotation + Angle::from_si(1e-9);
         let at = |e| {
-            motor
-                .contact_pressure(alpha(), mesh, rotation, mm(e), mpa(20.0), steel(210.0))
-                .unwrap()
-                .get::<megapascal>()
+            motor.contact_pressure(alpha(), mesh, rotation, mm(e), mpa(20.0), steel(210.0)).unwrap().mpa()
         };
         assert!(
             (at(0.0) - at_pitch).abs() < 0.5 && (at(1.34) - inner).abs() < 0.5,
@@ -43,7 +41,7 @@ fn the_pressures_of_the_derivation_are_met() {
             at(0.0),
             at(1.34)
         );
-        let single = stress.in_single_contact.unwrap().offset.get::<millimeter>();
+        let single = stress.in_single_contact.unwrap().offset.mm();
         assert!((single - 0.9519).abs() < 5e-5, "{single}");
     }
 }
@@ -63,8 +61,9 @@ fn at_a_crest_the_closed_form_holds() {
     let radius = 5.0 * 2e-3;
     let sin = libm::sin((50.0_f64).to_radians());
     let closed = (20e6 * modulus.value * 2.0 / sin * (1.0 + radius / kappa) / PI).sqrt();
-    let found =
-        motor.contact_pressure(alpha(), Mesh::Rotor, angle(0.0), mm(0.0), mpa(20.0), modulus).unwrap();
+    let found = motor
+        .contact_pressure(alpha(), Mesh::Rotor, Angle::from_si(0.0), mm(0.0), mpa(20.0), modulus)
+        .unwrap();
     assert!((found.value - closed).abs() < 1e-9 * closed, "{found:?} {closed}");
 }
 
@@ -121,7 +120,7 @@ fn no_pressure_on_a_path_exceeds_the_greatest() {
                     .contact_pressure(
                         alpha(),
                         stress.mesh,
-                        angle(contact.phase),
+                        Angle::from_si(contact.phase),
                         mm(e),
                         mpa(20.0),
                         steel(206.0),
@@ -235,7 +234,7 @@ fn bad_materials_and_places_are_refused() {
         profile.contact_stresses(mpa(-1.0), gpa(1.0)).is_err()
             && profile.contact_stresses(mpa(1.0), gpa(0.0)).is_err()
     );
-    let at = |e| motor.contact_pressure(alpha(), Mesh::Rotor, angle(0.0), mm(e), mpa(1.0), gpa(1.0));
+    let at = |e| motor.contact_pressure(alpha(), Mesh::Rotor, Angle::from_si(0.0), mm(e), mpa(1.0), gpa(1.0));
     assert!(at(1.0).is_ok());
     assert!(matches!(at(2.2), Err(Error::OutOfRange { quantity: Quantity::ContactOffset, .. })));
     assert!(matches!(at(-4.0), Err(Error::OutOfRange { quantity: Quantity::ContactOffset, .. })));

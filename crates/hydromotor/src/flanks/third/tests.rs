@@ -8,29 +8,30 @@ use crate::flanks::sealing::tests::any_profile;
 use crate::flanks::slow;
 use crate::profile::Side;
 use crate::profile::ToothForm;
-use crate::units::{angle_of_degrees, radians};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
-use uom::si::force::newton;
+use uom::si::f64::Angle;
 
 #[test]
 fn the_forces_of_the_derivation_are_met() {
     let motor = motor((6, 4, 66, 10), 1.0, 40.0);
-    let held =
-        motor.third_contact(alpha(), angle(0.0), mm(-0.8), mm(0.9), mm(1.0), mpa(1.0)).unwrap().unwrap();
+    let held = motor
+        .third_contact(alpha(), Angle::from_si(0.0), mm(-0.8), mm(0.9), mm(1.0), mpa(1.0))
+        .unwrap()
+        .unwrap();
     for (force, expected) in [(held.stator, 5.8806), (held.rotor, 7.3164), (held.back, 2.2098)] {
-        assert!((force.get::<newton>() - expected).abs() < 5e-5, "{held:?}");
+        assert!((force.si() - expected).abs() < 5e-5, "{held:?}");
     }
     assert_eq!((held.back_wheel, held.push), (Mesh::Rotor, Push::Forward));
     // With the offsets exchanged the stator's back flank holds it.
-    let other =
-        motor.third_contact(alpha(), angle(0.0), mm(0.9), mm(-0.8), mm(1.0), mpa(1.0)).unwrap().unwrap();
+    let other = motor
+        .third_contact(alpha(), Angle::from_si(0.0), mm(0.9), mm(-0.8), mm(1.0), mpa(1.0))
+        .unwrap()
+        .unwrap();
     assert_eq!(other.back_wheel, Mesh::Stator);
-    assert!(
-        (other.back - held.back).get::<newton>().abs() < 1e-12
-            && (other.stator - held.rotor).get::<newton>().abs() < 1e-12
-    );
+    assert!((other.back - held.back).si().abs() < 1e-12 && (other.stator - held.rotor).si().abs() < 1e-12);
     // Between ±π/N about the crest and the trough a satellite is idle.
-    let idle = angle(std::f64::consts::PI * (1.0 / 6.0 + 1.0 / 4.0) / 2.0);
+    let idle = Angle::from_si(std::f64::consts::PI * (1.0 / 6.0 + 1.0 / 4.0) / 2.0);
     assert!(motor.third_contact(alpha(), idle, mm(0.0), mm(0.0), mm(1.0), mpa(1.0)).unwrap().is_none());
 }
 
@@ -42,11 +43,11 @@ proptest! {
         motor in any_motor(), phase in -9.0..9.0, e3 in -1.2..1.2, e1 in -1.2..1.2, alpha_deg in 10.0..40.0, reversed in any::<bool>(),
     ) {
         let drop = if reversed { mpa(-1.0) } else { mpa(1.0) };
-        let alpha = angle_of_degrees(alpha_deg);
-        let ask = |e3: f64, e1: f64| motor.third_contact(alpha, angle(phase), motor.length(e3), motor.length(e1), mm(1e-3), drop);
+        let alpha = Angle::from_degrees(alpha_deg);
+        let ask = |e3: f64, e1: f64| motor.third_contact(alpha, Angle::from_si(phase), motor.length(e3), motor.length(e1), mm(1e-3), drop);
         prop_assume!(ask(e3, e1).is_ok());
         let Some(held) = ask(e3, e1).unwrap() else { return Ok(()) };
-        prop_assert!(held.back.get::<newton>() >= 0.0);
+        prop_assert!(held.back.si() >= 0.0);
         // In the stator's frame: forces in lines of action through the pitch points, turned from the tangents by α.
         let place = motor.place_at(phase);
         let sigma = if held.push == Push::Forward { 1.0 } else { -1.0 };
@@ -54,7 +55,7 @@ proptest! {
             let (x, y) = (place.centre[0] - at[0], place.centre[1] - at[1]);
             let r = libm::hypot(x, y);
             // From the pitch point towards the centre, turned by 90° − α towards where the flank pushes.
-            let by = sigma * (std::f64::consts::FRAC_PI_2 - radians(alpha)) * if outer { 1.0 } else { -1.0 };
+            let by = sigma * (std::f64::consts::FRAC_PI_2 - alpha.si()) * if outer { 1.0 } else { -1.0 };
             super::super::kernel::turned([x / r, y / r], by)
         };
         let (u3, u1) = (line(place.on_stator, true, sigma), line(place.on_rotor, false, sigma));
@@ -66,11 +67,11 @@ proptest! {
         };
         let pressure = [-sigma * (k3[1] - k1[1]), sigma * (k3[0] - k1[0])];
         let middle = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1])];
-        let scale = (held.stator + held.rotor + held.back).get::<newton>();
+        let scale = (held.stator + held.rotor + held.back).si();
         let loads = [
-            (place.on_stator, u3, held.stator.get::<newton>()),
-            (place.on_rotor, u1, held.rotor.get::<newton>()),
-            (back.0, back.1, held.back.get::<newton>()),
+            (place.on_stator, u3, held.stator.si()),
+            (place.on_rotor, u1, held.rotor.si()),
+            (back.0, back.1, held.back.si()),
             (middle, pressure, 1.0),
         ];
         let (mut sum, mut moment) = ([0.0; 2], 0.0);
@@ -83,16 +84,16 @@ proptest! {
 
     #[test]
     fn at_the_pitch_points_no_third_flank_is_needed(motor in any_motor(), phase in -9.0..9.0) {
-        let ask = motor.third_contact(alpha(), angle(phase), mm(0.0), mm(0.0), mm(1.0), mpa(1.0));
-        let forces = motor.flank_forces(alpha(), angle(phase), mm(1.0), mpa(1.0));
+        let ask = motor.third_contact(alpha(), Angle::from_si(phase), mm(0.0), mm(0.0), mm(1.0), mpa(1.0));
+        let forces = motor.flank_forces(alpha(), Angle::from_si(phase), mm(1.0), mpa(1.0));
         // Of a motor that holds all its satellites.
         prop_assume!(ask.is_ok() && forces.is_ok());
         let forces = forces.unwrap();
         if let Some(held) = ask.unwrap() {
-            let two = forces[0].force.get::<newton>();
-            prop_assert!(held.back.get::<newton>().abs() < 1e-9 * two, "{held:?}");
-            prop_assert!((held.stator.get::<newton>() - two).abs() < 1e-9 * two);
-            prop_assert!((held.rotor.get::<newton>() - two).abs() < 1e-9 * two);
+            let two = forces[0].force.si();
+            prop_assert!(held.back.si().abs() < 1e-9 * two, "{held:?}");
+            prop_assert!((held.stator.si() - two).abs() < 1e-9 * two);
+            prop_assert!((held.rotor.si() - two).abs() < 1e-9 * two);
         }
     }
 }
@@ -109,7 +110,7 @@ fn no_force_of_a_revolution_exceeds_its_bound() {
         let limits = [bounds.stator.force, bounds.rotor.force, stator_back.force, rotor_back.force];
         let mut seen = [Force::default(); 4];
         for i in 0..6000 {
-            let rotation = angle(motor.chamber_phase() * f64::from(i) / 6000.0);
+            let rotation = Angle::from_si(motor.chamber_phase() * f64::from(i) / 6000.0);
             for held in
                 profile.third_contacts(rule, rotation, mm(1.0), mpa(1.0)).unwrap().into_iter().flatten()
             {
@@ -124,7 +125,7 @@ fn no_force_of_a_revolution_exceeds_its_bound() {
         }
         // Reversed, everything is the mirror image.
         let reversed = profile.third_contact_bounds(rule, mm(1.0), mpa(-1.0)).unwrap();
-        assert!((reversed.stator.force - bounds.stator.force).get::<newton>().abs() < 1e-9);
+        assert!((reversed.stator.force - bounds.stator.force).si().abs() < 1e-9);
         assert_ne!(reversed.stator.push, bounds.stator.push);
     }
 }
@@ -234,16 +235,16 @@ proptest! {
         let fast = profile.third_contact_bounds(rule, profile.motor().length(1.0), mpa(1.0));
         prop_assume!(fast.is_ok());
         let fast = fast.unwrap();
-        let alpha = radians(profile.form().pressure_angle);
+        let alpha = profile.form().pressure_angle.si();
         let [by_crest, by_trough] = [true, false].map(|crest| plain_bounds(&profile, rule, alpha, crest));
         let module = profile.motor().length(1.0);
         let load = Load::new(profile.form().pressure_angle, module, mpa(1.0)).unwrap();
         let found = [Some(fast.stator), Some(fast.rotor), fast.stator_back, fast.rotor_back];
         for (i, found) in found.into_iter().enumerate() {
-            let slow = load.force(profile.motor(), by_crest[i].max(by_trough[i])).get::<newton>();
+            let slow = load.force(profile.motor(), by_crest[i].max(by_trough[i])).si();
             match found {
                 Some(found) => {
-                    let fast = found.force.get::<newton>();
+                    let fast = found.force.si();
                     prop_assert!((fast - slow).abs() <= 1e-9 * fast, "{i} {fast} {slow}");
                 }
                 None => prop_assert!(slow <= 0.0),

@@ -5,8 +5,9 @@ use crate::contact::By;
 use crate::ports::outline::Port;
 use crate::ports::tests::{hole, motor};
 use crate::ports::{PortShape, land, rays_part_chambers};
-use crate::units::{angle_of_degrees, radians};
+use epicyclic_units::Physical;
 use proptest::prelude::*;
+use uom::si::f64::Angle;
 
 /// Holes and kidneys about the ideal places of a motor, from too small to too large.
 fn any_shape() -> impl Strategy<Value = [f64; 6]> {
@@ -17,13 +18,14 @@ fn shape(motor: &crate::Motor, side: PortSide, [size, out, turn, span, corner, k
     let ideal = motor.ports();
     let port = [ideal.high[0], ideal.low[0]][of(side)];
     let diameter = (size * port.greatest_diameter).max(0.1 * motor.satellite_radius());
-    let (pitch_radius, angle) = (port.centre_radius + out * diameter, port.angle + angle(turn * 0.1));
+    let (pitch_radius, angle) =
+        (port.centre_radius + out * diameter, port.angle + Angle::from_si(turn * 0.1));
     if kind < 0.5 {
         return PortShape::Hole { diameter, pitch_radius, angle };
     }
     let inner_radius = pitch_radius - 0.5 * diameter;
-    let span = span * 3.0 / f64::from(motor.numbers().stator_lobes()) * angle_of_degrees(60.0);
-    let most = (0.5 * diameter).min(0.3 * libm::sin(0.5 * radians(span)) * inner_radius);
+    let span = span * 3.0 / f64::from(motor.numbers().stator_lobes()) * Angle::from_degrees(60.0);
+    let most = (0.5 * diameter).min(0.3 * libm::sin(0.5 * span.si()) * inner_radius);
     PortShape::Kidney {
         inner_radius,
         outer_radius: pitch_radius + 0.5 * diameter,
@@ -35,7 +37,7 @@ fn shape(motor: &crate::Motor, side: PortSide, [size, out, turn, span, corner, k
 
 fn is_in(stretches: &[Stretch], phase: f64, cycle: f64) -> bool {
     stretches.iter().any(|stretch| {
-        let (from, to) = (radians(stretch.from), radians(stretch.to));
+        let (from, to) = (stretch.from.si(), stretch.to.si());
         (phase - from).rem_euclid(cycle) < to - from
     })
 }
@@ -61,7 +63,7 @@ proptest! {
                 // Named for the pressure that never opens, or never closes.
                 (Err(Error::PortNeverOpens { side: named, .. }), _) if *named == side => vec![],
                 (Err(Error::PortNeverCloses { side: named, .. }), _) if *named == side => {
-                    vec![Stretch { from: angle(0.0), to: angle(2.0 * cycle) }]
+                    vec![Stretch { from: Angle::from_si(0.0), to: Angle::from_si(2.0 * cycle) }]
                 }
                 (Err(Error::PortNeverOpens { .. } | Error::PortNeverCloses { .. }), _) => continue,
                 (Err(error), _) => panic!("{error}"),
@@ -105,7 +107,7 @@ fn a_short_circuit_that_has_just_begun_is_found() {
     let short = |diameter: f64| -> Vec<f64> {
         let plate = PortPlate::new(&motor, hole(diameter, 19.66, -15.12), hole(5.0, 19.66, 15.12)).unwrap();
         let timing = plate.timing().unwrap();
-        timing.short_circuits.iter().map(|stretch| radians(stretch.to - stretch.from)).collect()
+        timing.short_circuits.iter().map(|stretch| (stretch.to - stretch.from).si()).collect()
     };
     let (mut without, mut with) = (5.2, 5.6);
     assert_eq!(short(with).len(), 3);

@@ -1,5 +1,6 @@
 //! What a search with free tooth forms finds.
 
+use epicyclic_units::Physical;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
 
 use super::super::point::Yardstick;
@@ -12,11 +13,11 @@ use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
 use super::trial::Point;
 use crate::Error;
 use crate::machine;
+use crate::modules::{length, volume};
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::profile::{Profile, ToothForm};
 use crate::threads::map;
-use crate::units::{length, length_of_metres, power, torque, volume, volume_rate};
 
 /// The answer of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,12 +210,12 @@ impl FormSearch {
 
     fn size(&self, shape: &Shape, [module, width]: [f64; 2]) -> FormSize {
         let working = &shape.working;
-        let (module, width) = (length_of_metres(module), length_of_metres(width));
+        let (module, width) = (Length::from_si(module), Length::from_si(width));
         let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
         let [mean, least] =
             [mean_flow(working.displacement), working.flow[0]].map(|flow| volume(flow, module, width));
         let requirements = &self.requirements;
-        let mean_torque = requirements.pressure_drop.map(|drop| torque(mean, drop));
+        let mean_torque = requirements.pressure_drop.map(|drop| Torque::from(mean * drop));
         FormSize {
             module,
             width,
@@ -222,9 +223,9 @@ impl FormSearch {
             volume: volume(disc, module, width),
             displacement: volume(working.displacement, module, width),
             torque: mean_torque,
-            least_torque: requirements.pressure_drop.map(|drop| torque(least, drop)),
-            flow: requirements.speed.map(|speed| volume_rate(mean, speed)),
-            power: mean_torque.zip(requirements.speed).map(|(mean, speed)| power(mean, speed)),
+            least_torque: requirements.pressure_drop.map(|drop| (least * drop).into()),
+            flow: requirements.speed.map(|speed| mean * speed),
+            power: mean_torque.zip(requirements.speed).map(|(mean, speed)| mean * speed),
         }
     }
 }

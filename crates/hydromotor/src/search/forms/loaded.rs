@@ -1,5 +1,6 @@
 //! Flanks under load in a search: what is asked of them, their figures, and a bound that needs no teeth.
 
+use epicyclic_units::Physical;
 use uom::si::f64::Pressure;
 
 use super::super::objective::of_flow;
@@ -12,7 +13,7 @@ use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact}
 use crate::motor::Motor;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
-use crate::units::{over, pascals, positive_pressure, radians};
+use crate::ranges::positive_pressure;
 use std::f64::consts::PI;
 
 /// What flanks under load are calculated with, and what is asked of them.
@@ -101,8 +102,8 @@ impl FlankFigures {
         let materials = &order.materials;
         // p_H rises with the root of the pressure drop, bending with it.
         let contact_stress =
-            pressure_drop.map(|drop| materials.contact * over(drop, allowed.by_contact).sqrt());
-        let root_stress = pressure_drop.map(|drop| materials.root * over(drop, allowed.by_root));
+            pressure_drop.map(|drop| materials.contact * (drop / allowed.by_contact).value.sqrt());
+        let root_stress = pressure_drop.map(|drop| materials.root * (drop / allowed.by_root).value);
         // What is no number keeps no limit.
         let keeps = |value: Option<Pressure>, most: Option<Pressure>| {
             value.zip(most).is_none_or(|(value, most)| value <= most)
@@ -140,9 +141,9 @@ impl FlankFigures {
             Objective::FlankRipple => -log(self.ripple),
             Objective::LeastTorque => log(self.least_over_mean),
             // Over Δp, whatever it is: p_H² and σ_F are inverse to what they allow.
-            Objective::ContactStress => 0.5 * log(pascals(self.allowed.by_contact)),
-            Objective::RootStress => log(pascals(self.allowed.by_root)),
-            Objective::AllowedPressure => log(pascals(self.allowed.pressure)),
+            Objective::ContactStress => 0.5 * log(self.allowed.by_contact.si()),
+            Objective::RootStress => log(self.allowed.by_root.si()),
+            Objective::AllowedPressure => log(self.allowed.pressure.si()),
             _ => return None,
         })
     }
@@ -164,8 +165,8 @@ impl PitchBound {
 
     /// The pressure drop that the contacts allow at most, Pa.
     fn by_contact(&self, materials: &MaterialLimits, form: ToothForm) -> f64 {
-        let (limit, modulus) = (pascals(materials.contact), pascals(materials.modulus));
-        let severity = 2.0 / libm::sin(2.0 * radians(form.pressure_angle)) * self.bent / PI;
+        let (limit, modulus) = (materials.contact.si(), materials.modulus.si());
+        let severity = 2.0 / libm::sin(2.0 * form.pressure_angle.si()) * self.bent / PI;
         limit * limit / (modulus * severity)
     }
 
@@ -177,10 +178,10 @@ impl PitchBound {
         form: ToothForm,
     ) -> Option<FormRefusal> {
         let allowed = self.by_contact(&order.materials, form);
-        let least = order.allowed_pressure.map_or(0.0, pascals);
+        let least = order.allowed_pressure.map_or(0.0, Physical::si);
         if let (Some(most), Some(drop)) = (order.contact_stress, pressure_drop) {
-            let at_pitch = pascals(order.materials.contact) * (pascals(drop) / allowed).sqrt();
-            if at_pitch > pascals(most) * (1.0 + crate::tolerance::SLACK) {
+            let at_pitch = order.materials.contact.si() * (drop.si() / allowed).sqrt();
+            if at_pitch > most.si() * (1.0 + crate::tolerance::SLACK) {
                 return Some(FormRefusal::ContactStress);
             }
         }

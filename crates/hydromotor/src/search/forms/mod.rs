@@ -65,12 +65,13 @@ mod trial;
 use std::ops::ControlFlow;
 
 use super::point::Yardstick;
-use super::requirements::{Requirements, Sizing, positive};
+use super::requirements::{Requirements, Sizing};
 use super::{Limits, MOST_POINTS, MOST_SETS, Pass, Watch};
 use crate::Error;
 use crate::checks::ToothHeights;
 use crate::numbers::{Bounds, MotorNumbers};
 use crate::quantity::{Choice, Quantity};
+use crate::ranges::positive;
 use cover::{Cover, Value};
 use shape::shapes;
 use trial::{Forms, Tried, tried};

@@ -8,7 +8,8 @@ use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::second_harmonic;
 use crate::tolerance::EDGE;
-use crate::units::length_of_metres;
+use epicyclic_units::Physical;
+use uom::si::f64::Length;
 
 use super::super::point::{Working, Yardstick, at_least};
 
@@ -73,7 +74,7 @@ pub(super) struct Shape {
 impl Shape {
     /// The motor of module 1 m.
     pub(super) fn motor(&self) -> Motor {
-        motor(self.numbers, &self.curves, length_of_metres(1.0))
+        motor(self.numbers, &self.curves, Length::from_si(1.0))
     }
 }
 
@@ -99,7 +100,7 @@ pub(super) fn shapes(
         };
         match family {
             FamilyKind::TwoArcs => {
-                let Ok(arcs) = Family::new(numbers, length_of_metres(1.0)) else { continue };
+                let Ok(arcs) = Family::new(numbers, Length::from_si(1.0)) else { continue };
                 for interval in arcs.intervals() {
                     found.extend((0..places).map(|i| {
                         let part = (f64::from(i) / f64::from(places - 1)).clamp(EDGE, 1.0 - EDGE);
@@ -125,7 +126,7 @@ fn judge(
     family: FamilyKind,
     curves: Curves,
 ) -> Result<Shape, ShapeReason> {
-    let motor = motor(numbers, &curves, length_of_metres(1.0));
+    let motor = motor(numbers, &curves, Length::from_si(1.0));
     let [rotor, stator] = motor.facing_radii();
     // Neither is a number where nothing closes.
     if rotor >= stator {

@@ -1,12 +1,12 @@
 //! Tooth forms to choose from: ranges and steps.
 
 use crate::quantity::{Choice, Quantity};
+use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use crate::Error;
 use crate::profile::{Crest, ToothForm};
 use crate::tolerance::STEP_SLACK;
-use crate::units::{angle_of_degrees, in_degrees};
 
 /// The greatest number of tooth forms that a search takes.
 pub const MOST_FORMS: u64 = 10_000;
@@ -81,9 +81,9 @@ impl Default for FormSpace {
         let base = ToothForm::default();
         Self {
             pressure_angle: Steps {
-                from: angle_of_degrees(20.0),
-                to: angle_of_degrees(30.0),
-                step: angle_of_degrees(2.5),
+                from: Angle::from_degrees(20.0),
+                to: Angle::from_degrees(30.0),
+                step: Angle::from_degrees(2.5),
             },
             addendum: Steps { from: 0.7, to: 1.0, step: 0.05 },
             shift: Steps { from: 0.0, to: 0.4, step: 0.1 },
@@ -125,7 +125,7 @@ impl FormSpace {
     /// ```
     pub fn forms(&self) -> Result<Vec<ToothForm>, Error> {
         let Steps { from, to, step } = self.pressure_angle;
-        let degrees = Steps { from: in_degrees(from), to: in_degrees(to), step: in_degrees(step) };
+        let degrees = Steps { from: from.degrees(), to: to.degrees(), step: step.degrees() };
         let angles = degrees.values(Quantity::PressureAngle, [10.0, 40.0], "°")?;
         let addenda = self.addendum.values(Quantity::Addendum, [1e-3, 2.0], "modules")?;
         let shifts = self.shift.values(Quantity::ProfileShift, [-2.0, 2.0], "modules")?;
@@ -155,7 +155,7 @@ impl FormSpace {
                     for &clearance in &clearances {
                         for &fillet in &fillets {
                             forms.extend(crests.iter().map(|&crest| ToothForm {
-                                pressure_angle: angle_of_degrees(angle),
+                                pressure_angle: Angle::from_degrees(angle),
                                 addendum,
                                 shift,
                                 clearance,

@@ -11,15 +11,11 @@ use crate::profile::limits::{Limit, LimitKind};
 use crate::profile::{Crest, Profile, ToothForm};
 use crate::search::{Progress, Size, SizeLimits};
 use crate::second_harmonic;
-use crate::units::angle_of_degrees;
-use uom::si::angle::radian;
-use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
-use uom::si::length::{meter, millimeter};
-use uom::si::volume::cubic_centimeter;
-use uom::si::{angular_velocity::radian_per_second, pressure::megapascal, torque::newton_meter};
+use epicyclic_units::Physical;
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Torque, Volume};
 
 fn metre() -> Length {
-    Length::new::<meter>(1.0)
+    Length::from_si(1.0)
 }
 
 fn steps(from: f64, to: f64, step: f64) -> Steps<f64> {
@@ -28,12 +24,15 @@ fn steps(from: f64, to: f64, step: f64) -> Steps<f64> {
 
 /// Few motors and forms, so that a test can try every point.
 fn small() -> FormSearch {
-    let mut search = FormSearch::new(Requirements::of_displacement(Volume::new::<cubic_centimeter>(300.0)));
+    let mut search = FormSearch::new(Requirements::of_displacement(Volume::from_cm3(300.0)));
     search.requirements.size = Size::WidthOverDiameter(0.5);
     search.bounds = Bounds { stator_lobes: 4..=6, stator_teeth: 54..=66, satellite_teeth: 9..=11 };
     search.places = 5;
-    search.forms.pressure_angle =
-        Steps { from: angle_of_degrees(22.5), to: angle_of_degrees(27.5), step: angle_of_degrees(2.5) };
+    search.forms.pressure_angle = Steps {
+        from: Angle::from_degrees(22.5),
+        to: Angle::from_degrees(27.5),
+        step: Angle::from_degrees(2.5),
+    };
     search.forms.addendum = steps(0.75, 0.85, 0.1);
     search.forms.shift = steps(0.1, 0.3, 0.1);
     search
@@ -57,7 +56,7 @@ fn motors(search: &FormSearch) -> Vec<Motor> {
         {
             for interval in family.intervals() {
                 let [from, to] = [interval.lower, interval.upper]
-                    .map(|end| end.arcs().map_or(0.0, |arcs| arcs.trough_distance().get::<meter>().recip()));
+                    .map(|end| end.arcs().map_or(0.0, |arcs| arcs.trough_distance().si().recip()));
                 for i in 0..search.places {
                     let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
                     let l = metre() / (from + (to - from) * part);
@@ -118,7 +117,7 @@ fn trial(search: &FormSearch) -> Vec<Point> {
             let objectives = [
                 motor.envelope().displacement_by_volume,
                 motor.ripple().delta.recip(),
-                least(&mut radii.map(|check| check.value.get::<meter>())),
+                least(&mut radii.map(|check| check.value.si())),
                 ratio,
             ];
             all.push(Point { motor: motor.clone(), form, objectives });
@@ -138,7 +137,7 @@ fn objectives(design: &FormDesign) -> [f64; 4] {
 }
 
 fn mpa(value: f64) -> Pressure {
-    Pressure::new::<megapascal>(value)
+    Pressure::from_mpa(value)
 }
 
 fn steel() -> MaterialLimits {
@@ -206,7 +205,7 @@ fn flanks_under_load_are_those_of_every_profile() {
         values[values.len() / 2]
     };
     let base = FlankOrder::of(steel());
-    let pascal = |value: f64| Pressure::new::<uom::si::pressure::pascal>(value);
+    let pascal = |value: f64| Pressure::from_si(value);
     let limited = [
         (FlankOrder { ripple: Some(-middle(0)), ..base.clone() }, FormRefusal::FlankRipple),
         (FlankOrder { least_torque: Some(middle(1)), ..base.clone() }, FormRefusal::LeastTorque),
@@ -312,7 +311,7 @@ fn every_design_keeps_all_limits_at_256_angles() {
 #[test]
 fn designs_of_the_default_search_keep_all_limits_at_256_angles() {
     const STRIDE: usize = 7;
-    let search = FormSearch::new(Requirements::of_displacement(Volume::new::<cubic_centimeter>(188.5)));
+    let search = FormSearch::new(Requirements::of_displacement(Volume::from_cm3(188.5)));
     let found = search.front().unwrap();
     for design in found.designs.iter().step_by(STRIDE) {
         let profile = design.profile(design.sizes[0].module).unwrap();
@@ -332,7 +331,7 @@ fn every_point_is_counted_once() {
         search.limits.ripple = Some(0.12);
         search.limits.least_radius = Some(1.5);
         search.limits.size.width_over_diameter = 0.1..=1.0;
-        search.requirements.size = Size::Modules(vec![Length::new::<millimeter>(1.0)]);
+        search.requirements.size = Size::Modules(vec![Length::from_mm(1.0)]);
         let FormFound { designs, funnel } = search.front().unwrap();
         let motors: usize = ShapeReason::ALL.iter().map(|&reason| funnel.motors_refused(reason)).sum();
         let refused: u64 = FormRefusal::ALL.iter().map(|&refusal| funnel.refused(refusal)).sum();
@@ -395,13 +394,12 @@ fn a_search_tells_how_far_it_is_and_can_be_cancelled() {
 #[test]
 fn the_records_are_those_of_the_motors() {
     let mut search = small();
-    let (pressure, speed) =
-        (Pressure::new::<megapascal>(20.0), AngularVelocity::new::<radian_per_second>(9.0));
-    let mm = Length::new::<millimeter>;
+    let (pressure, speed) = (Pressure::from_mpa(20.0), AngularVelocity::from_si(9.0));
+    let mm = Length::from_mm;
     search.requirements = Requirements {
         speed: Some(speed),
         size: Size::Modules(vec![mm(1.5), mm(2.0)]),
-        ..Requirements::of_torque(Torque::new::<newton_meter>(900.0), pressure).unwrap()
+        ..Requirements::of_torque(Torque::from_si(900.0), pressure).unwrap()
     };
     search.limits.size = SizeLimits { outer_diameter: Some(mm(160.0)), ..SizeLimits::default() };
     search.resolution = Some(0.1);
@@ -443,7 +441,7 @@ fn orders_that_make_no_sense_are_refused() {
         let error = search.front().unwrap_err();
         format!("{}: {error}", error.name())
     };
-    let degrees = angle_of_degrees;
+    let degrees = Angle::from_degrees;
     let messages = [
         refused(&|search| search.families.clear()),
         refused(&|search| search.objectives.clear()),
@@ -500,7 +498,6 @@ fn steps_reach_their_end_and_no_further() {
     let mut space = FormSpace::of(ToothForm::full_depth());
     assert_eq!(space.forms().unwrap(), [ToothForm::full_depth()]);
     space.crests = vec![Crest::Tooth, Crest::Space];
-    let angles: Vec<f64> =
-        space.forms().unwrap().iter().map(|form| form.pressure_angle.get::<radian>()).collect();
+    let angles: Vec<f64> = space.forms().unwrap().iter().map(|form| form.pressure_angle.si()).collect();
     assert_eq!(angles.len(), 2);
 }

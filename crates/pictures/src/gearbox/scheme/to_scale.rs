@@ -23,7 +23,6 @@ use super::halves::{Common, Pair, pairs};
 use crate::Error;
 use crate::gearbox::radii::{Planet, Radii, radii};
 use crate::gearbox::words::{decimal, set_name};
-use crate::units::mm;
 use epicyclic_gears::mesh::Gear;
 use epicyclic_layout::layout::SetStack;
 use epicyclic_layout::{Layout, SetRadii};
@@ -32,6 +31,7 @@ use epicyclic_train::drawn::DrawnSet;
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
+use epicyclic_units::Physical;
 
 /// Radius of the smallest planet or step.
 const LEAST_WHEEL_MM: f64 = 4.2;
@@ -253,7 +253,7 @@ impl Sizes {
                 bearings.iter().filter(|bearing| bearing.set == set).flat_map(|bearing| &bearing.contacts);
             contacts.into_iter().find_map(|contact| {
                 let GearOf::Central(central) = contact.with else { return None };
-                let radius = mm(contact.pitch_radius?);
+                let radius = contact.pitch_radius?.mm();
                 let place = drawn
                     .iter()
                     .position(|other| other.set == set && other.members[..2].contains(&central))?;

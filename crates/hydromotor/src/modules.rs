@@ -1,0 +1,28 @@
+//! Quantities in units of the module, as the kernels have them: lengths over `m`, areas over `m²`.
+
+use uom::si::f64::{Area, Curvature, Length, Volume};
+
+/// A length of so many modules.
+pub(crate) fn length(modules: f64, module: Length) -> Length {
+    module * modules
+}
+
+/// How many modules a length is.
+pub(crate) fn modules(value: Length, module: Length) -> f64 {
+    (value / module).value
+}
+
+/// An area of so many squared modules.
+pub(crate) fn area(square_modules: f64, module: Length) -> Area {
+    square_modules * module * module
+}
+
+/// A curvature of so much over the module.
+pub(crate) fn curvature(per_module: f64, module: Length) -> Curvature {
+    (per_module / module).into()
+}
+
+/// The volume of an area of so many squared modules over a width.
+pub(crate) fn volume(square_modules: f64, module: Length, width: Length) -> Volume {
+    area(square_modules, module) * width
+}
