@@ -514,7 +514,7 @@ impl Region {
         }
         self.equal.gather(&mut slopes);
         self.equal.gather(&mut bends);
-        let steepest = largest_absolute(&slopes);
+        let steepest = largest_absolute(slopes);
         if steepest == 0.0 {
             return constant >= 0.0;
         }
