@@ -112,14 +112,16 @@ fn stopped(design: &Design) -> Option<String> {
 
 /// Limits that would have to give, each with its gearbox.
 fn ways_out(ways: &[WayOut]) -> Records {
+    let note =
+        "Each line is the result of the same search with this option. Deviation: the largest of a gear.";
     Table::new("ways_out", ways.iter())
         .words("option", "option", |way| text(options(way)))
-        .column(Column::words("scheme", "scheme"), |way| {
+        .words("scheme", "scheme", |way| {
             let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
             text(format!("{}{reverses}", way.scheme))
         })
         .words("teeth", "teeth", |way| text(sets(&way.teeth)))
-        .column(Column::number("deviation", "deviation"), |way| {
+        .number("deviation", "deviation", |way| {
             let off = largest_deviation(&way.speeds);
             text(percent(off).replace('+', ""))
         })
@@ -128,9 +130,7 @@ fn ways_out(ways: &[WayOut]) -> Records {
             "Limits that would have to give, and the gearbox behind each",
             "option scheme teeth deviation mass",
         )
-        .note(
-            "Each line is the result of the same search with this option. Deviation: the largest of a gear.",
-        )
+        .note(note)
         .records()
 }
 
@@ -308,5 +308,11 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
 }
 
 fn basis(keys: &[BasisKey]) -> Records {
-    Table::new("basis", keys.iter()).text("key", "key", |key| &key.key).text("value", "value", |key| &key.value).view("Assumed values; change with --basis, --factors, --life", "key value").note("As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.").records()
+    let note = "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.";
+    Table::new("basis", keys.iter())
+        .text("key", "key", |key| &key.key)
+        .text("value", "value", |key| &key.value)
+        .view("Assumed values; change with --basis, --factors, --life", "key value")
+        .note(note)
+        .records()
 }

@@ -67,17 +67,37 @@ fn gears(all: &[GearLosses]) -> Records {
         .view("Balance of powers", "gear input_power output_power mesh_loss drag_loss loss efficiency")
         .view("Torques and speeds", "gear input_torque output_torque output_speed")
         .note("From outside: an output that gives power has a torque against its speed.")
-        .is_answer()
+        .the_answer()
         .records()
 }
 
 fn losses(all: &[Loss]) -> Records {
-    Table::new("losses", all.iter()).text("gear", "gear", |loss| &loss.gear).column(Column::words("kind", "kind"), |loss| { let kind = match loss.kind {
-            LossKind::Mesh => "mesh",
-            LossKind::Drag => "drag",
-            LossKind::OpenElement => "open",
-        }; Figure::choice(loss.kind, kind) }).text("of", "of", |loss| &loss.of).column(Column::words("between", "between"), |loss| { let [first, second] = &loss.between; text(format!("{first}–{second}")) }).column(Column::headed("slip", "n, rpm", AngularSpeed), |loss| if_any(loss.slip_rad_s, AngularSpeed)).column(Column::headed("torque", "M, N·m", Torque), |loss| if_any(loss.torque_n_m, Torque)).quantity("loss", "", Power, |loss| loss.loss_w).number("of_loss_percent", "%", |loss| loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))).view("Heat by its sources", "gear kind of between slip torque loss of_loss_percent").note("mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
-                   between them.").records()
+    let note = "mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
+                   between them.";
+    Table::new("losses", all.iter())
+        .text("gear", "gear", |loss| &loss.gear)
+        .words("kind", "kind", |loss| {
+            let kind = match loss.kind {
+                LossKind::Mesh => "mesh",
+                LossKind::Drag => "drag",
+                LossKind::OpenElement => "open",
+            };
+            Figure::choice(loss.kind, kind)
+        })
+        .text("of", "of", |loss| &loss.of)
+        .words("between", "between", |loss| {
+            let [first, second] = &loss.between;
+            text(format!("{first}–{second}"))
+        })
+        .column(Column::headed("slip", "n, rpm", AngularSpeed), |loss| if_any(loss.slip_rad_s, AngularSpeed))
+        .column(Column::headed("torque", "M, N·m", Torque), |loss| if_any(loss.torque_n_m, Torque))
+        .quantity("loss", "", Power, |loss| loss.loss_w)
+        .number("of_loss_percent", "%", |loss| {
+            loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
+        })
+        .view("Heat by its sources", "gear kind of between slip torque loss of_loss_percent")
+        .note(note)
+        .records()
 }
 
 fn of_heat(heat: &Heat) -> Records {
@@ -141,7 +161,7 @@ impl AsReport for LossMap {
                 "speed torque output_torque mesh_loss drag_loss loss efficiency",
             )
             .note("Without η: none enters, or all that enters is lost.")
-            .is_answer()
+            .the_answer()
             .records();
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),

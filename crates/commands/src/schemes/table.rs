@@ -142,8 +142,24 @@ fn parameters(of: &Parameters) -> Section {
 }
 
 fn gears(gears: &[Gear]) -> Records {
-    Table::new("gears", gears.iter()).words("gear", "gear", |gear| text(gear.gear.name())).multiple("ratio", "i", |gear| gear.ratio).multiple("efficiency", "η", |gear| gear.efficiency).multiple("back_driving_efficiency", "η back", |gear| gear.back_driving_efficiency).multiple("output_torque_of_input", "T_B", |gear| gear.output_torque_of_input).words("engaged", "engaged", |gear| text(gear.engaged.name())).multiple("engaged_torque_of_input", "its T", |gear| gear.engaged_torque_of_input).multiple("circulating_of_input", "circulating", |gear| gear.circulating_of_input).view("Gears", "gear ratio efficiency back_driving_efficiency output_torque_of_input engaged engaged_torque_of_input circulating_of_input").note("Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
-                   brakes on T1, T2; L: direct-drive clutch between D and B.").records()
+    let note = "Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
+                   brakes on T1, T2; L: direct-drive clutch between D and B.";
+    Table::new("gears", gears.iter())
+        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .multiple("ratio", "i", |gear| gear.ratio)
+        .multiple("efficiency", "η", |gear| gear.efficiency)
+        .multiple("back_driving_efficiency", "η back", |gear| gear.back_driving_efficiency)
+        .multiple("output_torque_of_input", "T_B", |gear| gear.output_torque_of_input)
+        .words("engaged", "engaged", |gear| text(gear.engaged.name()))
+        .multiple("engaged_torque_of_input", "its T", |gear| gear.engaged_torque_of_input)
+        .multiple("circulating_of_input", "circulating", |gear| gear.circulating_of_input)
+        .view(
+            "Gears",
+            "gear ratio efficiency back_driving_efficiency output_torque_of_input engaged \
+                     engaged_torque_of_input circulating_of_input",
+        )
+        .note(note)
+        .records()
 }
 
 /// What a line of the table of speeds says: its name, the member's link, and the speed.

@@ -56,7 +56,18 @@ fn at_output(all: &[AtOutput]) -> Records {
     let backlash = |limits: Option<Limits>, end: End| limits.map_or(Figure::None, |of| angle(end(of)));
     let is_whole = all.iter().all(|one| one.missing.is_empty());
     let shown = ["gear", "least_backlash", "greatest_backlash", "stiffness", "missing"];
-    Table::new("at_output", all.iter()).text("gear", "gear", |one| &one.gear).number("least_backlash", "backlash, °", |one| backlash(one.backlash_rad, LOWER)).number("greatest_backlash", "to, °", |one| backlash(one.backlash_rad, UPPER)).number("stiffness", "N·m/rad", |one| one.stiffness_n_m.map_or(Figure::None, Figure::Number)).words("missing", "missing", |one| if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) }).view_of("At the output", &shown[..if is_whole { 4 } else { 5 }]).note("While the input is held: angle by which the output turns freely, with allowances and deviations; stiffness of the meshes alone, by ISO 6336-1 for steel gears.").records()
+    let note = "While the input is held: angle by which the output turns freely, with allowances and deviations; stiffness of the meshes alone, by ISO 6336-1 for steel gears.";
+    Table::new("at_output", all.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .number("least_backlash", "backlash, °", |one| backlash(one.backlash_rad, LOWER))
+        .number("greatest_backlash", "to, °", |one| backlash(one.backlash_rad, UPPER))
+        .number("stiffness", "N·m/rad", |one| one.stiffness_n_m.map_or(Figure::None, Figure::Number))
+        .words("missing", "missing", |one| {
+            if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) }
+        })
+        .view_of("At the output", &shown[..if is_whole { 4 } else { 5 }])
+        .note(note)
+        .records()
 }
 
 /// A line of a table: key, words, symbol, figures.

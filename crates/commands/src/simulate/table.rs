@@ -147,7 +147,31 @@ fn per_cent(share: Option<f64>) -> Figure {
 }
 
 fn of_shifts(all: &[ShiftResult]) -> Records {
-    Table::new("shifts", all.iter()).words("shift", "shift", |shift| text(format!("{} → {}", shift.from, shift.to))).quantity("at", "at", Time, |shift| shift.at_s).quantity("shift_time", "takes", Time, |shift| shift.shift_time_s).column(Column::headed("torque_phase", "torque phase", Time), |shift| column(Time, shift.torque_phase_s)).column(Column::headed("inertia_phase", "inertia phase", Time), |shift| column(Time, shift.inertia_phase_s)).quantity("output_torque_before", "T before", Torque, |shift| shift.output_torque_before_n_m).column(Column::headed("output_torque_least", "least", Torque), |shift| column(Torque, Some(shift.output_torque_least_n_m))).column(Column::headed("output_torque_greatest", "greatest", Torque), |shift| column(Torque, Some(shift.output_torque_greatest_n_m))).number("torque_hole_percent", "hole, %", |shift| per_cent(shift.torque_hole)).number("torque_surge_percent", "surge, %", |shift| per_cent(shift.torque_surge)).quantity("heat", "heat", Energy, |shift| shift.heat_j).quantity("locked", "locked", Time, |shift| shift.locked_s).words("released", "released", |shift| Figure::Texts(shift.released.clone())).words("applied", "applied", |shift| Figure::Texts(shift.applied.clone())).view("Shifts", "shift at shift_time torque_phase inertia_phase heat released applied").view("Torque of the output while it shifts", "shift output_torque_before output_torque_least output_torque_greatest torque_hole_percent torque_surge_percent").note("T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.").records()
+    let note =
+        "T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.";
+    Table::new("shifts", all.iter())
+        .words("shift", "shift", |shift| text(format!("{} → {}", shift.from, shift.to)))
+        .quantity("at", "at", Time, |shift| shift.at_s)
+        .quantity("shift_time", "takes", Time, |shift| shift.shift_time_s)
+        .headed("torque_phase", "torque phase", Time, |shift| shift.torque_phase_s)
+        .headed("inertia_phase", "inertia phase", Time, |shift| shift.inertia_phase_s)
+        .quantity("output_torque_before", "T before", Torque, |shift| shift.output_torque_before_n_m)
+        .headed("output_torque_least", "least", Torque, |shift| shift.output_torque_least_n_m)
+        .headed("output_torque_greatest", "greatest", Torque, |shift| shift.output_torque_greatest_n_m)
+        .number("torque_hole_percent", "hole, %", |shift| per_cent(shift.torque_hole))
+        .number("torque_surge_percent", "surge, %", |shift| per_cent(shift.torque_surge))
+        .quantity("heat", "heat", Energy, |shift| shift.heat_j)
+        .quantity("locked", "locked", Time, |shift| shift.locked_s)
+        .words("released", "released", |shift| Figure::Texts(shift.released.clone()))
+        .words("applied", "applied", |shift| Figure::Texts(shift.applied.clone()))
+        .view("Shifts", "shift at shift_time torque_phase inertia_phase heat released applied")
+        .view(
+            "Torque of the output while it shifts",
+            "shift output_torque_before output_torque_least output_torque_greatest \
+                     torque_hole_percent torque_surge_percent",
+        )
+        .note(note)
+        .records()
 }
 
 fn kind_of(kind: ElementKind) -> &'static str {

@@ -161,7 +161,40 @@ fn duty(all: &[DutyStep]) -> Records {
 
 fn at_point(all: &[Rated]) -> Records {
     let stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
-    Table::new("at_point", all.iter()).text("gear", "gear", |one| &one.gear).text("set", "set", |one| &one.set).words("mesh", "mesh", |one| text(one.mesh.to_string())).words("toothed_gear", "of", |one| text(one.toothed_gear.to_string())).text("material", "material", |one| &one.material).number("flank_safety", "S_H", |one| safety(one.flank_safety)).number("root_safety", "S_F", |one| safety(one.root_safety)).column(Column::headed("contact_stress", "σ_H", Dimension::Pressure), |one| stress(one.contact_stress_pa)).column(Column::headed("contact_limit", "σ_HG", Dimension::Pressure), |one| stress(one.contact_limit_pa)).column(Column::headed("root_stress", "σ_F", Dimension::Pressure), |one| stress(one.root_stress_pa)).column(Column::headed("root_limit", "σ_FG", Dimension::Pressure), |one| stress(one.root_limit_pa)).quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n).quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m).quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s).number("cycles", "N_L", |one| Figure::Number(one.cycles)).number("million_cycles", "N_L, 10⁶", |one| Figure::Number(one.cycles / MILLION)).for_people().view("Safeties of flanks and roots, stresses and limits in MPa", "gear set mesh toothed_gear flank_safety root_safety contact_stress contact_limit root_stress root_limit").view("Materials and loads", "gear set mesh toothed_gear material tangential_force mesh_speed million_cycles").note("F_t: of one mesh, without losses. n: of its first gear relative to the carrier.").records()
+    let note = "F_t: of one mesh, without losses. n: of its first gear relative to the carrier.";
+    Table::new("at_point", all.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .text("set", "set", |one| &one.set)
+        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
+        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
+        .text("material", "material", |one| &one.material)
+        .number("flank_safety", "S_H", |one| safety(one.flank_safety))
+        .number("root_safety", "S_F", |one| safety(one.root_safety))
+        .column(Column::headed("contact_stress", "σ_H", Dimension::Pressure), |one| {
+            stress(one.contact_stress_pa)
+        })
+        .column(Column::headed("contact_limit", "σ_HG", Dimension::Pressure), |one| {
+            stress(one.contact_limit_pa)
+        })
+        .column(Column::headed("root_stress", "σ_F", Dimension::Pressure), |one| stress(one.root_stress_pa))
+        .column(Column::headed("root_limit", "σ_FG", Dimension::Pressure), |one| stress(one.root_limit_pa))
+        .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
+        .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
+        .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)
+        .number("cycles", "N_L", |one| Figure::Number(one.cycles))
+        .number("million_cycles", "N_L, 10⁶", |one| Figure::Number(one.cycles / MILLION))
+        .for_people()
+        .view(
+            "Safeties of flanks and roots, stresses and limits in MPa",
+            "gear set mesh toothed_gear flank_safety root_safety contact_stress \
+                     contact_limit root_stress root_limit",
+        )
+        .view(
+            "Materials and loads",
+            "gear set mesh toothed_gear material tangential_force mesh_speed million_cycles",
+        )
+        .note(note)
+        .records()
 }
 
 /// A row for each factor of two gears, and two where they have it by different formulas or only one of them has it: of the factor that names it,
@@ -378,11 +411,22 @@ fn overload(all: &[Overloaded]) -> Records {
 
 /// How planets share the load where the file does not give it.
 fn load_sharing(all: &[LoadSharing]) -> Records {
-    Table::new("load_sharing", all.iter()).text("set", "set", |one| &one.set).number("planets", "planets", |one| Figure::Count(one.planets)).number("mesh_load_factor", "K_γ", |one| Figure::Printed(one.mesh_load_factor, 3)).column(Column::words("basis", "since"), |one| { let words = match one.basis {
-            SharingBasis::Floating => "a member floats",
-            SharingBasis::Rigid => "no member floats",
-            SharingBasis::Assumed => "a floating member is assumed",
-        }; let basis = Figure::choice(one.basis, words); basis }).view("Load sharing of the planets", "set planets mesh_load_factor basis").note("K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself.").records()
+    let note = "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself.";
+    Table::new("load_sharing", all.iter())
+        .text("set", "set", |one| &one.set)
+        .number("planets", "planets", |one| Figure::Count(one.planets))
+        .number("mesh_load_factor", "K_γ", |one| Figure::Printed(one.mesh_load_factor, 3))
+        .words("basis", "since", |one| {
+            let words = match one.basis {
+                SharingBasis::Floating => "a member floats",
+                SharingBasis::Rigid => "no member floats",
+                SharingBasis::Assumed => "a floating member is assumed",
+            };
+            Figure::choice(one.basis, words)
+        })
+        .view("Load sharing of the planets", "set planets mesh_load_factor basis")
+        .note(note)
+        .records()
 }
 
 fn not_rated(all: &[NotRated]) -> Records {
@@ -392,19 +436,18 @@ fn not_rated(all: &[NotRated]) -> Records {
         ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
     Table::new("not_rated", all.iter())
         .text("set", "set", |one| &one.set)
-        .column(Column::words("gears", "gears"), |one| {
-            let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
-            gears
+        .words("gears", "gears", |one| {
+            if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) }
         })
-        .column(Column::words("mesh", "mesh"), |one| {
+        .words("mesh", "mesh", |one| {
             let words = |word: Option<String>| word.map_or(Figure::None, text);
             words(one.mesh.map(|mesh| mesh.to_string()))
         })
-        .column(Column::words("toothed_gear", "of"), |one| {
+        .words("toothed_gear", "of", |one| {
             let words = |word: Option<String>| word.map_or(Figure::None, text);
             words(one.toothed_gear.map(|gear| gear.to_string()))
         })
-        .column(Column::words("place", "part"), |one| {
+        .words("place", "part", |one| {
             let words = |word: Option<String>| word.map_or(Figure::None, text);
             words(one.place.map(|place| place.to_string()))
         })

@@ -74,6 +74,17 @@ impl<Row> Table<Row> {
     ) -> Self {
         let unit = dimension.usual_unit().symbol;
         let heading = if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") };
+        self.headed(key, &heading, dimension, of)
+    }
+
+    /// The same without the unit in its heading.
+    pub(crate) fn headed<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        dimension: Dimension,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
         let cell = |row: &Row| quantities::column(dimension, of(row).into());
         self.column(Column::headed(key, heading, dimension), cell)
     }
@@ -88,7 +99,7 @@ impl<Row> Table<Row> {
 
     /// Shows some columns, by their keys in order.
     pub(crate) fn view(self, title: impl Into<String>, keys: &'static str) -> Self {
-        let keys: Vec<&'static str> = keys.split(' ').collect();
+        let keys: Vec<&'static str> = keys.split_ascii_whitespace().collect();
         self.view_of(title, &keys)
     }
 
@@ -113,12 +124,12 @@ impl<Row> Table<Row> {
     }
 
     /// This list is the answer: CSV has one line for each of its rows.
-    pub(crate) fn is_answer(self) -> Self {
-        self.is_answer_if(true)
+    pub(crate) fn the_answer(self) -> Self {
+        self.the_answer_if(true)
     }
 
     /// The same where it is so.
-    pub(crate) fn is_answer_if(mut self, is_answer: bool) -> Self {
+    pub(crate) fn the_answer_if(mut self, is_answer: bool) -> Self {
         self.records.is_answer = is_answer;
         self
     }

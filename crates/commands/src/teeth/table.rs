@@ -126,7 +126,7 @@ fn sets(teeth: &Teeth) -> Records {
         })
         .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
         .views(views)
-        .is_answer()
+        .the_answer()
         .records()
 }
 

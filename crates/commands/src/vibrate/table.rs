@@ -302,6 +302,7 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
 }
 
 fn resonances(all: &[Resonance]) -> Records {
+    let note = "Speeds of the input at which what excites has the frequency of a mode that it can excite.";
     Table::new("resonances", all.iter())
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
@@ -312,7 +313,7 @@ fn resonances(all: &[Resonance]) -> Records {
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
         .column(Column::headed("frequency", "f, Hz", Frequency), |one| hertz(one.frequency_hz))
         .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
-        .note("Speeds of the input at which what excites has the frequency of a mode that it can excite.")
+        .note(note)
         .records()
 }
 
@@ -324,8 +325,32 @@ fn responses(all: &[Response]) -> Records {
             meshes.map(|(mesh, error, greatest)| (set, one, mesh, error, greatest))
         })
     });
-    Table::new("responses", rows).text("set", "set", |(set, _, _, _, _)| &set.set).text("gear", "gear", |(set, _, _, _, _)| &set.gear).words("mesh", "mesh", |(_, _, mesh, _, _)| text(*mesh)).number("harmonic", "harm.", |(_, one, _, _, _)| count(one.harmonic)).column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error)).quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s).column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| hertz(greatest.frequency_hz)).quantity("force", "F", Force, |(_, _, _, _, greatest)| greatest.force_n).quantity("parts_below_sun_torque", "T sun", Torque, |(_, _, _, _, greatest)| greatest.parts_below_sun_torque_n_m).words("gyroscopic", "gyro", |(set, _, _, _, _)| Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" })).view("Forces by the transmission error", "set gear mesh harmonic error input_speed frequency force parts_below_sun_torque gyroscopic").note("The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
-                   below which the flanks part there, and this is no longer so.").records()
+    let note = "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
+                   below which the flanks part there, and this is no longer so.";
+    Table::new("responses", rows)
+        .text("set", "set", |(set, _, _, _, _)| &set.set)
+        .text("gear", "gear", |(set, _, _, _, _)| &set.gear)
+        .words("mesh", "mesh", |(_, _, mesh, _, _)| text(*mesh))
+        .number("harmonic", "harm.", |(_, one, _, _, _)| count(one.harmonic))
+        .column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error))
+        .quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s)
+        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| {
+            hertz(greatest.frequency_hz)
+        })
+        .quantity("force", "F", Force, |(_, _, _, _, greatest)| greatest.force_n)
+        .quantity("parts_below_sun_torque", "T sun", Torque, |(_, _, _, _, greatest)| {
+            greatest.parts_below_sun_torque_n_m
+        })
+        .words("gyroscopic", "gyro", |(set, _, _, _, _)| {
+            Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" })
+        })
+        .view(
+            "Forces by the transmission error",
+            "set gear mesh harmonic error input_speed frequency force \
+                     parts_below_sun_torque gyroscopic",
+        )
+        .note(note)
+        .records()
 }
 
 fn orders(all: &[Order]) -> Records {
@@ -342,10 +367,18 @@ fn orders(all: &[Order]) -> Records {
 }
 
 fn bodies(sets: &[SetModes]) -> Records {
-    Table::new("bodies", sets.iter().flat_map(|set| {
-        set.bodies.iter().map(move |body| (set, body))
-    })).text("set", "set", |(set, _)| &set.set).words("gears", "gears", |(set, _)| Figure::Texts(set.gears.clone())).words("body", "body", |(_, body)| Figure::choice(body.body, member(body.body))).quantity("mass", "m", Mass, |(_, body)| body.mass_kg).column(Column::headed("inertia", "I", Inertia), |(_, body)| optional(Inertia, body.inertia_kg_m2)).quantity("radius", "r", Length, |(_, body)| body.radius_m).view("Bodies", "set gears body mass inertia radius").note("Without a mass the centre is held, without an inertia the rotation. r: base radius, of the carrier the radius of the planets' \
-                   circle.").records()
+    let note = "Without a mass the centre is held, without an inertia the rotation. r: base radius, of the carrier the radius of the planets' \
+                   circle.";
+    Table::new("bodies", sets.iter().flat_map(|set| set.bodies.iter().map(move |body| (set, body))))
+        .text("set", "set", |(set, _)| &set.set)
+        .words("gears", "gears", |(set, _)| Figure::Texts(set.gears.clone()))
+        .words("body", "body", |(_, body)| Figure::choice(body.body, member(body.body)))
+        .quantity("mass", "m", Mass, |(_, body)| body.mass_kg)
+        .column(Column::headed("inertia", "I", Inertia), |(_, body)| optional(Inertia, body.inertia_kg_m2))
+        .quantity("radius", "r", Length, |(_, body)| body.radius_m)
+        .view("Bodies", "set gears body mass inertia radius")
+        .note(note)
+        .records()
 }
 
 fn springs(sets: &[SetModes]) -> Records {
@@ -390,7 +423,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
     Table::new("not_calculated", all.iter())
         .text("set", "set", |one| &one.set)
         .words("gear", "gear", |one| one.gear.as_ref().map_or(text("all"), text))
-        .column(Column::words("what", "what"), |one| {
+        .words("what", "what", |one| {
             let what = match one.what {
                 What::Modes => "modes",
                 What::Resonances => "resonances",

@@ -21,7 +21,7 @@ impl AsReport for Combinations {
             .words("gear", "gear", |one| text(one.gear.clone().unwrap_or_default()))
             .view_of("Combinations of shift elements", &shown)
             .note(count)
-            .is_answer()
+            .the_answer()
             .records();
         Report {
             title: Some(self.gearbox.clone()),

@@ -12,7 +12,7 @@ use crate::shared::records::Fraction;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text};
+use crate::table::report::{Part, Records, Report, Text};
 use epicyclic_units::format::trimmed;
 
 /// Significant digits of a decimal in an equation.
@@ -119,15 +119,15 @@ fn gears(gears: &[Gear]) -> Records {
         .words("engaged", "engaged", |gear| Figure::Texts(gear.facts.engaged.clone()))
         .words("state", "state", |gear| state(gear.facts.state))
         .multiple("ratio", "i", |gear| gear.facts.ratio)
-        .column(Column::words("formula", "formula"), |gear| {
+        .words("formula", "formula", |gear| {
             let formula = gear.formula.as_ref();
             text(formula.map_or_else(String::new, |formula| formula.text.clone()))
         })
-        .column(Column::number("value", "value"), |gear| {
+        .number("value", "value", |gear| {
             let formula = gear.formula.as_ref();
             multiple(formula.and_then(|formula| formula.value))
         })
-        .column(Column::number("exact_value", "exact"), |gear| {
+        .number("exact_value", "exact", |gear| {
             let formula = gear.formula.as_ref();
             exact(formula.and_then(|formula| formula.exact_value))
         })

@@ -12,7 +12,7 @@ use crate::analyze::answer::gear::{
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
 
 const CASES: &[(&str, &str)] =
@@ -217,9 +217,26 @@ fn sets(sets: &[Set]) -> Records {
         "rolling_power_of_entering",
         "loss_of_entering",
     ];
-    Table::new("sets", sets.iter()).text("set", "set", |set| &set.set).words("kind", "kind", |set| Figure::choice(set.kind, kind_in_words(set.kind))).multiple("basic_ratio", "i₀", |set| set.basic_ratio).number("exact_ratio", "exact", |set| exact(set.exact_ratio)).multiple("efficiency", "η₀", |set| set.efficiency).words("rolling_power_runs", "rolling power runs", |set| set.rolling_power_runs.map_or(Figure::None, runs)).words("kreines_exponents", "x", |set| text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))).multiple("rolling_power_of_entering", "rolling", |set| set.rolling_power_of_entering).multiple("loss_of_entering", "loss", |set| set.loss_of_entering).view_of("Planet sets", &shown).note("Rolling power: through the meshes, seen from the carrier, over what enters; from the first central \
+    let note = "Rolling power: through the meshes, seen from the carrier, over what enters; from the first central \
                    gear to the second. i₀, η₀: basic ratio, and efficiency with the carrier fixed, of sets with two \
-                   central gears.").records()
+                   central gears.";
+    Table::new("sets", sets.iter())
+        .text("set", "set", |set| &set.set)
+        .words("kind", "kind", |set| Figure::choice(set.kind, kind_in_words(set.kind)))
+        .multiple("basic_ratio", "i₀", |set| set.basic_ratio)
+        .number("exact_ratio", "exact", |set| exact(set.exact_ratio))
+        .multiple("efficiency", "η₀", |set| set.efficiency)
+        .words("rolling_power_runs", "rolling power runs", |set| {
+            set.rolling_power_runs.map_or(Figure::None, runs)
+        })
+        .words("kreines_exponents", "x", |set| {
+            text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))
+        })
+        .multiple("rolling_power_of_entering", "rolling", |set| set.rolling_power_of_entering)
+        .multiple("loss_of_entering", "loss", |set| set.loss_of_entering)
+        .view_of("Planet sets", &shown)
+        .note(note)
+        .records()
 }
 
 fn runs(direction: RollingPower) -> Figure {
@@ -245,6 +262,8 @@ fn members(one: &OneGear) -> Records {
     if circulating.is_some_and(|powers| powers.circulating > 0.0) {
         shown.push("circulating_of_entering");
     }
+    let note = "T: over the input's torque, without losses and with. Power: over what enters the gear; positive \
+                   where it enters the set.";
     Table::new("members", one.members.iter())
         .text("set", "set", |member| &member.set)
         .text("member", "member", |member| &member.member)
@@ -255,10 +274,7 @@ fn members(one: &OneGear) -> Records {
         .multiple("power_of_entering", "power", |member| member.power_of_entering)
         .multiple("circulating_of_entering", "circulating", |member| member.circulating_of_entering)
         .view_of("Members of the sets", &shown)
-        .note(
-            "T: over the input's torque, without losses and with. Power: over what enters the gear; positive \
-                   where it enters the set.",
-        )
+        .note(note)
         .records()
 }
 
@@ -328,7 +344,7 @@ fn patterns(patterns: &[Pattern]) -> Records {
         _ => "-",
     };
     Table::new("patterns", patterns.iter())
-        .column(Column::words("signs", "sets"), |pattern| {
+        .words("signs", "sets", |pattern| {
             let sets = pattern.sets.iter();
             let sets =
                 sets.map(|set| format!("{} {}", set.set, set.signs.iter().map(mark).collect::<String>()));

@@ -66,7 +66,7 @@ fn links(inputs: &Inputs) -> Records {
         .words("given", "given", |link| Figure::YesNo(link.given))
         .quantity("power", "", Dimension::Power, |link| link.power_w)
         .view_of("Links: speed, and power through each", &shown)
-        .is_answer()
+        .the_answer()
         .records()
 }
 

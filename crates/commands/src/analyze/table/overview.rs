@@ -284,7 +284,7 @@ fn shift_elements(overview: &Overview) -> Records {
         .text("shift_element", "element", |one| &one.element.shift_element)
         .words("kind", "kind", |one| kind(one.element.kind))
         .words("joins", "joins", |one| joins(&one.element.links))
-        .column(Column::number("torque_of_input", "T"), |one| {
+        .number("torque_of_input", "T", |one| {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             multiple(torque.map(|torque| torque.torque_of_input))
         })
@@ -292,12 +292,12 @@ fn shift_elements(overview: &Overview) -> Records {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             column(torque.and_then(|torque| torque.torque_n_m), Dimension::Torque)
         })
-        .column(Column::words("torque_gear", "in gear"), |one| {
+        .words("torque_gear", "in gear", |one| {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
             gear(torque.map(|torque| &torque.gear))
         })
-        .column(Column::number("slip_of_input", "slip"), |one| {
+        .number("slip_of_input", "slip", |one| {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             multiple(slip.map(|slip| slip.slip_of_input))
         })
@@ -305,7 +305,7 @@ fn shift_elements(overview: &Overview) -> Records {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             column(slip.and_then(|slip| slip.slip_rad_s), Dimension::AngularSpeed)
         })
-        .column(Column::words("slip_gear", "in gear"), |one| {
+        .words("slip_gear", "in gear", |one| {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
             gear(slip.map(|slip| &slip.gear))
@@ -345,7 +345,7 @@ fn planets(overview: &Overview) -> Option<Records> {
         Table::new("planets", all.iter())
             .text("set", "set", |one| &one.set)
             .text("planet", "planet", |one| &one.planet)
-            .column(Column::number("relative_speed_of_input", "speed"), |one| {
+            .number("relative_speed_of_input", "speed", |one| {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 multiple(speed.map(|speed| speed.relative_speed_of_input))
             })
@@ -353,7 +353,7 @@ fn planets(overview: &Overview) -> Option<Records> {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 column(speed.and_then(|speed| speed.relative_speed_rad_s), Dimension::AngularSpeed)
             })
-            .column(Column::words("speed_gear", "in gear"), |one| {
+            .words("speed_gear", "in gear", |one| {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
                 gear(speed.map(|speed| &speed.gear))
@@ -366,14 +366,11 @@ fn planets(overview: &Overview) -> Option<Records> {
                 let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 column(force.and_then(|force| force.tangential_force_n), Dimension::Force)
             })
-            .column(
-                Column::number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m"),
-                |one| {
-                    let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                    multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m))
-                },
-            )
-            .column(Column::words("force_gear", "in gear"), |one| {
+            .number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
+                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+                multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m))
+            })
+            .words("force_gear", "in gear", |one| {
                 let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
                 gear(force.map(|force| &force.gear))

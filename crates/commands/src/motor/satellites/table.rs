@@ -83,8 +83,27 @@ fn motors(answer: &MotorSatellites) -> Records {
         "ripple",
         "teeth",
     ];
-    Table::new("motors", answer.motors.iter()).number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth)).column(Column::headed("from", "l from", Length), |motor| { let [from, _to] = of_family(motor); column(Length, from) }).column(Column::headed("to", "to, mm", Length), |motor| { let [_from, to] = of_family(motor); column(Length, to) }).quantity("l", "l", Length, |motor| motor.l_m).quantity("a", "a", Length, |motor| motor.a_m).quantity("least_chamber", "A_min", Area, |motor| motor.least_chamber_m2).quantity("displacement_per_width", "q/b", Area, |motor| motor.displacement_per_width_m2).number("ripple", "δ", |motor| Figure::Share(motor.ripple)).words("teeth", "teeth", |motor| Figure::Text(teeth(motor))).view_of("Motors, each in the middle of its family", &columns).note("Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
-                   displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.").records()
+    let note = "Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
+                   displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.";
+    Table::new("motors", answer.motors.iter())
+        .number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth))
+        .column(Column::headed("from", "l from", Length), |motor| {
+            let [from, _to] = of_family(motor);
+            column(Length, from)
+        })
+        .column(Column::headed("to", "to, mm", Length), |motor| {
+            let [_from, to] = of_family(motor);
+            column(Length, to)
+        })
+        .quantity("l", "l", Length, |motor| motor.l_m)
+        .quantity("a", "a", Length, |motor| motor.a_m)
+        .quantity("least_chamber", "A_min", Area, |motor| motor.least_chamber_m2)
+        .quantity("displacement_per_width", "q/b", Area, |motor| motor.displacement_per_width_m2)
+        .number("ripple", "δ", |motor| Figure::Share(motor.ripple))
+        .words("teeth", "teeth", |motor| Figure::Text(teeth(motor)))
+        .view_of("Motors, each in the middle of its family", &columns)
+        .note(note)
+        .records()
 }
 
 fn without(without: &[SatellitesWithout]) -> Records {

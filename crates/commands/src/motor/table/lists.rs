@@ -110,21 +110,18 @@ pub(crate) fn chambers(motor: &Motor) -> Records {
         ChamberState::Emptying => Figure::answer("emptying", "empties, low pressure"),
         ChamberState::ChangingOver => Figure::answer("changing_over", "changes over"),
     };
+    let note = "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
+                   counter-clockwise.";
     Table::new("chambers", motor.chambers.iter())
         .number("chamber", "chamber", |chamber| Figure::Count(chamber.chamber))
         .quantity("area", "area", Area, |chamber| chamber.area_m2)
-        .column(Column::headed("growth_per_radian", "growth, mm²/rad", Area), |chamber| {
-            column(Area, Some(chamber.growth_per_radian_m2))
-        })
+        .headed("growth_per_radian", "growth, mm²/rad", Area, |chamber| chamber.growth_per_radian_m2)
         .words("state", "state", |chamber| state(chamber.state))
         .view(
             format!("Chambers, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
             "chamber area growth_per_radian state",
         )
-        .note(
-            "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
-                   counter-clockwise.",
-        )
+        .note(note)
         .records()
 }
 

@@ -76,12 +76,34 @@ pub(crate) fn flanks(flanks: &Flanks) -> Vec<Part> {
 }
 
 fn contact(flanks: &Flanks) -> Records {
-    Table::new("contact_stresses", flanks.contact.iter()).words("wheel", "flanks of", |one| Figure::answer(one.wheel.words(), one.wheel.words())).words("by", "by a", |one| push(one.by)).column(Column::headed("at_pitch_point", "pitch point", Pressure), |one| column(Pressure, Some(one.at_pitch_point_pa))).column(Column::headed("alone", "one pair", Pressure), |one| column(Pressure, one.alone_pa)).quantity("alone_offset", "at e", Length, |one| one.alone_offset_m).column(Column::headed("on_path", "anywhere", Pressure), |one| column(Pressure, one.on_path_pa)).quantity("on_path_offset", "at e", Length, |one| one.on_path_offset_m).view("Contact stress of Hertz, MPa", "wheel by at_pitch_point alone alone_offset on_path on_path_offset").note("Greatest over the revolution. One pair: where no other pair of flanks shares the load; anywhere: all load on one pair, a bound. e: from the pitch point towards the \
-                   satellite's base circle. Reported, not certified.").records()
+    let note = "Greatest over the revolution. One pair: where no other pair of flanks shares the load; anywhere: all load on one pair, a bound. e: from the pitch point towards the \
+                   satellite's base circle. Reported, not certified.";
+    Table::new("contact_stresses", flanks.contact.iter())
+        .words("wheel", "flanks of", |one| Figure::answer(one.wheel.words(), one.wheel.words()))
+        .words("by", "by a", |one| push(one.by))
+        .headed("at_pitch_point", "pitch point", Pressure, |one| one.at_pitch_point_pa)
+        .headed("alone", "one pair", Pressure, |one| one.alone_pa)
+        .quantity("alone_offset", "at e", Length, |one| one.alone_offset_m)
+        .headed("on_path", "anywhere", Pressure, |one| one.on_path_pa)
+        .quantity("on_path_offset", "at e", Length, |one| one.on_path_offset_m)
+        .view(
+            "Contact stress of Hertz, MPa",
+            "wheel by at_pitch_point alone alone_offset on_path on_path_offset",
+        )
+        .note(note)
+        .records()
 }
 
 fn roots(flanks: &Flanks) -> Records {
-    Table::new("root_stresses", flanks.roots.iter()).words("wheel", "roots of", |one| Figure::answer(one.wheel.words(), one.wheel.words())).column(Column::headed("alone", "one pair", Pressure), |one| column(Pressure, one.alone_pa)).column(Column::headed("on_path", "anywhere", Pressure), |one| column(Pressure, one.on_path_pa)).quantity("thickness", "section", Length, |one| one.thickness_m).view("Bending at the roots, MPa", "wheel alone on_path thickness").note("Nominal bending after Lewis in the worst section of the generated tooth, without the notch; for stator and rotor a comparison of shapes.").records()
+    let note = "Nominal bending after Lewis in the worst section of the generated tooth, without the notch; for stator and rotor a comparison of shapes.";
+    Table::new("root_stresses", flanks.roots.iter())
+        .words("wheel", "roots of", |one| Figure::answer(one.wheel.words(), one.wheel.words()))
+        .headed("alone", "one pair", Pressure, |one| one.alone_pa)
+        .headed("on_path", "anywhere", Pressure, |one| one.on_path_pa)
+        .quantity("thickness", "section", Length, |one| one.thickness_m)
+        .view("Bending at the roots, MPa", "wheel alone on_path thickness")
+        .note(note)
+        .records()
 }
 
 fn allowed_rows(allowed: &AllowedPressure) -> Vec<Row> {
@@ -174,35 +196,59 @@ const fn open_to(open: OpenTo) -> [&'static str; 2] {
 }
 
 fn cycle(ports: &MadePorts) -> Records {
-    Table::new("port_states", ports.states.iter()).quantity("from", "from", Angle, |state| state.from_rad).quantity("to", "to", Angle, |state| state.to_rad).column(Column::words("open_to", "open to"), |state| { let [name, words] = open_to(state.open_to); Figure::answer(name, words) }).column(Column::words("extreme", "about the"), |state| { let closed = ports
-            .closed
-            .iter()
-            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
+    let note = "Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.";
+    Table::new("port_states", ports.states.iter())
+        .quantity("from", "from", Angle, |state| state.from_rad)
+        .quantity("to", "to", Angle, |state| state.to_rad)
+        .words("open_to", "open to", |state| {
+            let [name, words] = open_to(state.open_to);
+            Figure::answer(name, words)
+        })
+        .words("extreme", "about the", |state| {
+            let closed = ports
+                .closed
+                .iter()
+                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
+            closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
                 Extreme::Greatest => Figure::answer("greatest", "greatest"),
                 Extreme::Least => Figure::answer("least", "least"),
-            }) }).column(Column::headed("before", "before", Angle), |state| { let closed = ports
-            .closed
-            .iter()
-            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Angle, closed.map(|one| one.before_rad)) }).column(Column::headed("after", "after", Angle), |state| { let closed = ports
-            .closed
-            .iter()
-            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Angle, closed.map(|one| one.after_rad)) }).column(Column::headed("change", "changes, MPa", Pressure), |state| { let closed = ports
-            .closed
-            .iter()
-            .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad); column(Pressure, closed.and_then(|one| one.change_pa)) }).view("Cycle of a chamber at its ports", "from to open_to extreme before after change").note("Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.").records()
+            })
+        })
+        .column(Column::headed("before", "before", Angle), |state| {
+            let closed = ports
+                .closed
+                .iter()
+                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
+            column(Angle, closed.map(|one| one.before_rad))
+        })
+        .column(Column::headed("after", "after", Angle), |state| {
+            let closed = ports
+                .closed
+                .iter()
+                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
+            column(Angle, closed.map(|one| one.after_rad))
+        })
+        .column(Column::headed("change", "changes, MPa", Pressure), |state| {
+            let closed = ports
+                .closed
+                .iter()
+                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
+            column(Pressure, closed.and_then(|one| one.change_pa))
+        })
+        .view("Cycle of a chamber at its ports", "from to open_to extreme before after change")
+        .note(note)
+        .records()
 }
 
 fn throttling(ports: &MadePorts) -> Records {
     Table::new("throttling", ports.throttling.iter())
-        .column(Column::words("ports", "ports of"), |one| {
+        .words("ports", "ports of", |one| {
             let [name, words] = open_to(one.ports);
             Figure::answer(name, words)
         })
         .quantity("smallest_opening", "least opening", Area, |one| one.smallest_opening_m2)
         .quantity("drop", "drop there", Pressure, |one| one.drop_pa)
-        .column(Column::headed("greatest_drop", "greatest", Pressure), |one| {
-            column(Pressure, Some(one.greatest_drop_pa))
-        })
+        .headed("greatest_drop", "greatest", Pressure, |one| one.greatest_drop_pa)
         .quantity("power", "power", Power, |one| one.power_w)
         .view("Throttling by the ports", "ports smallest_opening drop greatest_drop power")
         .records()

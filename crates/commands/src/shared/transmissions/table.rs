@@ -15,7 +15,7 @@ impl AsReport for Transmissions {
             .number("shift_elements", "shift elements", |one| count(one.shift_elements))
             .number("gears", "gears", |one| count(one.gears))
             .view("Transmissions", "name sets shift_elements gears")
-            .is_answer()
+            .the_answer()
             .records();
         let hint = Text::paragraph("--transmission chooses one, by its name or a part of it.");
         Report { title: None, parts: vec![Part::Records(records), Part::Text(hint)], warnings: None }

@@ -15,8 +15,17 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
     } else {
         &["set", "gear", "axial_force", "tilting_moment"]
     };
-    Table::new("axial_forces", all.iter()).text("set", "set", |one| &one.set).text("gear", "gear", |one| &one.gear).number("step", "step", |one| one.step.map_or(Figure::None, Figure::Count)).quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n).quantity("tilting_moment", "M", Dimension::Torque, |one| one.tilting_moment_n_m).view_of("Axial forces of helical teeth", shown).note("F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
-                   no rating of planet bearings has it.").records()
+    let note = "F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
+                   no rating of planet bearings has it.";
+    Table::new("axial_forces", all.iter())
+        .text("set", "set", |one| &one.set)
+        .text("gear", "gear", |one| &one.gear)
+        .number("step", "step", |one| one.step.map_or(Figure::None, Figure::Count))
+        .quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n)
+        .quantity("tilting_moment", "M", Dimension::Torque, |one| one.tilting_moment_n_m)
+        .view_of("Axial forces of helical teeth", shown)
+        .note(note)
+        .records()
 }
 
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
@@ -53,12 +62,12 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3))
         })
         .column(Column::quantity("basic_life", Dimension::Time), |one| time(one.basic_life_s))
-        .column(Column::number("basic_hours", "L_10, h"), |one| {
+        .number("basic_hours", "L_10, h", |one| {
             let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
             in_hours(one.basic_life_s)
         })
         .for_people()
-        .column(Column::number("reliability", "of"), |one| {
+        .number("reliability", "of", |one| {
             let _modified = one.modified.and_then(|modified| modified.life_s);
             one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability))
         })
@@ -66,7 +75,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             let modified = one.modified.and_then(|modified| modified.life_s);
             time(modified)
         })
-        .column(Column::number("modified_hours", "L_nm, h"), |one| {
+        .number("modified_hours", "L_nm, h", |one| {
             let modified = one.modified.and_then(|modified| modified.life_s);
             let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
             in_hours(modified)

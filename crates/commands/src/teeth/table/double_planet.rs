@@ -57,7 +57,7 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
         .words("undercut_outer_planet", "undercut outer planet", |set| {
             Figure::YesNo(set.undercut_outer_planet)
         })
-        .column(Column::words("undercut", "undercut"), |set| {
+        .words("undercut", "undercut", |set| {
             let gears = [
                 (set.undercut_sun, "sun"),
                 (set.undercut_inner_planet, "inner"),
@@ -73,6 +73,6 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
         })
         .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
         .views(views)
-        .is_answer()
+        .the_answer()
         .records()
 }
