@@ -45,7 +45,7 @@ pub struct Columns {
 /// `proceed` is asked before each piece with 0 and after it with the number of its variants, from any thread.
 ///
 /// ```
-/// use crate::sweep::{Wanted, answer};
+/// use epicyclic_commands::sweep::{Wanted, answer};
 /// use epicyclic_train::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("scheme I")

@@ -338,7 +338,7 @@ impl Answer for Drive {
 ///
 /// # Example
 /// ```
-/// use crate::drive::answer::{Outcome, answer};
+/// use epicyclic_commands::drive::answer::{Outcome, answer};
 /// use epicyclic_dynamics::drive::DriveSpec;
 /// use uom::si::angular_velocity::revolution_per_minute;
 /// use uom::si::f64::{AngularVelocity, Length, Power};
@@ -350,7 +350,7 @@ impl Answer for Drive {
 /// let drive = answer(None, &spec)?;
 /// assert!((drive.torques.sun_n_m - 521.5).abs() < 0.1);
 /// assert_eq!(drive.start.with_losses.outcome, Outcome::InBalance);
-/// # Ok::<(), crate::error::Error>(())
+/// # Ok::<(), epicyclic_commands::error::Error>(())
 /// ```
 pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
     let design = dynamics::design(spec).map_err(|error| Error::Drive(Box::new(error)))?;

@@ -52,7 +52,7 @@ pub struct Columns {
 /// Solves every point; `None` where `proceed` said no, which is asked as of [`super::answer`].
 ///
 /// ```
-/// use crate::sweep::points::{Wanted, answer};
+/// use epicyclic_commands::sweep::points::{Wanted, answer};
 /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("split")
