@@ -1,4 +1,4 @@
-//! What a call needs of the world around it: a desk, see [`Desk`].
+//! Desks of the program: files, answer and messages of a call, see [`Desk`].
 //!
 //! | desk | is |
 //! |---|---|

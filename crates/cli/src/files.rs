@@ -10,7 +10,7 @@ fn collect(command: &clap::Command, found: &mut Vec<String>) {
     command.get_subcommands().for_each(|below| collect(below, found));
 }
 
-/// A new argument that is a path shows up here; where an option is read and not written, `Files::of` has to know.
+/// A new argument that is a path fails here; `Files::of` has to know options whose file is read.
 #[test]
 fn what_is_read_and_written_is_known_of_every_command() {
     let mut found = vec![];

@@ -1,7 +1,7 @@
 //! The program `epicyclic` as a library: planetary gear mechanisms by the words of a command line.
 //!
 //! [`call`] answers one command line. What it reads, writes and prints goes over a [`Desk`]: a terminal for the program, memory for a page
-//! in a browser, both for other languages. The answers are the records of `epicyclic-commands`, with `--format json` as they are.
+//! in a browser, both for other languages. The answers are the records of `epicyclic-commands`.
 //!
 //! ```
 //! use epicyclic_commands::desk::memory::Memory;

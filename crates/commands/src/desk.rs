@@ -1,4 +1,4 @@
-//! What a call needs of the world around it: files, a place for its answer and for messages, a clock, somebody who may end it.
+//! Surroundings of a call: files, a place for its answer and for messages, a clock, a way to end it.
 //!
 //! The program has a terminal and the disk for it, a page in a browser keeps files in memory, and other languages mix both. No command
 //! reads, writes or prints but through its `Call`, so that all of them answer alike.
@@ -22,17 +22,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// A file that is to be written, and all of its content.
 pub type Content = (PathBuf, Vec<u8>);
 
-/// What writes a content as it comes.
+/// A writer of a content, piece by piece.
 pub type Source<'a> = dyn FnMut(&mut dyn io::Write) -> io::Result<()> + 'a;
 
-/// What is read of a file.
+/// Content of a file that is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Text {
-    /// All of it.
+    /// The whole content.
     Whole(Vec<u8>),
     /// More than is allowed, with its size in bytes; a device or pipe does not say how many.
     TooLarge {
-        /// Its size in bytes.
+        /// Size in bytes, where it is known.
         size: Option<u64>,
     },
 }
@@ -48,7 +48,7 @@ pub struct NotWritten {
     pub why: io::Error,
 }
 
-/// What a call needs of the world around it. Progress comes from any thread, everything else from the thread of the call.
+/// The surroundings of a call. Progress is reported from any thread, everything else from the thread of the call.
 pub trait Desk: Sync {
     /// The content of a file, or of standard input where no file is named, unless it has more bytes than `most`.
     ///
@@ -111,7 +111,7 @@ pub trait Desk: Sync {
         self.answer(&mut |out| out.write_all(text.as_bytes()))
     }
 
-    /// Whether the answer goes before the eyes of somebody, who sees what a terminal can show.
+    /// Whether the answer goes to a terminal.
     fn is_seen(&self) -> bool {
         false
     }
@@ -121,7 +121,7 @@ pub trait Desk: Sync {
         None
     }
 
-    /// Whether the progress of a search is to be told.
+    /// Whether the progress of a search is wanted.
     fn shows_progress(&self) -> bool {
         false
     }
@@ -131,13 +131,13 @@ pub trait Desk: Sync {
         let _ = told;
     }
 
-    /// From here on, or no more, what was found can be told when the call is asked to end: then it ends by itself.
+    /// From here on (`true`) a call that is asked to end answers with what was found; `false` withdraws that.
     fn hears(&self, hears: bool) {
         let _ = hears;
     }
 
-    /// Whether the call is asked to end: then the seconds that are left to tell what was found, 0 where there are none. Asked from any
-    /// thread, by every search, motion and table after at most some 50 ms of work.
+    /// The seconds left for an answer when the call is asked to end, 0 where there are none; `None` while it goes on. Every search,
+    /// motion and table asks from its thread after at most some 50 ms of work.
     fn asked_to_end(&self) -> Option<f64> {
         None
     }
@@ -158,7 +158,7 @@ pub fn goes_on(desk: &dyn Desk) -> ControlFlow<()> {
 
 /// One call: its desk, its words, and whether it has answered.
 pub struct Call<'d> {
-    /// Its world.
+    /// Files, streams and clock of the call.
     pub desk: &'d dyn Desk,
     /// Without the name of the program.
     pub words: Vec<OsString>,
@@ -199,7 +199,7 @@ impl<'d> Call<'d> {
         self.desk.answer(source).map_err(Failure::StandardOutput)
     }
 
-    /// The same of a text.
+    /// Writes a text to standard output.
     pub fn say(&self, text: &str) -> Result<(), Failure> {
         self.answer(&mut |out| out.write_all(text.as_bytes()))
     }
@@ -219,7 +219,7 @@ impl<'d> Call<'d> {
         self.write_and(files, None)
     }
 
-    /// The same with one more, whose content is never held.
+    /// Writes files and one more, piece by piece, whose content is never held in memory: all of them or none.
     pub fn write_and(
         &self,
         files: &[Content],
@@ -234,11 +234,11 @@ impl<'d> Call<'d> {
     }
 }
 
-/// From when it is made until it goes, what was found can be told when the call is asked to end.
+/// A stretch of a call in which a request to end is answered with what was found.
 pub struct Hearing<'d>(&'d dyn Desk);
 
 impl<'d> Hearing<'d> {
-    /// Something that can be told begins.
+    /// Begins the stretch.
     pub fn new(call: &Call<'d>) -> Self {
         call.desk.hears(true);
         Self(call.desk)

@@ -42,10 +42,10 @@ pub enum Error {
     Motor(#[from] epicyclic_hydromotor::Error),
     /// A search that no hydromotor passes.
     #[error("no motor within the limits: {0}")]
-    NoMotor(Box<crate::motor::search::answer::Funnel>),
+    NoMotor(Box<crate::motor::search::answer::funnel::Funnel>),
     /// A search with free tooth forms in which no motor passes with any.
     #[error("no motor within the limits: {0}")]
-    NoMotorForm(Box<crate::motor::forms::answer::Funnel>),
+    NoMotorForm(Box<crate::motor::forms::answer::funnel::Funnel>),
     /// A number of a design that a search has not found.
     #[error("{design}: there are designs 1 to {designs}")]
     NoSuchDesign {

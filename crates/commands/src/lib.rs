@@ -1,9 +1,9 @@
-//! What the program is asked and what it answers: one folder a command.
+//! The commands of the program, one folder each: request, answer, tables, page.
 //!
 //! | file of a command | holds |
 //! |---|---|
 //! | `request.rs` | what is asked: the options, and their checks |
-//! | `answer.rs` | the records, numbers in SI units that stand in the names, and the calculation that fills them |
+//! | `answer.rs` | the records, SI numbers with the unit in the key, and the calculation that fills them |
 //! | `table.rs` | tables and CSV of the records |
 //! | `page.rs` | a page, or chapters of one |
 //!
@@ -39,16 +39,16 @@
 //! |---|---|
 //! | [`answer`] | version, JSON, JSON Schema; [`finite`]: every number of an answer is one |
 //! | [`table`], [`page`] | tables, CSV; pages |
-//! | [`error`], [`refusal`], [`refused`], [`failure`] | what is refused, what a refusal speaks of, how the program ends |
-//! | [`desk`] | what a call needs of the world around it; [`input`]: files that are read |
+//! | [`error`], [`refusal`], [`refused`], [`failure`] | refusals, what they are about, exit codes |
+//! | [`desk`] | surroundings of a call; [`input`]: files that are read |
 //! | [`output`] | formats of an answer, and where it goes; [`drawing_file`]: SVG, DXF, PDF, PNG |
 //! | [`progress`] | how far a long search is |
 //! | [`shared`] | what several commands share |
 //!
-//! Choices are enums, lists are lists, and what there is not is `null`: nothing is said in words that a reader would have to take apart.
+//! Choices are enums, lists are lists, missing values are `null`: no text has to be parsed.
 //!
 //! # Stability
-//! [`answer::SCHEMA_VERSION`] is raised whenever a key goes, or changes its meaning or unit. A new key does not raise it.
+//! [`answer::SCHEMA_VERSION`] is raised when a key goes or changes meaning or unit; a new key does not raise it.
 //!
 //! # Example
 //! ```

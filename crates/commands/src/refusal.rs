@@ -46,7 +46,7 @@ impl fmt::Display for SizeName {
     }
 }
 
-/// What is wrong with one of the [`Sizes`](crate::schemes::answer::Sizes).
+/// A fault of one of the [`Sizes`](crate::schemes::answer::Sizes).
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SizeProblem {
     /// No ring-to-sun ratio of a simple set.

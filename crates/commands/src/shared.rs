@@ -1,4 +1,4 @@
-//! What several commands share.
+//! Parts that several commands share.
 
 pub mod catalogue;
 pub mod drawability;

@@ -11,14 +11,14 @@ use std::convert::Infallible;
 /// The part of a bracket that a golden section leaves on either side: `(3 − √5)/2`.
 const PART: f64 = 0.381_966_011_250_105;
 
-/// Argument and value where a function that falls and then rises between two arguments is least, after so many golden sections.
+/// Argument and least value of a function that falls and then rises, after a number of golden sections.
 ///
 /// ```text
 /// b − a ← (b − a)·(√5 − 1)/2      each section, with one evaluation
 /// ```
 ///
-/// Near a smooth least value rounding hides differences, and the argument is known to the square root of it. Of equal values the upper
-/// part of the bracket stays.
+/// Near a smooth least value rounding hides differences: the argument is known to the square root of rounding. Of equal values the
+/// upper part of the bracket stays.
 pub fn golden(low: f64, high: f64, steps: u32, f: impl Fn(f64) -> f64) -> (f64, f64) {
     golden_while([low, high], |made, _| made < steps, f).least()
 }
@@ -79,15 +79,17 @@ pub fn try_golden_while<E>(
 /// The most steps of [`summit`]: as many golden sections reach [`BESIDE`], parabolas a few.
 const STEPS: u32 = 40;
 
-/// Three places, ascending, with their values: a greatest sample between its neighbours. At the end of a range the sample is one of the
-/// neighbours itself.
+/// Three places, ascending, with their values: a greatest sample between its neighbours.
+///
+/// At the end of a range the sample is one of the neighbours.
 pub type Bracket = [(f64, f64); 3];
 
-/// A summit is sought to this part of its bracket: what is missed of a smooth value is of the order of its square.
+/// Accuracy of the place of a summit, over its bracket; the error of a smooth value is of the order of its square.
 const BESIDE: f64 = 1e-5;
 
-/// Place and value where a function is greatest in a bracket, by parabolas through the three best places and golden sections where
-/// they do not shrink it (Brent), to a hundred-thousandth of the bracket.
+/// Place and greatest value of a function in a bracket, to a hundred-thousandth of the bracket (Brent).
+///
+/// Parabolas through the three best places, golden sections where these do not shrink the bracket.
 #[must_use]
 pub fn summit([low, top, high]: Bracket, f: impl Fn(f64) -> f64) -> (f64, f64) {
     let whole = high.0 - low.0;

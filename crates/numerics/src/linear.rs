@@ -62,8 +62,8 @@ impl Matrix {
 
 /// The solution of square equations `[A | b]`, the right side in the last column.
 ///
-/// `None` where there is not one column more than rows, and where a pivot is no number or up to `least_pivot`. Rows are taken as they are
-/// given, so a least pivot above 0 has the scale of their entries.
+/// `None` unless there is one column more than rows, and where a pivot is not a number or at most `least_pivot`, which has the scale
+/// of the entries.
 #[must_use]
 pub fn solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     let Matrix { rows, columns, .. } = equations;
@@ -75,7 +75,7 @@ pub fn solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     Some(x)
 }
 
-/// [`solution`] of equations that are first divided by their largest coefficients, each by its own; `least_pivot` is a share of these.
+/// [`solution`] after each equation is divided by its largest coefficient, of which `least_pivot` is a share.
 #[must_use]
 pub fn scaled_solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     for row in 0..equations.rows {
@@ -111,8 +111,9 @@ fn solve(entries: &mut [f64], x: &mut [f64], least_pivot: f64) -> Option<()> {
     Some(())
 }
 
-/// Brings the leading square of some rows to triangles: above and on the diagonal what is left, below it the factors by which rows were taken
-/// off. Every row that comes to the top in another's stead is reported; `None` where a pivot is no number or up to `least_pivot`.
+/// Splits the leading square of rows into triangles: the upper one on and above the diagonal, the factors of elimination below.
+///
+/// `exchanged` hears of every exchange of rows; `None` where a pivot is not a number or at most `least_pivot`.
 #[inline]
 fn eliminate(
     entries: &mut [f64],
@@ -158,7 +159,7 @@ fn substitute_back(entries: &[f64], columns: usize, x: &mut [f64]) {
     }
 }
 
-/// A square matrix as triangles, for any number of right sides; its columns, then its rows scaled to their largest entries.
+/// A square matrix as triangles, for any number of right sides; first columns, then rows are scaled to their largest entries.
 #[derive(Debug, Clone)]
 pub struct Triangles {
     triangles: Matrix,
@@ -169,8 +170,9 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// By elimination with row pivoting; `None` where the matrix is not square, and where a pivot of the scaled one is no number or up to
-    /// `least_pivot`.
+    /// Elimination with row pivoting.
+    ///
+    /// `None` where the matrix is not square, or a pivot of the scaled matrix is not a number or at most `least_pivot`.
     #[must_use]
     pub fn new(mut a: Matrix, least_pivot: f64) -> Option<Self> {
         let n = a.rows;
@@ -241,8 +243,7 @@ pub struct Independent {
 
 /// Splits rows into independent ones and sums of these, in the order given.
 ///
-/// Each row is reduced by those kept, which are held with a pivot each; what is left of one that depends on them is
-/// rounding: up to `rounding` of its largest entry.
+/// Each row is reduced by the rows kept before. A row that depends on these leaves at most `rounding` of its largest entry.
 #[must_use]
 pub fn independent(rows: &[&[f64]], rounding: f64) -> Independent {
     let mut found = Independent::default();

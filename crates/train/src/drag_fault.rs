@@ -65,7 +65,7 @@ pub enum DragFault {
     },
 }
 
-/// A speed as messages tell it, to a millionth.
+/// A speed in rpm for messages, rounded to a millionth.
 fn rpm(speed: AngularVelocity) -> f64 {
     const MILLIONTHS: f64 = 1e6;
     let rounded = (speed.rpm() * MILLIONTHS).round() / MILLIONTHS;

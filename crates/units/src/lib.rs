@@ -1,4 +1,4 @@
-//! Quantities with units: `uom` types as numbers, and with the feature `text` quantities as engineers write them.
+//! Quantities with units: `uom` types as numbers; with the feature `text` also as engineers write them.
 
 mod conversion;
 mod dimension;

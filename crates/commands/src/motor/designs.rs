@@ -1,4 +1,4 @@
-//! What both searches for motors share: numbers and size, what is shown, drawn and written.
+//! Shared by both searches for motors: numbers and size, tables, drawings, files.
 
 pub mod answer;
 pub mod request;

@@ -1,4 +1,4 @@
-//! What teeth in mesh must keep.
+//! Checks of teeth in mesh.
 
 pub mod answer;
 pub mod table;

@@ -44,12 +44,12 @@ impl<Row> Table<Row> {
         self.words(key, heading, |row| Figure::Text(of(row).to_owned()))
     }
 
-    /// A column of words, and of anything else that stands to the left.
+    /// A column of words, aligned left.
     pub(crate) fn words(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
         self.column(Column::words(key, heading), of)
     }
 
-    /// A column of numbers, which stand to the right.
+    /// A column of numbers, aligned right.
     pub(crate) fn number(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
         self.column(Column::number(key, heading), of)
     }
@@ -77,7 +77,7 @@ impl<Row> Table<Row> {
         self.headed(key, &heading, dimension, of)
     }
 
-    /// The same without the unit in its heading.
+    /// A column of quantities in SI units whose heading does not name the unit.
     pub(crate) fn headed<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -89,7 +89,7 @@ impl<Row> Table<Row> {
         self.column(Column::headed(key, heading, dimension), cell)
     }
 
-    /// The last column stands in tables alone: it says for people what others say for programs.
+    /// Leaves the last column out of CSV, where other columns have its content for programs.
     pub(crate) fn for_people(mut self) -> Self {
         if let Some(last) = self.records.columns.last_mut() {
             last.is_for_people = true;
@@ -103,13 +103,13 @@ impl<Row> Table<Row> {
         self.view_of(title, &keys)
     }
 
-    /// The same with keys that depend on the rows.
+    /// Shows columns by keys that depend on the rows.
     pub(crate) fn view_of(mut self, title: impl Into<String>, keys: &[&'static str]) -> Self {
         self.records.views.push(View::new(title, keys));
         self
     }
 
-    /// These views.
+    /// Replaces the views.
     pub(crate) fn views(mut self, views: Vec<View>) -> Self {
         self.records.views = views;
         self
@@ -123,12 +123,12 @@ impl<Row> Table<Row> {
         self
     }
 
-    /// This list is the answer: CSV has one line for each of its rows.
+    /// Makes the list the answer: CSV has one line for each of its rows.
     pub(crate) fn the_answer(self) -> Self {
         self.the_answer_if(true)
     }
 
-    /// The same where it is so.
+    /// Makes the list the answer on a condition.
     pub(crate) fn the_answer_if(mut self, is_answer: bool) -> Self {
         self.records.is_answer = is_answer;
         self

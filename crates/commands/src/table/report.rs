@@ -16,7 +16,7 @@ use std::io;
 
 /// An answer that people can read.
 pub trait AsReport {
-    /// Its parts: figures, lists, words, warnings.
+    /// The report: figures, lists, words, warnings.
     fn report(&self) -> Report;
 }
 

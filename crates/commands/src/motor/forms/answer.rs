@@ -1,7 +1,7 @@
 //! The search for hydromotors with the tooth form free: families, forms and flanks under load, for a displacement or torque.
 
 mod choices;
-mod funnel;
+pub(crate) mod funnel;
 
 pub use choices::{Crest, Family, Objective};
 pub use funnel::{Funnel, Refused};

@@ -85,7 +85,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .records()
 }
 
-/// What is missing for a bearing, or why nothing follows; none where nothing is.
+/// Keys missing for a bearing, or the reason why nothing follows; `None` where every bearing is judged.
 pub(super) fn bearings_missing(all: &[BearingOverDuty]) -> Option<Records> {
     let lacking = all.iter().filter(|one| !one.missing.is_empty());
     let row = |one: &BearingOverDuty| vec![text(&one.set), text(&one.planet), text(one.missing.join(", "))];
