@@ -1,7 +1,8 @@
 //! Surroundings of a call: files, a place for its answer and for messages, a clock, a way to end it.
 //!
-//! The program has a terminal and the disk for it, a page in a browser keeps files in memory, and other languages mix both. No command
-//! reads, writes or prints but through its `Call`, so that all of them answer alike.
+//! The program has a terminal and the disk for it, a page in a browser keeps files in memory, and
+//! other languages mix both. No command reads, writes or prints but through its `Call`, so that all
+//! of them answer alike.
 //!
 //! [`memory`] keeps files, answer and messages in memory; the desks with the disk are the program's.
 
@@ -48,9 +49,11 @@ pub struct NotWritten {
     pub why: io::Error,
 }
 
-/// The surroundings of a call. Progress is reported from any thread, everything else from the thread of the call.
+/// The surroundings of a call. Progress is reported from any thread, everything else from the
+/// thread of the call.
 pub trait Desk: Sync {
-    /// The content of a file, or of standard input where no file is named, unless it has more bytes than `most`.
+    /// The content of a file, or of standard input where no file is named, unless it has more bytes
+    /// than `most`.
     ///
     /// # Errors
     /// Where it cannot be read.
@@ -59,7 +62,8 @@ pub trait Desk: Sync {
     /// Whether there is a file or anything else of this name.
     fn exists(&self, file: &Path) -> bool;
 
-    /// Whether two paths mean one file, which may not be there yet. Nothing in a device or pipe is replaced, so these are never one.
+    /// Whether two paths mean one file, which may not be there yet. Nothing in a device or pipe is
+    /// replaced, so these are never one.
     fn are_one_file(&self, one: &Path, other: &Path) -> bool;
 
     /// Writes files, each whole, and all of them or none; the last may be written as it comes.
@@ -86,7 +90,8 @@ pub trait Desk: Sync {
     /// Where its reader takes no more.
     fn answer(&self, source: &mut Source) -> io::Result<()>;
 
-    /// Takes the answer as JSON, where it goes to a file or in another form; a refusal, too. By default nobody wants it.
+    /// Takes the answer as JSON, where it goes to a file or in another form; a refusal, too. By
+    /// default nobody wants it.
     ///
     /// # Errors
     /// Where it cannot be written as JSON.
@@ -126,7 +131,8 @@ pub trait Desk: Sync {
         false
     }
 
-    /// Takes the progress of a search: a line for people, and the share that is done where it is known. `None` when it is over.
+    /// Takes the progress of a search: a line for people, and the share that is done where it is
+    /// known. `None` when it is over.
     fn progress(&self, told: Option<(&str, Option<f64>)>) {
         let _ = told;
     }
@@ -136,8 +142,9 @@ pub trait Desk: Sync {
         let _ = hears;
     }
 
-    /// The seconds left for an answer when the call is asked to end, 0 where there are none; `None` while it goes on. Every search,
-    /// motion and table asks from its thread after at most some 50 ms of work.
+    /// The seconds left for an answer when the call is asked to end, 0 where there are none; `None`
+    /// while it goes on. Every search, motion and table asks from its thread after at most some 50
+    /// ms of work.
     fn asked_to_end(&self) -> Option<f64> {
         None
     }

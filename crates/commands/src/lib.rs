@@ -48,7 +48,8 @@
 //! Choices are enums, lists are lists, missing values are `null`: no text has to be parsed.
 //!
 //! # Stability
-//! [`answer::SCHEMA_VERSION`] is raised when a key goes or changes meaning or unit; a new key does not raise it.
+//! [`answer::SCHEMA_VERSION`] is raised when a key goes or changes meaning or unit; a new key does
+//! not raise it.
 //!
 //! # Example
 //! ```

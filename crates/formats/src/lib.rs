@@ -11,9 +11,9 @@
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
-//! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
-//! [`name`](Error::name) does not change. A [`Quantity`](epicyclic_units::Quantity) derives its JSON Schema like any field of a
-//! [`schemars::JsonSchema`] type.
+//! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is
+//! allowed; its [`name`](Error::name) does not change. A [`Quantity`](epicyclic_units::Quantity)
+//! derives its JSON Schema like any field of a [`schemars::JsonSchema`] type.
 //!
 //! ```
 //! use epicyclic_formats::{Document, Number, Quantity};

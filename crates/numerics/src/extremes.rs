@@ -17,8 +17,8 @@ const PART: f64 = 0.381_966_011_250_105;
 /// b − a ← (b − a)·(√5 − 1)/2      each section, with one evaluation
 /// ```
 ///
-/// Near a smooth least value rounding hides differences: the argument is known to the square root of rounding. Of equal values the
-/// upper part of the bracket stays.
+/// Near a smooth least value rounding hides differences: the argument is known to the square root
+/// of rounding. Of equal values the upper part of the bracket stays.
 pub fn golden(low: f64, high: f64, steps: u32, f: impl Fn(f64) -> f64) -> (f64, f64) {
     golden_while([low, high], |made, _| made < steps, f).least()
 }
@@ -41,7 +41,8 @@ impl Sections {
     }
 }
 
-/// The bracket of [`golden`] after sections that go on while a condition on their number and the bracket holds.
+/// The bracket of [`golden`] after sections that go on while a condition on their number and the
+/// bracket holds.
 pub fn golden_while(
     ends: [f64; 2],
     goes_on: impl Fn(u32, &Sections) -> bool,
@@ -84,7 +85,8 @@ const STEPS: u32 = 40;
 /// At the end of a range the sample is one of the neighbours.
 pub type Bracket = [(f64, f64); 3];
 
-/// Accuracy of the place of a summit, over its bracket; the error of a smooth value is of the order of its square.
+/// Accuracy of the place of a summit, over its bracket; the error of a smooth value is of the order
+/// of its square.
 const BESIDE: f64 = 1e-5;
 
 /// Place and greatest value of a function in a bracket, to a hundred-thousandth of the bracket (Brent).

@@ -62,8 +62,8 @@ impl Matrix {
 
 /// The solution of square equations `[A | b]`, the right side in the last column.
 ///
-/// `None` unless there is one column more than rows, and where a pivot is not a number or at most `least_pivot`, which has the scale
-/// of the entries.
+/// `None` unless there is one column more than rows, and where a pivot is not a number or at most
+/// `least_pivot`, which has the scale of the entries.
 #[must_use]
 pub fn solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     let Matrix { rows, columns, .. } = equations;
@@ -111,9 +111,11 @@ fn solve(entries: &mut [f64], x: &mut [f64], least_pivot: f64) -> Option<()> {
     Some(())
 }
 
-/// Splits the leading square of rows into triangles: the upper one on and above the diagonal, the factors of elimination below.
+/// Splits the leading square of rows into triangles: the upper one on and above the diagonal, the
+/// factors of elimination below.
 ///
-/// `exchanged` hears of every exchange of rows; `None` where a pivot is not a number or at most `least_pivot`.
+/// `exchanged` hears of every exchange of rows; `None` where a pivot is not a number or at most
+/// `least_pivot`.
 #[inline]
 fn eliminate(
     entries: &mut [f64],
@@ -159,7 +161,8 @@ fn substitute_back(entries: &[f64], columns: usize, x: &mut [f64]) {
     }
 }
 
-/// A square matrix as triangles, for any number of right sides; first columns, then rows are scaled to their largest entries.
+/// A square matrix as triangles, for any number of right sides; first columns, then rows are scaled
+/// to their largest entries.
 #[derive(Debug, Clone)]
 pub struct Triangles {
     triangles: Matrix,
@@ -172,7 +175,8 @@ pub struct Triangles {
 impl Triangles {
     /// Elimination with row pivoting.
     ///
-    /// `None` where the matrix is not square, or a pivot of the scaled matrix is not a number or at most `least_pivot`.
+    /// `None` where the matrix is not square, or a pivot of the scaled matrix is not a number or at
+    /// most `least_pivot`.
     #[must_use]
     pub fn new(mut a: Matrix, least_pivot: f64) -> Option<Self> {
         let n = a.rows;
@@ -243,7 +247,8 @@ pub struct Independent {
 
 /// Splits rows into independent ones and sums of these, in the order given.
 ///
-/// Each row is reduced by the rows kept before. A row that depends on these leaves at most `rounding` of its largest entry.
+/// Each row is reduced by the rows kept before. A row that depends on these leaves at most
+/// `rounding` of its largest entry.
 #[must_use]
 pub fn independent(rows: &[&[f64]], rounding: f64) -> Independent {
     let mut found = Independent::default();

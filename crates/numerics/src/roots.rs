@@ -1,4 +1,5 @@
-//! Roots of functions of one variable: where they change their sign, where a property ends, where they have a value.
+//! Roots of functions of one variable: where they change their sign, where a property ends, where
+//! they have a value.
 //!
 //! ```
 //! use epicyclic_numerics::roots::{bisected, bracketed};
@@ -9,8 +10,9 @@
 
 /// The root of a function that changes its sign between `low` and `high`, to the last bits (Brent).
 ///
-/// Of a jump through 0 the root is the place of the jump. A value that is no number counts as positive, so that a
-/// search keeps to where the function is one. A smooth function takes about a dozen evaluations.
+/// Of a jump through 0 the root is the place of the jump. A value that is no number counts as
+/// positive, so that a search keeps to where the function is one. A smooth function takes about a
+/// dozen evaluations.
 #[must_use]
 pub fn bracketed(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let value = |x: f64| {
@@ -62,7 +64,8 @@ pub fn bracketed(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     high
 }
 
-/// The two ends about the place where a property ends, after so many halvings: the first has it, the second has not.
+/// The two ends about the place where a property ends, after so many halvings: the first has it,
+/// the second has not.
 ///
 /// Neither end is asked about, and `has` alone says what is first: the first end may be the greater.
 #[inline]
@@ -90,7 +93,8 @@ pub fn bisected_while(
     [first, second]
 }
 
-/// The argument between 0 and `end` at which a growing function has a value: Newton's method kept within a bracket.
+/// The argument between 0 and `end` at which a growing function has a value: Newton's method kept
+/// within a bracket.
 ///
 /// ```text
 /// x ← x − (f(x) − value)/f′(x)
@@ -127,7 +131,8 @@ pub fn inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> (f64, f64)) 
     x
 }
 
-/// [`inverse`] of a function that returns value, slope and second derivative: Halley's method kept within a bracket.
+/// [`inverse`] of a function that returns value, slope and second derivative: Halley's method kept
+/// within a bracket.
 ///
 /// ```text
 /// x ← x − n/(1 − n·f″(x)/(2·f′(x)))      n = (f(x) − value)/f′(x)

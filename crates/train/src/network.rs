@@ -125,7 +125,8 @@ impl Loads<'_> {
         let unknown: Vec<usize> =
             (0..self.terminals.len()).filter(|&place| self.terminals[place].1.is_none()).collect();
         let equations = network.nodes.len();
-        // Without terminals input and output are one: nothing passes through the sets, and the balance of the first node is idle.
+        // Without terminals input and output are one: nothing passes through the sets, and the
+        // balance of the first node is idle.
         let idle = usize::from(self.terminals.is_empty());
         let right = equations + unknown.len();
         let mut system = Matrix::zeros(network.count - idle, right + 1);

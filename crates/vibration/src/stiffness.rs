@@ -5,7 +5,8 @@ use uom::si::f64::Torque;
 use uom::si::{ISQ, Quantity, SI};
 use uom::typenum::{N2, P1, Z0};
 
-/// Stiffness of a spring, N/m: what a [`Force`](uom::si::f64::Force) over a [`Length`](uom::si::f64::Length) is.
+/// Stiffness of a spring, N/m: what a [`Force`](uom::si::f64::Force) over a
+/// [`Length`](uom::si::f64::Length) is.
 ///
 /// ```
 /// use epicyclic_vibration::{Stiffness, newtons_per_meter};

@@ -17,7 +17,7 @@ use epicyclic_units::Dimension::{
 };
 pub use plots::{capacities, picture, speeds, temperatures, torques};
 
-/// What a picture shows over time.
+/// A quantity of a picture over time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlotView {
     /// Speeds of all links.
@@ -61,7 +61,7 @@ impl AsReport for Simulation {
     }
 }
 
-/// What an element or a set does, in words.
+/// The state of an element or a set, in words.
 #[must_use]
 pub fn state(state: State) -> &'static str {
     match state {
@@ -83,7 +83,7 @@ fn rolling(state: State) -> &'static str {
     }
 }
 
-/// What changes, in words: `clutch: open → slips +`.
+/// A change in words: `clutch: open → slips +`.
 #[must_use]
 pub fn change(change: &ChangeRecord) -> String {
     match (change.from.zip(change.to), change.is_rising) {
@@ -233,113 +233,51 @@ fn drags(all: &[DragResult]) -> Records {
         DragKind::Drag => "drag",
         DragKind::OpenElement => "open",
     };
-    let row = |one: &DragResult| {
-        vec![
-            Figure::choice(one.kind, kind(one.kind)),
-            text(&one.id),
-            text(one.links.join("–")),
-            column(Energy, Some(one.loss_j)),
-            column(Power, Some(one.peak_power_w)),
-            column(Torque, Some(one.peak_torque_n_m)),
-            column(AngularSpeed, Some(one.end_slip_rad_s)),
-            column(Torque, Some(one.end_torque_n_m)),
-        ]
-    };
-    let columns = vec![
-        Column::words("kind", "kind"),
-        Column::words("id", "of"),
-        Column::words("links", "between"),
-        Column::headed("loss", "loss, J", Energy),
-        Column::headed("peak_power", "P, kW", Power),
-        Column::headed("peak_torque", "M, N·m", Torque),
-        Column::headed("end_slip", "n at the end", AngularSpeed),
-        Column::headed("end_torque", "M at the end", Torque),
-    ];
-    let view = View {
-        note: "open: a brake or clutch while it is open or slips. P, M: the greatest power and torque. At the end: speed of the first link relative \
-               to the second, and torque on the first."
-            .to_owned(),
-        ..View::new(
-            "Drags",
-            &["kind", "id", "links", "loss", "peak_power", "peak_torque", "end_slip", "end_torque"],
-        )
-    };
-    Records {
-        name: "drags",
-        columns,
-        rows: all.iter().map(row).collect(),
-        views: vec![view],
-        is_answer: false,
-    }
+    let note = "open: a brake or clutch while it is open or slips. P, M: the greatest power and torque. At the end: speed of the first link relative \
+               to the second, and torque on the first.";
+    Table::new("drags", all.iter())
+        .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
+        .text("id", "of", |one| &one.id)
+        .words("links", "between", |one| text(one.links.join("–")))
+        .quantity("loss", "loss", Energy, |one| one.loss_j)
+        .quantity("peak_power", "P", Power, |one| one.peak_power_w)
+        .quantity("peak_torque", "M", Torque, |one| one.peak_torque_n_m)
+        .headed("end_slip", "n at the end", AngularSpeed, |one| one.end_slip_rad_s)
+        .headed("end_torque", "M at the end", Torque, |one| one.end_torque_n_m)
+        .view("Drags", "kind id links loss peak_power peak_torque end_slip end_torque")
+        .note(note)
+        .records()
 }
 
 fn shafts(all: &[ShaftResult]) -> Records {
-    let row = |one: &ShaftResult| {
-        vec![
-            text(&one.id),
-            text(one.links.join("–")),
-            column(Torque, Some(one.peak_torque_n_m)),
-            column(Dimension::Angle, Some(one.peak_twist_rad)),
-            column(Torque, Some(one.end_torque_n_m)),
-            column(Dimension::Angle, Some(one.end_twist_rad)),
-            column(Energy, Some(one.heat_j)),
-        ]
-    };
-    let columns = vec![
-        Column::words("id", "shaft"),
-        Column::words("links", "between"),
-        Column::headed("peak_torque", "T, N·m", Torque),
-        Column::headed("peak_twist", "twist, deg", Dimension::Angle),
-        Column::headed("end_torque", "T at the end", Torque),
-        Column::headed("end_twist", "twist at the end", Dimension::Angle),
-        Column::headed("heat", "heat, J", Energy),
-    ];
-    let view = View {
-        note: "T, twist: the greatest; heat: of the damper.".to_owned(),
-        ..View::new("Elastic shafts", &["id", "peak_torque", "peak_twist", "end_torque", "end_twist", "heat"])
-    };
-    Records {
-        name: "shafts",
-        columns,
-        rows: all.iter().map(row).collect(),
-        views: vec![view],
-        is_answer: false,
-    }
+    Table::new("shafts", all.iter())
+        .text("id", "shaft", |one| &one.id)
+        .words("links", "between", |one| text(one.links.join("–")))
+        .quantity("peak_torque", "T", Torque, |one| one.peak_torque_n_m)
+        .quantity("peak_twist", "twist", Dimension::Angle, |one| one.peak_twist_rad)
+        .headed("end_torque", "T at the end", Torque, |one| one.end_torque_n_m)
+        .headed("end_twist", "twist at the end", Dimension::Angle, |one| one.end_twist_rad)
+        .quantity("heat", "heat", Energy, |one| one.heat_j)
+        .view("Elastic shafts", "id peak_torque peak_twist end_torque end_twist heat")
+        .note("T, twist: the greatest; heat: of the damper.")
+        .records()
 }
 
 fn converters(all: &[ConverterResult]) -> Records {
-    let row = |one: &ConverterResult| {
-        vec![
-            text(&one.id),
-            text(one.links.join("–")),
-            column(Torque, Some(one.peak_torque_n_m)),
-            column(Power, Some(one.peak_heat_flow_w)),
-            column(Torque, Some(one.end_torque_n_m)),
-            one.end_speed_ratio.map_or(Figure::None, |ratio| Figure::Printed(ratio, 4)),
-            column(Energy, Some(one.heat_j)),
-        ]
-    };
-    let columns = vec![
-        Column::words("id", "converter"),
-        Column::words("links", "between"),
-        Column::headed("peak_torque", "T, N·m", Torque),
-        Column::headed("peak_heat_flow", "heat flow, kW", Power),
-        Column::headed("end_torque", "T at the end", Torque),
-        Column::number("end_speed_ratio", "ν at the end"),
-        Column::headed("heat", "heat, J", Energy),
-    ];
     let shown = ["id", "peak_torque", "peak_heat_flow", "end_torque", "end_speed_ratio", "heat"];
-    let view = View {
-        note: "T: on the turbine, the greatest; ν: its speed over that of the impeller.".to_owned(),
-        ..View::new("Torque converters", &shown)
-    };
-    Records {
-        name: "converters",
-        columns,
-        rows: all.iter().map(row).collect(),
-        views: vec![view],
-        is_answer: false,
-    }
+    Table::new("converters", all.iter())
+        .text("id", "converter", |one| &one.id)
+        .words("links", "between", |one| text(one.links.join("–")))
+        .quantity("peak_torque", "T", Torque, |one| one.peak_torque_n_m)
+        .quantity("peak_heat_flow", "heat flow", Power, |one| one.peak_heat_flow_w)
+        .headed("end_torque", "T at the end", Torque, |one| one.end_torque_n_m)
+        .number("end_speed_ratio", "ν at the end", |one| {
+            one.end_speed_ratio.map_or(Figure::None, |ratio| Figure::Printed(ratio, 4))
+        })
+        .quantity("heat", "heat", Energy, |one| one.heat_j)
+        .view_of("Torque converters", &shown)
+        .note("T: on the turbine, the greatest; ν: its speed over that of the impeller.")
+        .records()
 }
 
 fn end(simulation: &Simulation) -> Records {

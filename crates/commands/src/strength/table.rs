@@ -372,41 +372,19 @@ pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records 
 }
 
 fn overload(all: &[Overloaded]) -> Records {
-    let row = |one: &Overloaded| {
-        vec![
-            text(&one.gear),
-            column(one.torque_n_m, Dimension::Torque),
-            text(&one.set),
-            text(one.mesh.to_string()),
-            text(one.toothed_gear.to_string()),
-            safety(one.flank_safety),
-            Figure::Number(one.required.flank),
-            safety(one.root_safety),
-            Figure::Number(one.required.root),
-        ]
-    };
-    let columns = vec![
-        Column::words("gear", "gear"),
-        Column::headed("torque", "T, N·m", Dimension::Torque),
-        Column::words("set", "set"),
-        Column::words("mesh", "mesh"),
-        Column::words("toothed_gear", "of"),
-        Column::number("flank_safety", "S_H"),
-        Column::number("required_flank", "required"),
-        Column::number("root_safety", "S_F"),
-        Column::number("required_root", "required"),
-    ];
-    let shown: Vec<&'static str> = columns.iter().map(|column| column.name).collect();
-    Records {
-        name: "overload",
-        columns,
-        rows: all.iter().map(row).collect(),
-        views: vec![View {
-            note: "Static safeties, K_A and K_v being 1. T: on the input.".to_owned(),
-            ..View::new("Against the overload", &shown)
-        }],
-        is_answer: false,
-    }
+    Table::new("overload", all.iter())
+        .text("gear", "gear", |one| &one.gear)
+        .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
+        .text("set", "set", |one| &one.set)
+        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
+        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
+        .number("flank_safety", "S_H", |one| safety(one.flank_safety))
+        .number("required_flank", "required", |one| Figure::Number(one.required.flank))
+        .number("root_safety", "S_F", |one| safety(one.root_safety))
+        .number("required_root", "required", |one| Figure::Number(one.required.root))
+        .all("Against the overload")
+        .note("Static safeties, K_A and K_v being 1. T: on the input.")
+        .records()
 }
 
 /// How planets share the load where the file does not give it.

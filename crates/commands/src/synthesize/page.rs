@@ -6,9 +6,10 @@ use crate::shared::drawability::table as drawability;
 use crate::synthesize::answer::page::Drawn;
 use crate::synthesize::answer::{Solution, Synthesis};
 use crate::synthesize::table::families::table;
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::columns::Table;
+use crate::table::figure::{Figure, text};
+use crate::table::report::Part;
 use crate::table::report::{AsReport as _, Report};
-use crate::table::report::{Column, Part, Records, View};
 use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_units::format::trimmed;
@@ -61,30 +62,16 @@ fn families(answer: &Synthesis) -> Vec<Block> {
 
 /// The best solution: its gears, and its scheme.
 fn in_short(solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
-    let rows = solution.gears.iter().map(|gear| {
-        vec![
-            Figure::Texts(gear.engaged.clone()),
-            Figure::Multiple(gear.ratio),
-            gear.deviation.map_or(Figure::None, |deviation| text(format!("{:+.2}", 100.0 * deviation))),
-            multiple(gear.efficiency),
-        ]
-    });
-    let view = View {
-        note: "Off by: of the wanted ratio. η: with the losses of the meshes alone.".to_owned(),
-        ..View::new("Gears of gearbox 1, the best", &["engaged", "ratio", "deviation", "efficiency"])
-    };
-    let records = Records {
-        name: "gears",
-        columns: vec![
-            Column::words("engaged", "engaged"),
-            Column::number("ratio", "i"),
-            Column::number("deviation", "off by, %"),
-            Column::number("efficiency", "η"),
-        ],
-        rows: rows.collect(),
-        views: vec![view],
-        is_answer: false,
-    };
+    let records = Table::new("gears", solution.gears.iter())
+        .words("engaged", "engaged", |gear| Figure::Texts(gear.engaged.clone()))
+        .multiple("ratio", "i", |gear| gear.ratio)
+        .number("deviation", "off by, %", |gear| {
+            gear.deviation.map_or(Figure::None, |deviation| text(format!("{:+.2}", 100.0 * deviation)))
+        })
+        .multiple("efficiency", "η", |gear| gear.efficiency)
+        .view("Gears of gearbox 1, the best", "engaged ratio deviation efficiency")
+        .note("Off by: of the wanted ratio. η: with the losses of the meshes alone.")
+        .records();
     let gears = Block::Answer(Report { parts: vec![Part::Records(records)], ..Report::default() });
     Ok([gears].into_iter().chain(of_one("", solution, drawn)?).collect())
 }

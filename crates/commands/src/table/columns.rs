@@ -109,6 +109,12 @@ impl<Row> Table<Row> {
         self
     }
 
+    /// Shows all columns.
+    pub(crate) fn all(self, title: impl Into<String>) -> Self {
+        let keys: Vec<&'static str> = self.records.columns.iter().map(|column| column.name).collect();
+        self.view_of(title, &keys)
+    }
+
     /// Replaces the views.
     pub(crate) fn views(mut self, views: Vec<View>) -> Self {
         self.records.views = views;

@@ -1,9 +1,9 @@
 //! Speeds asked for and reached, as a table.
 
 use crate::select::answer::reached::ReachedSpeed;
-use crate::table::figure::{Figure, text};
-use crate::table::quantities::column;
-use crate::table::report::{Column, Records, View};
+use crate::table::columns::Table;
+use crate::table::figure::text;
+use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
 /// The table of asked and reached speeds; with ratios asked for these first.
@@ -33,42 +33,19 @@ pub(crate) fn speeds_reached(speeds: &[ReachedSpeed]) -> Records {
             reversed.join(" and ")
         );
     }
-    let row = |one: &ReachedSpeed| {
-        vec![
-            text(one.gear.name()),
-            column(Dimension::Speed, one.asked_speed_m_s),
-            column(Dimension::Speed, one.speed_m_s),
-            text(percent(one.speed_deviation)),
-            Figure::Multiple(one.asked_ratio),
-            Figure::Multiple(one.ratio),
-            text(percent(one.ratio_deviation)),
-            column(Dimension::AngularSpeed, one.asked_output_speed_rad_s),
-            column(Dimension::AngularSpeed, one.output_speed_rad_s),
-        ]
-    };
-    Records {
-        name: "speeds_reached",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::headed("asked_speed", "asked, m/s", Dimension::Speed),
-            Column::headed("reached_speed", "reached, m/s", Dimension::Speed),
-            Column::number("speed_deviation", "deviation"),
-            Column::number("asked_ratio", "i asked"),
-            Column::number("reached_ratio", "i reached"),
-            Column::number("ratio_deviation", "deviation"),
-            Column::headed("asked_output_speed", "n asked", Dimension::AngularSpeed),
-            Column::headed("reached_output_speed", "n reached", Dimension::AngularSpeed),
-        ],
-        rows: speeds.iter().map(row).collect(),
-        views: vec![View {
-            note,
-            ..View::new(
-                if of_machine { "Speeds asked and reached" } else { "Ratios asked and reached" },
-                &shown,
-            )
-        }],
-        is_answer: false,
-    }
+    Table::new("speeds_reached", speeds.iter())
+        .words("gear", "gear", |one| text(one.gear.name()))
+        .quantity("asked_speed", "asked", Dimension::Speed, |one| one.asked_speed_m_s)
+        .quantity("reached_speed", "reached", Dimension::Speed, |one| one.speed_m_s)
+        .number("speed_deviation", "deviation", |one| text(percent(one.speed_deviation)))
+        .multiple("asked_ratio", "i asked", |one| one.asked_ratio)
+        .multiple("reached_ratio", "i reached", |one| one.ratio)
+        .number("ratio_deviation", "deviation", |one| text(percent(one.ratio_deviation)))
+        .headed("asked_output_speed", "n asked", Dimension::AngularSpeed, |one| one.asked_output_speed_rad_s)
+        .headed("reached_output_speed", "n reached", Dimension::AngularSpeed, |one| one.output_speed_rad_s)
+        .view_of(if of_machine { "Speeds asked and reached" } else { "Ratios asked and reached" }, &shown)
+        .note(note)
+        .records()
 }
 
 /// A deviation with its sign, to a hundredth of a per cent.
