@@ -6,19 +6,9 @@ use crate::table::figure::rpm;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_pictures::contours::Contours;
-use epicyclic_units::Dimension::{
-    self, AngularSpeed, Power, TemperatureDifference, ThermalConductance, Torque,
-};
-
-fn column(si: f64, dimension: Dimension) -> Figure {
-    Figure::Column { si, dimension }
-}
-
-fn if_any(si: Option<f64>, dimension: Dimension) -> Figure {
-    si.map_or(Figure::None, |si| column(si, dimension))
-}
+use epicyclic_units::Dimension::{AngularSpeed, Power, TemperatureDifference, ThermalConductance, Torque};
 
 impl AsReport for Losses {
     fn report(&self) -> Report {
@@ -89,8 +79,8 @@ fn losses(all: &[Loss]) -> Records {
             let [first, second] = &loss.between;
             text(format!("{first}–{second}"))
         })
-        .column(Column::headed("slip", "n, rpm", AngularSpeed), |loss| if_any(loss.slip_rad_s, AngularSpeed))
-        .column(Column::headed("torque", "M, N·m", Torque), |loss| if_any(loss.torque_n_m, Torque))
+        .quantity("slip", "n", AngularSpeed, |loss| loss.slip_rad_s)
+        .quantity("torque", "M", Torque, |loss| loss.torque_n_m)
         .quantity("loss", "", Power, |loss| loss.loss_w)
         .number("of_loss_percent", "%", |loss| {
             loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
@@ -122,9 +112,7 @@ fn of_heat(heat: &Heat) -> Records {
         .quantity("cooler", "cooler", Power, |gear| gear.cooler_w)
         .quantity("housing", "housing", Power, |gear| gear.housing_w)
         .quantity("rise", "Δθ", TemperatureDifference, |gear| gear.rise_k)
-        .column(Column::headed("thermal_torque", "T lim, N·m", Torque), |gear| {
-            if_any(gear.thermal_torque_n_m, Torque)
-        })
+        .quantity("thermal_torque", "T lim", Torque, |gear| gear.thermal_torque_n_m)
         .view_of("Balance of heat", &shown)
         .note(format!(
             "Δθ: by how much the oil is warmer than the air once nothing changes any more, with {}.{limit}",
@@ -147,14 +135,10 @@ impl AsReport for LossMap {
         let records = Table::new("map", self.map.iter())
             .quantity("speed", "speed", AngularSpeed, |place| place.speed_rad_s)
             .quantity("torque", "torque", Torque, |place| place.torque_n_m)
-            .column(Column::headed("output_torque", "output, N·m", Torque), |place| {
-                if_any(place.output_torque_n_m, Torque)
-            })
-            .column(Column::headed("mesh_loss", "meshes, kW", Power), |place| {
-                if_any(place.mesh_loss_w, Power)
-            })
-            .column(Column::headed("drag_loss", "drags, kW", Power), |place| if_any(place.drag_loss_w, Power))
-            .column(Column::headed("loss", "lost, kW", Power), |place| if_any(place.loss_w, Power))
+            .quantity("output_torque", "output", Torque, |place| place.output_torque_n_m)
+            .quantity("mesh_loss", "meshes", Power, |place| place.mesh_loss_w)
+            .quantity("drag_loss", "drags", Power, |place| place.drag_loss_w)
+            .quantity("loss", "lost", Power, |place| place.loss_w)
             .multiple("efficiency", "η", |place| place.efficiency)
             .view(
                 "Losses over speed and torque of the input",

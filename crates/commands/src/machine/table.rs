@@ -5,14 +5,11 @@ use crate::machine::answer::{
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
+use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
-
-fn quantity(si: f64, dimension: Dimension) -> Figure {
-    Figure::Quantity { si, dimension }
-}
 
 fn report(parts: Vec<Part>) -> Report {
     Report { title: None, parts, warnings: None }
@@ -160,10 +157,10 @@ impl AsReport for Drum {
 
 fn cutter(title: &'static str, cutting: &Cutting, rocks: &[Rock], range: Option<&SpeedRange>) -> Report {
     let rows = vec![
-        Row::new("speed", "cutting speed", "v", [quantity(cutting.speed_m_s, Dimension::Speed)]),
+        Row::new("speed", "cutting speed", "v", [quantity(Dimension::Speed, cutting.speed_m_s)]),
         Row {
             remark: format!("{} m/min", trimmed(60.0 * cutting.feed_m_s, 5)),
-            ..Row::new("feed", "feed", "v_n", [quantity(cutting.feed_m_s, Dimension::Speed)])
+            ..Row::new("feed", "feed", "v_n", [quantity(Dimension::Speed, cutting.feed_m_s)])
         },
     ];
     let mut parts = vec![Part::Facts(facts("cutting", title, rows))];
@@ -202,7 +199,7 @@ impl AsReport for Rotor {
     fn report(&self) -> Report {
         let row = |name, label, symbol, speed_rad_s: f64| Row {
             remark: format!("{} rad/s", trimmed(speed_rad_s, 5)),
-            ..Row::new(name, label, symbol, [quantity(speed_rad_s, Dimension::AngularSpeed)])
+            ..Row::new(name, label, symbol, [quantity(Dimension::AngularSpeed, speed_rad_s)])
         };
         let rows = vec![
             row("optimal", "one bucket per chip", "ω_po", self.wheel.optimal_rad_s),

@@ -2,6 +2,7 @@
 
 use crate::analyze::answer::gear::{Mesh, OneGear, Powers};
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::column;
 use crate::table::report::{Column, Part, Records, Report, View};
 use epicyclic_units::Dimension;
 
@@ -99,10 +100,6 @@ fn lines<'a, T: 'a, const N: usize>(
     lines
 }
 
-fn quantity(si: Option<f64>, dimension: Dimension) -> Figure {
-    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
-}
-
 /// Whether any of it is known in units.
 fn has<'a, T: 'a>(
     gears: &'a [OneGear],
@@ -129,7 +126,7 @@ fn links(gears: &[OneGear]) -> Table {
             |gear| &gear.links,
             made_of,
             |link| match is_known {
-                true => quantity(link.speed_rad_s, Dimension::AngularSpeed),
+                true => column(Dimension::AngularSpeed, link.speed_rad_s),
                 false => multiple(link.speed_of_input),
             },
         ),
@@ -151,7 +148,7 @@ fn powers_of_links(gears: &[OneGear]) -> Table {
             |gear| &gear.links,
             |link| [link.link.clone()],
             |link| match is_known {
-                true => quantity(link.power_w, Dimension::Power),
+                true => column(Dimension::Power, link.power_w),
                 false => multiple(link.power_of_entering),
             },
         ),
@@ -178,7 +175,7 @@ fn planets(gears: &[OneGear]) -> Table {
             |gear| &gear.planets,
             |planet| [planet.set.clone(), planet.planet.clone()],
             |planet| match is_known {
-                true => quantity(planet.relative_speed_rad_s, Dimension::AngularSpeed),
+                true => column(Dimension::AngularSpeed, planet.relative_speed_rad_s),
                 false => multiple(planet.relative_speed_of_input),
             },
         ),
@@ -193,7 +190,7 @@ fn line(of: &str, gears: &[OneGear], figure: impl Fn(&OneGear) -> Figure) -> Lin
 fn torques(gears: &[OneGear]) -> Table {
     let at_load = |gear: &OneGear| gear.torques.as_ref().and_then(|torques| torques.at_load.clone());
     if gears.iter().any(|gear| at_load(gear).is_some()) {
-        let torque = |si: Option<f64>| quantity(si, Dimension::Torque);
+        let torque = |si: Option<f64>| column(Dimension::Torque, si);
         return Table {
             title: "Torques on the gearbox, N·m",
             note: "With losses. From the housing: what it must be held with.",
@@ -245,7 +242,7 @@ fn members(gears: &[OneGear]) -> Table {
             |gear| &gear.members,
             member,
             |member| match (is_known, is_lossy) {
-                (true, _) => quantity(member.torque_n_m, Dimension::Torque),
+                (true, _) => column(Dimension::Torque, member.torque_n_m),
                 (false, true) => multiple(member.torque_of_input),
                 (false, false) => multiple(member.ideal_torque_of_input),
             },
@@ -344,7 +341,7 @@ fn pins(gears: &[OneGear]) -> Table {
 fn powers(gears: &[OneGear]) -> Table {
     let of = |gear: &OneGear, power: fn(&Powers) -> Option<f64>| gear.powers.as_ref().and_then(power);
     let at_load = |name: &str, power: fn(&Powers) -> Option<f64>| {
-        line(name, gears, |gear| quantity(of(gear, power), Dimension::Power))
+        line(name, gears, |gear| column(Dimension::Power, of(gear, power)))
     };
     if gears.iter().any(|gear| of(gear, |powers| powers.at_load.as_ref().map(|load| load.loss_w)).is_some()) {
         return Table {

@@ -160,7 +160,7 @@ fn duty(all: &[DutyStep]) -> Records {
 }
 
 fn at_point(all: &[Rated]) -> Records {
-    let stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
+    let _stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
     let note = "F_t: of one mesh, without losses. n: of its first gear relative to the carrier.";
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
@@ -170,14 +170,10 @@ fn at_point(all: &[Rated]) -> Records {
         .text("material", "material", |one| &one.material)
         .number("flank_safety", "S_H", |one| safety(one.flank_safety))
         .number("root_safety", "S_F", |one| safety(one.root_safety))
-        .column(Column::headed("contact_stress", "σ_H", Dimension::Pressure), |one| {
-            stress(one.contact_stress_pa)
-        })
-        .column(Column::headed("contact_limit", "σ_HG", Dimension::Pressure), |one| {
-            stress(one.contact_limit_pa)
-        })
-        .column(Column::headed("root_stress", "σ_F", Dimension::Pressure), |one| stress(one.root_stress_pa))
-        .column(Column::headed("root_limit", "σ_FG", Dimension::Pressure), |one| stress(one.root_limit_pa))
+        .headed("contact_stress", "σ_H", Dimension::Pressure, |one| one.contact_stress_pa)
+        .headed("contact_limit", "σ_HG", Dimension::Pressure, |one| one.contact_limit_pa)
+        .headed("root_stress", "σ_F", Dimension::Pressure, |one| one.root_stress_pa)
+        .headed("root_limit", "σ_FG", Dimension::Pressure, |one| one.root_limit_pa)
         .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
         .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
         .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)

@@ -2,15 +2,14 @@
 
 use super::overview::printed;
 use super::planet_bearings;
-use super::shared::{
-    engaged, exact, joins, kind, kind_in_words, one_way_clutches, quantity, self_locking, state,
-};
+use super::shared::{engaged, exact, joins, kind, kind_in_words, one_way_clutches, self_locking, state};
 use crate::analyze::answer::gear::{
     Link, Mesh, OneGear, Pattern, Powers, PowersOfEntering, RollingPower, Set, Terminal, Torques,
     TorquesAtLoad, TorquesOfInput,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
@@ -186,7 +185,7 @@ fn torques(torques: &Torques, is_held: bool) -> Section {
     let row = |name, label, of: fn(&TorquesOfInput) -> f64, at: fn(&TorquesAtLoad) -> f64| {
         let with_losses = torques.with_losses.as_ref().map(of);
         let mut cells = vec![multiple(Some(of(&torques.without_losses))), multiple(with_losses)];
-        cells.extend(torques.at_load.as_ref().map(|load| quantity(at(load), Dimension::Torque)));
+        cells.extend(torques.at_load.as_ref().map(|load| quantity(Dimension::Torque, at(load))));
         Row::new(name, label, "", cells)
     };
     Section {
@@ -318,9 +317,9 @@ fn powers(powers: &Powers) -> Section {
     if let Some(load) = &powers.at_load {
         let watts = [load.leaving_w, load.loss_w, load.circulating_w, load.largest_w];
         for (row, watts) in rows.iter_mut().zip(watts) {
-            row.cells.push(quantity(watts, Dimension::Power));
+            row.cells.push(quantity(Dimension::Power, watts));
         }
-        let entering = [Figure::Multiple(1.0), quantity(load.entering_w, Dimension::Power)];
+        let entering = [Figure::Multiple(1.0), quantity(Dimension::Power, load.entering_w)];
         let remark = match powers.enters_at {
             Terminal::Input => String::new(),
             Terminal::Output => "at the output".to_owned(),

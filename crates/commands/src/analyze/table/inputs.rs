@@ -1,10 +1,11 @@
 //! Gears with several inputs, at one point or over a map.
 
-use super::shared::{column, count, engaged, joins, kind, quantity};
+use super::shared::{count, engaged, joins, kind};
 use crate::analyze::answer::inputs::map::{Map, MapEntry, SpeedMap};
 use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers, Terminal};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::{column, quantity};
 use crate::table::report::AsReport;
 use crate::table::report::{
     Column, Part, Records, Report, Row, Section, Text, View, checked_rows_as_csv, warned,
@@ -104,10 +105,10 @@ fn shift_elements(inputs: &Inputs) -> Records {
 
 fn terminals(inputs: &Inputs) -> Records {
     let row = |end: &Terminal| {
-        let torque = column(Some(end.torque_n_m), Dimension::Torque);
-        vec![text(&end.link), torque, column(Some(end.power_w), Dimension::Power)]
+        let torque = column(Dimension::Torque, Some(end.torque_n_m));
+        vec![text(&end.link), torque, column(Dimension::Power, Some(end.power_w))]
     };
-    let housing = vec![text("ground"), column(inputs.housing_torque_n_m, Dimension::Torque), Figure::None];
+    let housing = vec![text("ground"), column(Dimension::Torque, inputs.housing_torque_n_m), Figure::None];
     Records {
         name: "terminals",
         columns: vec![
@@ -150,7 +151,7 @@ fn meshes(meshes: &[Mesh]) -> Records {
 }
 
 fn powers(powers: &Powers) -> Section {
-    let row = |name, label, watts| Row::new(name, label, "", [quantity(watts, Dimension::Power)]);
+    let row = |name, label, watts| Row::new(name, label, "", [quantity(Dimension::Power, watts)]);
     Section {
         name: "powers",
         title: "Powers, with losses",
@@ -203,12 +204,12 @@ fn map_columns(first: &str, second: &str) -> Vec<Column> {
 
 fn map_row(entry: &MapEntry) -> Vec<Figure> {
     vec![
-        column(Some(entry.first_speed_rad_s), Dimension::AngularSpeed),
-        column(Some(entry.second_speed_rad_s), Dimension::AngularSpeed),
+        column(Dimension::AngularSpeed, Some(entry.first_speed_rad_s)),
+        column(Dimension::AngularSpeed, Some(entry.second_speed_rad_s)),
         text(&entry.link),
-        column(entry.speed_rad_s, Dimension::AngularSpeed),
-        column(entry.torque_n_m, Dimension::Torque),
-        column(entry.power_w, Dimension::Power),
+        column(Dimension::AngularSpeed, entry.speed_rad_s),
+        column(Dimension::Torque, entry.torque_n_m),
+        column(Dimension::Power, entry.power_w),
         multiple(entry.efficiency),
     ]
 }

@@ -1,6 +1,6 @@
 //! All gears of a gearbox side by side.
 
-use super::shared::{column, exact, joins, kind, one_way_clutches, self_locking, state, yes_no};
+use super::shared::{exact, joins, kind, one_way_clutches, self_locking, state, yes_no};
 use super::{planet_bearings, sets, shifts};
 use crate::analyze::answer::elements::{InGear, SlipAndTorque};
 use crate::analyze::answer::overview::{Gear, Overview};
@@ -10,6 +10,7 @@ use crate::analyze::answer::records::{GearFacts, Published, State};
 use crate::analyze::answer::warnings::state_in_words;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::column;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_units::Dimension;
@@ -243,9 +244,9 @@ fn element_cells(one: &InGear) -> [Figure; 5] {
     [
         Figure::Mark(engaged),
         multiple(engaged_alone(torque_of_input)),
-        column(engaged_alone(torque_n_m), Dimension::Torque),
+        column(Dimension::Torque, engaged_alone(torque_n_m)),
         multiple(open_alone(slip_of_input)),
-        column(open_alone(slip_rad_s), Dimension::AngularSpeed),
+        column(Dimension::AngularSpeed, open_alone(slip_rad_s)),
     ]
 }
 
@@ -288,9 +289,9 @@ fn shift_elements(overview: &Overview) -> Records {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             multiple(torque.map(|torque| torque.torque_of_input))
         })
-        .column(Column::quantity("torque", Dimension::Torque), |one| {
+        .quantity("torque", "", Dimension::Torque, |one| {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            column(torque.and_then(|torque| torque.torque_n_m), Dimension::Torque)
+            torque.and_then(|torque| torque.torque_n_m)
         })
         .words("torque_gear", "in gear", |one| {
             let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
@@ -301,9 +302,9 @@ fn shift_elements(overview: &Overview) -> Records {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
             multiple(slip.map(|slip| slip.slip_of_input))
         })
-        .column(Column::quantity("slip", Dimension::AngularSpeed), |one| {
+        .quantity("slip", "", Dimension::AngularSpeed, |one| {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            column(slip.and_then(|slip| slip.slip_rad_s), Dimension::AngularSpeed)
+            slip.and_then(|slip| slip.slip_rad_s)
         })
         .words("slip_gear", "in gear", |one| {
             let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
@@ -349,22 +350,22 @@ fn planets(overview: &Overview) -> Option<Records> {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 multiple(speed.map(|speed| speed.relative_speed_of_input))
             })
-            .column(Column::quantity("relative_speed", Dimension::AngularSpeed), |one| {
+            .quantity("relative_speed", "", Dimension::AngularSpeed, |one| {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                column(speed.and_then(|speed| speed.relative_speed_rad_s), Dimension::AngularSpeed)
+                speed.and_then(|speed| speed.relative_speed_rad_s)
             })
             .words("speed_gear", "in gear", |one| {
                 let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
                 let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
                 gear(speed.map(|speed| &speed.gear))
             })
-            .column(Column::headed("force", "force, N", Dimension::Force), |one| {
+            .quantity("force", "force", Dimension::Force, |one| {
                 let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                column(force.and_then(|force| force.force_n), Dimension::Force)
+                force.and_then(|force| force.force_n)
             })
-            .column(Column::headed("tangential_force", "tangential force, N", Dimension::Force), |one| {
+            .quantity("tangential_force", "tangential force", Dimension::Force, |one| {
                 let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                column(force.and_then(|force| force.tangential_force_n), Dimension::Force)
+                force.and_then(|force| force.tangential_force_n)
             })
             .number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
                 let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
@@ -438,8 +439,8 @@ fn row(gear: &Gear) -> Vec<Figure> {
         multiple(gear.circulating_of_entering),
         multiple(gear.largest_speed_of_input),
         multiple(gear.largest_planet_speed_of_input),
-        column(gear.output_speed_rad_s, Dimension::AngularSpeed),
-        column(gear.output_torque_n_m, Dimension::Torque),
+        column(Dimension::AngularSpeed, gear.output_speed_rad_s),
+        column(Dimension::Torque, gear.output_torque_n_m),
     ];
     cells.extend(gear.shift_elements.iter().flat_map(element_cells));
     cells

@@ -1,9 +1,9 @@
 //! Forces on the planet bearings, in one gear or in all.
 
-use super::shared::column;
 use crate::analyze::answer::OperatingPoint;
 use crate::analyze::answer::planet_bearings::{Lack, LackName, PlanetBearing};
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::column;
 use crate::table::report::{Column, Records, View};
 use epicyclic_units::Dimension;
 
@@ -108,21 +108,21 @@ fn row(one: &PlanetBearing) -> Vec<Figure> {
         text(&one.gear),
         text(&one.planet),
         one.planets.map_or(Figure::None, Figure::Count),
-        column(one.carrier_radius_m, Dimension::Length),
-        column(one.planet_mass_kg, Dimension::Mass),
+        column(Dimension::Length, one.carrier_radius_m),
+        column(Dimension::Mass, one.planet_mass_kg),
         multiple(one.carrier_torque_of_input),
         multiple(one.carrier_torque_each_of_input),
         multiple(one.tangential_force_n_per_input_n_m),
         multiple(one.radial_force_n_per_input_n_m),
-        column(one.tangential_force_n, Dimension::Force),
-        column(one.radial_force_n, Dimension::Force),
-        column(one.centrifugal_force_n, Dimension::Force),
-        column(one.force_n, Dimension::Force),
-        column(one.axial_forces_n.map(|[sun, _]| sun), Dimension::Force),
-        column(one.axial_forces_n.map(|[_, ring]| ring), Dimension::Force),
-        column(one.tilting_moment_n_m, Dimension::Torque),
-        column(one.bearing_load_rating_n, Dimension::Force),
-        column(one.bearing_speed_rad_s, Dimension::AngularSpeed),
+        column(Dimension::Force, one.tangential_force_n),
+        column(Dimension::Force, one.radial_force_n),
+        column(Dimension::Force, one.centrifugal_force_n),
+        column(Dimension::Force, one.force_n),
+        column(Dimension::Force, one.axial_forces_n.map(|[sun, _]| sun)),
+        column(Dimension::Force, one.axial_forces_n.map(|[_, ring]| ring)),
+        column(Dimension::Torque, one.tilting_moment_n_m),
+        column(Dimension::Force, one.bearing_load_rating_n),
+        column(Dimension::AngularSpeed, one.bearing_speed_rad_s),
         one.bearing_life_s.map_or(Figure::None, |life| Figure::Number(life / HOUR_S)),
     ]
 }

@@ -5,17 +5,6 @@ use crate::shared::records::Fraction;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::Records;
-use epicyclic_units::Dimension;
-
-/// A quantity below a heading with its unit.
-pub(super) fn column(si: Option<f64>, dimension: Dimension) -> Figure {
-    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
-}
-
-/// A quantity with its unit.
-pub(super) fn quantity(si: f64, dimension: Dimension) -> Figure {
-    Figure::Quantity { si, dimension }
-}
 
 pub(super) fn exact(ratio: Option<Fraction>) -> Figure {
     ratio.map_or(Figure::None, |ratio| Figure::Text(ratio.to_string()))

@@ -1,8 +1,9 @@
 //! Shifts between gears.
 
-use super::shared::{column, count};
+use super::shared::count;
 use crate::analyze::answer::shifts::{ElementInShift, Shift, Shifts, Transition};
 use crate::table::figure::{Figure, multiple, text};
+use crate::table::quantities::column;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
 use epicyclic_units::Dimension;
@@ -93,8 +94,8 @@ fn row(shift: &Shift) -> Vec<Figure> {
         Figure::Texts(shift.one_way_applied.clone()),
         transition(shift.transition),
         multiple(Some(shift.input_speed_after_of_before)),
-        column(shift.input_speed_before_rad_s, Dimension::AngularSpeed),
-        column(shift.input_speed_after_rad_s, Dimension::AngularSpeed),
+        column(Dimension::AngularSpeed, shift.input_speed_before_rad_s),
+        column(Dimension::AngularSpeed, shift.input_speed_after_rad_s),
     ]
 }
 
@@ -117,7 +118,7 @@ fn changes(shifts: &Shifts) -> Records {
     };
     let columns = [Column::words("from", "from"), Column::words("to", "to")].into_iter();
     let change = |element: &ElementInShift| match element.slip_before_rad_s.zip(element.slip_after_rad_s) {
-        Some((before, after)) => column(Some(after - before), Dimension::AngularSpeed),
+        Some((before, after)) => column(Dimension::AngularSpeed, Some(after - before)),
         None => multiple(element.slip_change_of_input),
     };
     let row = |shift: &Shift| {
@@ -168,8 +169,8 @@ fn slips(shifts: &Shifts) -> Records {
                 multiple(element.slip_before_of_input),
                 multiple(element.slip_after_of_input),
                 multiple(element.slip_change_of_input),
-                column(element.slip_before_rad_s, Dimension::AngularSpeed),
-                column(element.slip_after_rad_s, Dimension::AngularSpeed),
+                column(Dimension::AngularSpeed, element.slip_before_rad_s),
+                column(Dimension::AngularSpeed, element.slip_after_rad_s),
             ];
             of_shift.iter().cloned().chain(cells).collect()
         })

@@ -3,7 +3,7 @@
 use crate::motor::satellites::answer::{MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::quantities::{column, words};
+use crate::table::quantities::words;
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
 use epicyclic_units::Dimension::{Area, Length};
@@ -87,13 +87,13 @@ fn motors(answer: &MotorSatellites) -> Records {
                    displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.";
     Table::new("motors", answer.motors.iter())
         .number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth))
-        .column(Column::headed("from", "l from", Length), |motor| {
+        .headed("from", "l from", Length, |motor| {
             let [from, _to] = of_family(motor);
-            column(Length, from)
+            from
         })
-        .column(Column::headed("to", "to, mm", Length), |motor| {
+        .quantity("to", "to", Length, |motor| {
             let [_from, to] = of_family(motor);
-            column(Length, to)
+            to
         })
         .quantity("l", "l", Length, |motor| motor.l_m)
         .quantity("a", "a", Length, |motor| motor.a_m)

@@ -214,26 +214,26 @@ fn cycle(ports: &MadePorts) -> Records {
                 Extreme::Least => Figure::answer("least", "least"),
             })
         })
-        .column(Column::headed("before", "before", Angle), |state| {
+        .headed("before", "before", Angle, |state| {
             let closed = ports
                 .closed
                 .iter()
                 .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            column(Angle, closed.map(|one| one.before_rad))
+            closed.map(|one| one.before_rad)
         })
-        .column(Column::headed("after", "after", Angle), |state| {
+        .headed("after", "after", Angle, |state| {
             let closed = ports
                 .closed
                 .iter()
                 .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            column(Angle, closed.map(|one| one.after_rad))
+            closed.map(|one| one.after_rad)
         })
-        .column(Column::headed("change", "changes, MPa", Pressure), |state| {
+        .quantity("change", "changes", Pressure, |state| {
             let closed = ports
                 .closed
                 .iter()
                 .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            column(Pressure, closed.and_then(|one| one.change_pa))
+            closed.and_then(|one| one.change_pa)
         })
         .view("Cycle of a chamber at its ports", "from to open_to extreme before after change")
         .note(note)
