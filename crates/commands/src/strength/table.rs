@@ -141,10 +141,6 @@ impl Facts for Strength {
     }
 }
 
-fn column(si: f64, dimension: Dimension) -> Figure {
-    Figure::Column { si, dimension }
-}
-
 fn safety(value: Option<f64>) -> Figure {
     value.map_or(Figure::None, |value| Figure::Printed(value, 3))
 }
@@ -160,7 +156,6 @@ fn duty(all: &[DutyStep]) -> Records {
 }
 
 fn at_point(all: &[Rated]) -> Records {
-    let _stress = |value: Option<f64>| value.map_or(Figure::None, |value| column(value, Dimension::Pressure));
     let note = "F_t: of one mesh, without losses. n: of its first gear relative to the carrier.";
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
