@@ -16,7 +16,8 @@
 //! derives its JSON Schema like any field of a [`schemars::JsonSchema`] type.
 //!
 //! ```
-//! use epicyclic_formats::{Document, Number, Quantity};
+//! use epicyclic_formats::Document;
+//! use epicyclic_units::{Number, Quantity};
 //! use serde::Deserialize;
 //! use uom::si::f64::Power;
 //!

@@ -403,23 +403,15 @@ fn not_rated(all: &[NotRated]) -> Records {
     let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
     let shown: Vec<&'static str> =
         ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
+    let words = |word: Option<String>| word.map_or(Figure::None, text);
     Table::new("not_rated", all.iter())
         .text("set", "set", |one| &one.set)
         .words("gears", "gears", |one| {
             if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) }
         })
-        .words("mesh", "mesh", |one| {
-            let words = |word: Option<String>| word.map_or(Figure::None, text);
-            words(one.mesh.map(|mesh| mesh.to_string()))
-        })
-        .words("toothed_gear", "of", |one| {
-            let words = |word: Option<String>| word.map_or(Figure::None, text);
-            words(one.toothed_gear.map(|gear| gear.to_string()))
-        })
-        .words("place", "part", |one| {
-            let words = |word: Option<String>| word.map_or(Figure::None, text);
-            words(one.place.map(|place| place.to_string()))
-        })
+        .words("mesh", "mesh", |one| words(one.mesh.map(|mesh| mesh.to_string())))
+        .words("toothed_gear", "of", |one| words(one.toothed_gear.map(|gear| gear.to_string())))
+        .words("place", "part", |one| words(one.place.map(|place| place.to_string())))
         .words("reason", "why", |one| text(one.why()))
         .view_of("Not rated", &shown)
         .records()

@@ -10,7 +10,7 @@ use crate::analyze::answer::step_torques::{MemberTorque, StepTorques, TorqueFrom
 use crate::analyze::answer::warnings::state_in_words;
 use crate::shared::records::Fraction;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text};
 use epicyclic_units::format::trimmed;
@@ -120,16 +120,11 @@ fn gears(gears: &[Gear]) -> Records {
         .words("state", "state", |gear| state(gear.facts.state))
         .multiple("ratio", "i", |gear| gear.facts.ratio)
         .words("formula", "formula", |gear| {
-            let formula = gear.formula.as_ref();
-            text(formula.map_or_else(String::new, |formula| formula.text.clone()))
+            text(gear.formula.as_ref().map_or_else(String::new, |formula| formula.text.clone()))
         })
-        .number("value", "value", |gear| {
-            let formula = gear.formula.as_ref();
-            multiple(formula.and_then(|formula| formula.value))
-        })
+        .multiple("value", "value", |gear| gear.formula.as_ref().and_then(|formula| formula.value))
         .number("exact_value", "exact", |gear| {
-            let formula = gear.formula.as_ref();
-            exact(formula.and_then(|formula| formula.exact_value))
+            exact(gear.formula.as_ref().and_then(|formula| formula.exact_value))
         })
         .records()
 }
@@ -415,7 +410,7 @@ fn of_losses(losses: &StepLosses) -> Vec<String> {
 /// The solved equations, for programs.
 fn substitutions(gear: &Gear, steps: &Steps) -> Records {
     Table::new("substitutions", steps.substitutions.iter())
-        .text("gear", "gear", |_one| &gear.facts.gear)
+        .text("gear", "gear", |_| &gear.facts.gear)
         .text("unknown", "unknown", |one| &one.unknown)
         .text("set", "set", |one| &one.set)
         .text("symbol", "symbol", |one| &one.symbol)
@@ -427,9 +422,9 @@ fn substitutions(gear: &Gear, steps: &Steps) -> Records {
 /// The torques of the members, for programs.
 fn member_torques(gear: &Gear, steps: &Steps) -> Records {
     Table::new("torques", steps.torques.iter().flat_map(|torques| &torques.members))
-        .text("gear", "gear", |_one| &gear.facts.gear)
+        .text("gear", "gear", |_| &gear.facts.gear)
         .text("set", "set", |one| &one.set)
         .text("member", "member", |one| &one.member)
-        .multiple("torque_of_input", "T", |one| Some(one.torque_of_input))
+        .multiple("torque_of_input", "T", |one| one.torque_of_input)
         .records()
 }

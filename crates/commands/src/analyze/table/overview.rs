@@ -281,36 +281,23 @@ fn shift_elements(overview: &Overview) -> Records {
     shown.extend(["torque_gear", "slip_of_input"]);
     shown.extend(overview.operating_point.speed_rad_s.map(|_| "slip"));
     shown.push("slip_gear");
+    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Table::new("shift_elements", overview.shift_elements.iter())
         .text("shift_element", "element", |one| &one.element.shift_element)
         .words("kind", "kind", |one| kind(one.element.kind))
         .words("joins", "joins", |one| joins(&one.element.links))
-        .number("torque_of_input", "T", |one| {
-            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            multiple(torque.map(|torque| torque.torque_of_input))
+        .multiple("torque_of_input", "T", |one| {
+            one.largest_torque.as_ref().map(|torque| torque.torque_of_input)
         })
         .quantity("torque", "", Dimension::Torque, |one| {
-            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            torque.and_then(|torque| torque.torque_n_m)
+            one.largest_torque.as_ref().and_then(|torque| torque.torque_n_m)
         })
-        .words("torque_gear", "in gear", |one| {
-            let (torque, _slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-            gear(torque.map(|torque| &torque.gear))
-        })
-        .number("slip_of_input", "slip", |one| {
-            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            multiple(slip.map(|slip| slip.slip_of_input))
-        })
+        .words("torque_gear", "in gear", |one| gear(one.largest_torque.as_ref().map(|torque| &torque.gear)))
+        .multiple("slip_of_input", "slip", |one| one.largest_slip.as_ref().map(|slip| slip.slip_of_input))
         .quantity("slip", "", Dimension::AngularSpeed, |one| {
-            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            slip.and_then(|slip| slip.slip_rad_s)
+            one.largest_slip.as_ref().and_then(|slip| slip.slip_rad_s)
         })
-        .words("slip_gear", "in gear", |one| {
-            let (_torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
-            let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-            gear(slip.map(|slip| &slip.gear))
-        })
+        .words("slip_gear", "in gear", |one| gear(one.largest_slip.as_ref().map(|slip| &slip.gear)))
         .view_of("Shift elements: largest torque and slip", &shown)
         .note("T, slip: over the input's torque, with losses, and its speed.")
         .records()
@@ -342,40 +329,28 @@ fn planets(overview: &Overview) -> Option<Records> {
     if let Some((force, _)) = known {
         shown.extend([force, "force_gear"]);
     }
+    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Some(
         Table::new("planets", all.iter())
             .text("set", "set", |one| &one.set)
             .text("planet", "planet", |one| &one.planet)
-            .number("relative_speed_of_input", "speed", |one| {
-                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                multiple(speed.map(|speed| speed.relative_speed_of_input))
+            .multiple("relative_speed_of_input", "speed", |one| {
+                one.largest_speed.as_ref().map(|speed| speed.relative_speed_of_input)
             })
             .quantity("relative_speed", "", Dimension::AngularSpeed, |one| {
-                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                speed.and_then(|speed| speed.relative_speed_rad_s)
+                one.largest_speed.as_ref().and_then(|speed| speed.relative_speed_rad_s)
             })
-            .words("speed_gear", "in gear", |one| {
-                let (speed, _force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-                gear(speed.map(|speed| &speed.gear))
-            })
+            .words("speed_gear", "in gear", |one| gear(one.largest_speed.as_ref().map(|speed| &speed.gear)))
             .quantity("force", "force", Dimension::Force, |one| {
-                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                force.and_then(|force| force.force_n)
+                one.largest_force.as_ref().and_then(|force| force.force_n)
             })
             .quantity("tangential_force", "tangential force", Dimension::Force, |one| {
-                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                force.and_then(|force| force.tangential_force_n)
+                one.largest_force.as_ref().and_then(|force| force.tangential_force_n)
             })
-            .number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
-                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m))
+            .multiple("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
+                one.largest_force.as_ref().and_then(|force| force.tangential_force_n_per_input_n_m)
             })
-            .words("force_gear", "in gear", |one| {
-                let (_speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
-                let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
-                gear(force.map(|force| &force.gear))
-            })
+            .words("force_gear", "in gear", |one| gear(one.largest_force.as_ref().map(|force| &force.gear)))
             .view_of("Planets: largest speed, and force on the bearing where it follows", &shown)
             .note("Speed: relative to the carrier, over the input's.")
             .records(),

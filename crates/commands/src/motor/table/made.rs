@@ -3,7 +3,7 @@
 use super::{count, maybe, one};
 use crate::motor::answer::{
     AllowedPressure, Efficiency, Extreme, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port,
-    Push,
+    PortState, Push,
 };
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
@@ -197,6 +197,9 @@ const fn open_to(open: OpenTo) -> [&'static str; 2] {
 
 fn cycle(ports: &MadePorts) -> Records {
     let note = "Phases of a chamber, 0 where it is greatest. Changes: the greatest of the pressure since it closed, with the bulk modulus.";
+    let closed = |state: &PortState| {
+        ports.closed.iter().find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad)
+    };
     Table::new("port_states", ports.states.iter())
         .quantity("from", "from", Angle, |state| state.from_rad)
         .quantity("to", "to", Angle, |state| state.to_rad)
@@ -205,36 +208,14 @@ fn cycle(ports: &MadePorts) -> Records {
             Figure::answer(name, words)
         })
         .words("extreme", "about the", |state| {
-            let closed = ports
-                .closed
-                .iter()
-                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            closed.and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
+            closed(state).and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
                 Extreme::Greatest => Figure::answer("greatest", "greatest"),
                 Extreme::Least => Figure::answer("least", "least"),
             })
         })
-        .headed("before", "before", Angle, |state| {
-            let closed = ports
-                .closed
-                .iter()
-                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            closed.map(|one| one.before_rad)
-        })
-        .headed("after", "after", Angle, |state| {
-            let closed = ports
-                .closed
-                .iter()
-                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            closed.map(|one| one.after_rad)
-        })
-        .quantity("change", "changes", Pressure, |state| {
-            let closed = ports
-                .closed
-                .iter()
-                .find(|one| state.open_to == OpenTo::Neither && one.from_rad == state.from_rad);
-            closed.and_then(|one| one.change_pa)
-        })
+        .headed("before", "before", Angle, |state| closed(state).map(|one| one.before_rad))
+        .headed("after", "after", Angle, |state| closed(state).map(|one| one.after_rad))
+        .quantity("change", "changes", Pressure, |state| closed(state).and_then(|one| one.change_pa))
         .view("Cycle of a chamber at its ports", "from to open_to extreme before after change")
         .note(note)
         .records()

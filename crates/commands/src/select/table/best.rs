@@ -147,10 +147,6 @@ fn engagement_table(one: &Candidate) -> Records {
     }
 }
 
-fn figure(si: Option<f64>, dimension: Dimension) -> Figure {
-    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
-}
-
 fn of_gears(one: &Candidate) -> Records {
     let turns = one.operation.iter().any(|gear| gear.output_speed_rad_s.is_some());
     let is_loaded = one.operation.iter().any(|gear| gear.input_torque_n_m.is_some());
@@ -185,45 +181,18 @@ fn of_gears(one: &Candidate) -> Records {
     }
     Table::new("operation", one.operation.iter())
         .words("gear", "gear", |gear| text(gear.gear.name()))
-        .column(Column::headed("output_speed", "output", Dimension::AngularSpeed), |gear| {
-            figure(gear.output_speed_rad_s, Dimension::AngularSpeed)
+        .headed("output_speed", "output", Dimension::AngularSpeed, |gear| gear.output_speed_rad_s)
+        .headed("input_torque", "input", Dimension::Torque, |gear| gear.input_torque_n_m)
+        .headed("output_torque", "output", Dimension::Torque, |gear| gear.output_torque_n_m)
+        .headed("k1_torque", "K1", Dimension::Torque, |gear| gear.k1_torque_n_m)
+        .headed("k2_torque", "K2", Dimension::Torque, |gear| gear.k2_torque_n_m)
+        .headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque, |gear| {
+            gear.direct_drive_clutch_torque_n_m
         })
-        .column(Column::headed("input_torque", "input", Dimension::Torque), |gear| {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
-            torque(gear.input_torque_n_m)
-        })
-        .column(Column::headed("output_torque", "output", Dimension::Torque), |gear| {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
-            torque(gear.output_torque_n_m)
-        })
-        .column(Column::headed("k1_torque", "K1", Dimension::Torque), |gear| {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
-            torque(gear.k1_torque_n_m)
-        })
-        .column(Column::headed("k2_torque", "K2", Dimension::Torque), |gear| {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
-            torque(gear.k2_torque_n_m)
-        })
-        .column(Column::headed("direct_drive_clutch_torque", "direct drive", Dimension::Torque), |gear| {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
-            torque(gear.direct_drive_clutch_torque_n_m)
-        })
-        .column(Column::headed("entering", "enters", Dimension::Power), |gear| {
-            let power = |w| figure(w, Dimension::Power);
-            power(gear.entering_w)
-        })
-        .column(Column::headed("leaving", "leaves", Dimension::Power), |gear| {
-            let power = |w| figure(w, Dimension::Power);
-            power(gear.leaving_w)
-        })
-        .column(Column::headed("loss", "lost", Dimension::Power), |gear| {
-            let power = |w| figure(w, Dimension::Power);
-            power(gear.loss_w)
-        })
-        .column(Column::headed("circulating", "circulates", Dimension::Power), |gear| {
-            let power = |w| figure(w, Dimension::Power);
-            power(gear.circulating_w)
-        })
+        .headed("entering", "enters", Dimension::Power, |gear| gear.entering_w)
+        .headed("leaving", "leaves", Dimension::Power, |gear| gear.leaving_w)
+        .headed("loss", "lost", Dimension::Power, |gear| gear.loss_w)
+        .headed("circulating", "circulates", Dimension::Power, |gear| gear.circulating_w)
         .views(views)
         .records()
 }
@@ -232,7 +201,7 @@ fn of_members(one: &Candidate) -> Records {
     let mut rows = vec![];
     for gear in &one.operation {
         for (set, torques) in (1..).zip(&gear.sets) {
-            let torque = |n_m| figure(n_m, Dimension::Torque);
+            let torque = |n_m| column(Dimension::Torque, n_m);
             rows.push(vec![
                 text(gear.gear.name()),
                 Figure::Count(set),

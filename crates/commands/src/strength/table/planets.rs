@@ -49,6 +49,8 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             ],
         )
     }];
+    let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
+    let modified = |one: &BearingOverDuty| one.modified.and_then(|modified| modified.life_s);
     Table::new("bearings", all.iter())
         .text("set", "set", |one| &one.set)
         .text("planet", "planet", |one| &one.planet)
@@ -62,24 +64,13 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3))
         })
         .column(Column::quantity("basic_life", Dimension::Time), |one| time(one.basic_life_s))
-        .number("basic_hours", "L_10, h", |one| {
-            let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
-            in_hours(one.basic_life_s)
-        })
+        .number("basic_hours", "L_10, h", |one| in_hours(one.basic_life_s))
         .for_people()
         .number("reliability", "of", |one| {
-            let _modified = one.modified.and_then(|modified| modified.life_s);
             one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability))
         })
-        .column(Column::quantity("modified_life", Dimension::Time), |one| {
-            let modified = one.modified.and_then(|modified| modified.life_s);
-            time(modified)
-        })
-        .number("modified_hours", "L_nm, h", |one| {
-            let modified = one.modified.and_then(|modified| modified.life_s);
-            let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
-            in_hours(modified)
-        })
+        .column(Column::quantity("modified_life", Dimension::Time), |one| time(modified(one)))
+        .number("modified_hours", "L_nm, h", |one| in_hours(modified(one)))
         .for_people()
         .views(views)
         .records()
