@@ -40,7 +40,8 @@ struct Anew {
 mod book {
     use std::process::{Command, ExitCode};
 
-    /// Builds this program again, with the feature `book`, and runs `book` there: `cargo xtask` leaves the feature out.
+    /// Builds this program again, with the feature `book`, and runs `book` there: `cargo xtask` leaves the
+    /// feature out.
     pub(super) fn run(anew: &super::Anew) -> Result<ExitCode, String> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let status = Command::new(cargo)

@@ -10,9 +10,9 @@ use std::process::{Command, ExitCode, Output};
 
 /// Compare what two programs answer, byte for byte.
 ///
-/// The programs run every command of the book and every help, and every command that reads files on every example, as
-/// text, JSON and CSV. Exit codes, answers, messages and written files are compared. Exit code 0 if all are the same;
-/// else 1, and the folder has both answers of each command line that differs.
+/// The programs run every command of the book and every help, and every command that reads files on every
+/// example, as text, JSON and CSV. Exit codes, answers, messages and written files are compared. Exit code 0
+/// if all are the same; else 1, and the folder has both answers of each command line that differs.
 #[derive(Debug, Args)]
 #[command(
     after_help = "Example:\n  git worktree add /tmp/old v0.1.0\n  cargo build --manifest-path /tmp/old/Cargo.toml -p epicyclic\n  \

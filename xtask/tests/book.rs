@@ -1,4 +1,5 @@
-//! The book: its chapter on the documents' errors lists all of them, each with the right value, and nothing else; its pages are whole.
+//! The book: its chapter on the documents' errors lists all of them, each with the right value, and nothing
+//! else; its pages are whole.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

@@ -23,7 +23,8 @@ pub(crate) fn of(name: &str, file: &str) -> Result<Rc<Document>, Failure> {
     })
 }
 
-/// What was read of a text is taken over for the text with other numbers, from the last to the first, where that is all that changes.
+/// What was read of a text is taken over for the text with other numbers, from the last to the first, where
+/// that is all that changes.
 pub(crate) fn take_over(name: &str, file: &str, changed: &str, numbers: &[(Position, &str)]) {
     LAST.with_borrow_mut(|last| {
         // Half changed it would be of no text: then the next question reads it anew.

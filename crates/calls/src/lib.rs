@@ -116,7 +116,8 @@ impl Called {
     }
 }
 
-/// Answers a command line: its words without the name of the program, and the files that it may read, names and texts.
+/// Answers a command line: its words without the name of the program, and the files that it may read, names
+/// and texts.
 #[wasm_bindgen]
 #[must_use]
 pub fn call(line: Vec<String>, names: Vec<String>, texts: Vec<String>) -> Called {

@@ -1,7 +1,8 @@
 //! The program `epicyclic` as a library: planetary gear mechanisms by the words of a command line.
 //!
-//! [`call`] answers one command line. What it reads, writes and prints goes over a [`Desk`]: a terminal for the program, memory for a page
-//! in a browser, both for other languages. The answers are the records of `epicyclic-commands`.
+//! [`call`] answers one command line. What it reads, writes and prints goes over a [`Desk`]: a terminal for
+//! the program, memory for a page in a browser, both for other languages. The answers are the records of
+//! `epicyclic-commands`.
 //!
 //! ```
 //! use epicyclic_commands::desk::memory::Memory;
@@ -112,8 +113,8 @@ commands! {
     Man: man;
 }
 
-/// Answers a command line, of which the words after the name of the program are given, over a desk. The answer is the exit code, as the
-/// help tells them.
+/// Answers a command line, of which the words after the name of the program are given, over a desk. The
+/// answer is the exit code, as the help tells them.
 ///
 /// # Errors
 /// None: what is refused is told over the desk, where JSON is asked for as an answer, too.

@@ -28,7 +28,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.target.write(call, portable(&String::from_utf8_lossy(&page)).as_bytes())
 }
 
-/// Every roff reads names of characters, not every one the characters; and what follows the options has a name.
+/// Every roff reads names of characters, not every one the characters; and what follows the options has a
+/// name.
 fn portable(page: &str) -> String {
     let mut text = String::new();
     for c in page.replace("SH EXTRA\n", "SH NOTES\n").replace("SS EXTRA\n", "SS NOTES\n").chars() {

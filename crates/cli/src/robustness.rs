@@ -1,4 +1,5 @@
-//! Command lines that nobody would write: whatever they say, the program answers or refuses, and never panics.
+//! Command lines that nobody would write: whatever they say, the program answers or refuses, and never
+//! panics.
 
 use crate::desk::captured::Captured;
 use crate::{Cli, call};
@@ -254,8 +255,8 @@ const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];
 /// What bounds the tooth forms.
 const FORMS: [&str; 4] = ["places", "pressure-angle", "addendum", "shift"];
 
-/// A command line: the command, and options with values that fit or do not. What takes seconds is left out: searches
-/// over all sets of tooth numbers, and over motors of many sets.
+/// A command line: the command, and options with values that fit or do not. What takes seconds is left out:
+/// searches over all sets of tooth numbers, and over motors of many sets.
 fn line() -> impl Strategy<Value = Vec<String>> {
     let choice = (any::<prop::sample::Index>(), 0..10_u8, any::<prop::sample::Index>());
     let choices = prop::collection::vec(choice, 0..6);
@@ -402,7 +403,8 @@ const GEARBOXES: &[&str] = &[
     "report",
 ];
 
-/// A text with some of its words replaced: by values of every kind, or by other words of it; some lines are lost or doubled.
+/// A text with some of its words replaced: by values of every kind, or by other words of it; some lines are
+/// lost or doubled.
 fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
     let mut text = text.to_owned();
     for (place, by, how) in changes {
@@ -458,7 +460,8 @@ fn whatever_a_file_says_nothing_panics() {
     let texts: Vec<String> =
         READ.iter().map(|(name, _)| std::fs::read_to_string(example(name)).unwrap()).collect();
     let answered = std::cell::Cell::new(0);
-    // 543 of 2000 changed files were still answered. Of 600 a fifth is four standard deviations below; of 150 it was two.
+    // 543 of 2000 changed files were still answered. Of 600 a fifth is four standard deviations below; of 150
+    // it was two.
     let cases = cases(600);
     let mut runner =
         TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
@@ -479,7 +482,8 @@ fn whatever_a_file_says_nothing_panics() {
     assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
 }
 
-/// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none is written.
+/// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none
+/// is written.
 #[cfg(unix)]
 #[test]
 fn whatever_files_are_named_none_is_lost() {

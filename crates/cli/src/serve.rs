@@ -1,7 +1,8 @@
 //! The command `serve`: the app in a browser, given out by the program itself, on this machine alone.
 //!
-//! It listens on 127.0.0.1 and answers who asks for that or `localhost` by name: no other machine reaches it, and no page of another host
-//! reads from it under a name of its own. A client that stalls keeps nobody waiting but itself.
+//! It listens on 127.0.0.1 and answers who asks for that or `localhost` by name: no other machine reaches it,
+//! and no page of another host reads from it under a name of its own. A client that stalls keeps nobody
+//! waiting but itself.
 
 mod app;
 mod http;
@@ -21,7 +22,8 @@ const OPENED: &str = "opened";
 /// The media type of a file that is opened, and of why it is not.
 const TEXT: &str = "text/plain; charset=utf-8";
 
-/// The app in a browser: gearboxes and hydromotors to look at, change and choose, as the program calculates them.
+/// The app in a browser: gearboxes and hydromotors to look at, change and choose, as the program calculates
+/// them.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:

@@ -1,4 +1,5 @@
-//! The numbers of a gearbox's file that can be changed while one looks on: `k` or teeth of its sets, each with its place.
+//! The numbers of a gearbox's file that can be changed while one looks on: `k` or teeth of its sets, each
+//! with its place.
 
 use crate::answer::Answer;
 use crate::shared::gearbox::Subject;

@@ -316,7 +316,8 @@ pub enum Error {
     /// What excites a vibration, given without what it needs.
     #[error("{given} needs {lacks}: as an option, or as a key of `vibration` of the file")]
     ExcitationWithout {
-        /// What was given: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`, `without-gyroscopic`.
+        /// What was given: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`,
+        /// `without-gyroscopic`.
         given: &'static str,
         /// What it needs.
         lacks: &'static str,

@@ -174,7 +174,8 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// The failure as it is, or [`Failure::Interrupted`] where the call was asked to end: that ended the search, whatever it says.
+    /// The failure as it is, or [`Failure::Interrupted`] where the call was asked to end: that ended the
+    /// search, whatever it says.
     #[must_use]
     pub fn unless_asked_to_end(self, goes_on: ControlFlow<()>) -> Self {
         match self {
@@ -252,7 +253,8 @@ impl Failure {
         Refused { name: self.name(), message: self.to_string(), exit_code: self.code(), option, place }
     }
 
-    /// What is told of it: one line, whatever the names in it hold, but for messages that list several things.
+    /// What is told of it: one line, whatever the names in it hold, but for messages that list several
+    /// things.
     pub fn told(&self) -> String {
         let text = self.to_string();
         match self {
@@ -271,8 +273,8 @@ impl Failure {
 }
 
 impl Failure {
-    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name, else where the thing itself
-    /// is described.
+    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name,
+    /// else where the thing itself is described.
     pub fn in_file(self, document: &Document, base: &Path) -> Self {
         use epicyclic_pictures::Error as E;
         let gearbox = |key: &str| {

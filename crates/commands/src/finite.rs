@@ -1,4 +1,5 @@
-//! That every number of an answer is one: JSON has no word for infinity, and `null` means that there is nothing.
+//! That every number of an answer is one: JSON has no word for infinity, and `null` means that there is
+//! nothing.
 
 use crate::error::Error;
 use serde::ser::{self, Impossible, Serialize};

@@ -1,8 +1,10 @@
-//! The planet sets of a gearbox seen from the front, and how fast each part turns in a gear: what a moving picture is made of.
+//! The planet sets of a gearbox seen from the front, and how fast each part turns in a gear: what a moving
+//! picture is made of.
 //!
-//! Lengths are in a unit of each set's own: a module where its teeth are known, otherwise the pitch radius of its sun. A part stands at its
-//! place when the first central gear has a tooth along the first axis, and turns from there: a planet about itself with its speed, and with the
-//! carrier about the axis. With teeth the outlines are those that a hob leaves of suns and planets, a shaper of rings; without them pitch
+//! Lengths are in a unit of each set's own: a module where its teeth are known, otherwise the pitch radius of
+//! its sun. A part stands at its place when the first central gear has a tooth along the first axis, and
+//! turns from there: a planet about itself with its speed, and with the carrier about the axis. With teeth
+//! the outlines are those that a hob leaves of suns and planets, a shaper of rings; without them pitch
 //! circles. There are as many planets as the file states, or up to [`SHOWN`].
 
 mod circles;
@@ -21,7 +23,8 @@ use std::f64::consts::TAU;
 /// Planets of a set of which the file does not say how many there are, where so many have room.
 pub const SHOWN: u32 = 3;
 
-/// Angles of the planets of one kind, rad: those of the set, or so many equal ones where it does not say how many there are.
+/// Angles of the planets of one kind, rad: those of the set, or so many equal ones where it does not say how
+/// many there are.
 fn group_angles(set: &PlanetSet, count: u32) -> Vec<f64> {
     match set.planet_angles() {
         Some(angles) => angles.into_iter().map(Physical::si).collect(),
@@ -39,7 +42,8 @@ pub struct Front {
     pub gear: Option<String>,
     /// The sets that are shown.
     pub sets: Vec<FrontSet>,
-    /// Sets that are not: pairs on fixed axes, bevel gears, and those whose tooth numbers are not known or leave their planets apart.
+    /// Sets that are not: pairs on fixed axes, bevel gears, and those whose tooth numbers are not known or
+    /// leave their planets apart.
     pub left_out: Vec<String>,
     /// Sets whose tooth numbers are known and whose teeth are not shown, since no tool leaves them.
     pub uncut: Vec<Uncut>,

@@ -114,8 +114,8 @@ impl OutputArgs {
         self.format() == Format::Table && self.end().as_deref() == Some("html")
     }
 
-    /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
-    /// as well, and those that CSV does not have.
+    /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of
+    /// sight are shown as well, and those that CSV does not have.
     pub(crate) fn deliver<A: Answer + AsReport>(&self, call: &Call<'_>, answer: &A) -> Result<(), Failure> {
         self.deliver_with(call, vec![], answer)
     }
@@ -154,7 +154,8 @@ impl OutputArgs {
         Ok(())
     }
 
-    /// Writes an answer for programs as it comes, and other files of the same call: into a file whole or not at all.
+    /// Writes an answer for programs as it comes, and other files of the same call: into a file whole or not
+    /// at all.
     pub(crate) fn stream(
         &self,
         call: &Call<'_>,
@@ -175,7 +176,8 @@ impl OutputArgs {
         })
     }
 
-    /// Warnings of an answer that was streamed: where it goes to a file, out of sight, and where CSV has no place for them.
+    /// Warnings of an answer that was streamed: where it goes to a file, out of sight, and where CSV has no
+    /// place for them.
     pub(crate) fn tell_warnings(&self, call: &Call<'_>, warnings: &[Warning]) {
         if self.is_file() || self.format() == Format::Csv {
             warnings.iter().for_each(|warning| tell_warning(call, &warning.message));
@@ -190,8 +192,8 @@ impl OutputArgs {
         call.desk.columns().map_or(WIDTH, |columns| columns.max(NARROWEST))
     }
 
-    /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer warns of is shown here
-    /// as well.
+    /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer
+    /// warns of is shown here as well.
     pub(crate) fn deliver_page<A: Answer + AsReport>(
         &self,
         call: &Call<'_>,
@@ -324,7 +326,8 @@ pub fn asks_for_json(words: &[OsString]) -> bool {
     is_json && !words.iter().any(|word| goes_to_a_file(word))
 }
 
-/// Writes why there is no answer, in its place, unless something was written. What fails here has been told already.
+/// Writes why there is no answer, in its place, unless something was written. What fails here has been told
+/// already.
 pub fn in_place_of_an_answer(call: &Call<'_>, refused: &Refused) {
     if !call.has_answered() {
         let _ = call.answer(&mut |out| write_json(refused, out));

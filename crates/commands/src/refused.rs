@@ -1,4 +1,5 @@
-//! A question that is refused or has no answer, as an answer of its own: what `--format json` writes in place of the one asked for.
+//! A question that is refused or has no answer, as an answer of its own: what `--format json` writes in place
+//! of the one asked for.
 
 use crate::answer::Answer;
 use crate::error::Error;

@@ -1,7 +1,7 @@
 //! States, ratios and efficiencies of the gears of a gearbox for many basic ratios of its sets, as columns.
 //!
-//! This is an answer for programs that hold arrays: a hundred thousand variants are no text that anybody reads. One
-//! variant is what [`analyze`](crate::analyze::answer) says of a gearbox with these `k`.
+//! This is an answer for programs that hold arrays: a hundred thousand variants are no text that anybody
+//! reads. One variant is what [`analyze`](crate::analyze::answer) says of a gearbox with these `k`.
 
 pub mod points;
 
@@ -34,7 +34,8 @@ pub struct Columns {
     pub ratios: Vec<f64>,
     /// Whether the output's speed follows from the input's.
     pub has_ratio: Vec<bool>,
-    /// Efficiencies driven from the input; 0 where [`has_efficiency`](Self::has_efficiency) says that there is none.
+    /// Efficiencies driven from the input; 0 where [`has_efficiency`](Self::has_efficiency) says that there
+    /// is none.
     pub efficiencies: Vec<f64>,
     /// Whether losses follow, and a torque moves the gear.
     pub has_efficiency: Vec<bool>,

@@ -40,8 +40,8 @@ fn bearing(text: &str) -> BearingOverDuty {
     strength(text).unwrap().bearings.remove(0)
 }
 
-/// Centre distance and working pressure angles from the involute functions of the shifts, forces from moments about the main axis and about
-/// the planet's own.
+/// Centre distance and working pressure angles from the involute functions of the shifts, forces from moments
+/// about the main axis and about the planet's own.
 #[test]
 fn forces_and_lives_are_those_by_hand() {
     let told = bearing(STAGE);
@@ -169,7 +169,8 @@ fn what_is_missing_and_what_is_wrong_is_said() {
     }
 }
 
-/// The same set in short and gear by gear, behind the stage: forces, lives and safety are the same, and so is what is refused.
+/// The same set in short and gear by gear, behind the stage: forces, lives and safety are the same, and so is
+/// what is refused.
 #[test]
 fn a_compound_set_has_the_lives_of_the_same_set_in_short() {
     const SHORT: &str = "  - { id: B, sun: H, ring: ground, carrier: K, teeth: [20, 70], planet_teeth: [25], planets: 3, module: 8 mm, planet_mass: 5 kg, \

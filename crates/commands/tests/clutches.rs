@@ -1,4 +1,5 @@
-//! Tables of shift elements and shifts over all gears, against the gears one by one, the balance of each link and a calculation by hand.
+//! Tables of shift elements and shifts over all gears, against the gears one by one, the balance of each link
+//! and a calculation by hand.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -140,7 +141,8 @@ fn a_simpson_set_by_hand() {
         (one.duty.torque_of_input.unwrap(), one.duty.slip_of_input.unwrap())
     };
     for (gear, element, torque, slip) in [
-        // First: the input drives ring A, the brake holds carrier B. The suns take 1/k of the input, and ring B with it 1.
+        // First: the input drives ring A, the brake holds carrier B. The suns take 1/k of the input, and ring
+        // B with it 1.
         ("1", "FWD", -1.0, 0.0),
         ("1", "LR", 1.0 + 1.0 / k, 0.0),
         ("1", "INT", 0.0, -k / (2.0 + 1.0 / k)),

@@ -1,4 +1,5 @@
-//! What the searches for hydromotors list can be made: saved, it is a motor's file that is accepted with its ports.
+//! What the searches for hydromotors list can be made: saved, it is a motor's file that is accepted with its
+//! ports.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -33,7 +33,8 @@ fn near(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < 1e-9
 }
 
-/// The carrier's lever is the sum of both base radii: thinner teeth give it their play along the line of action, and the springs of both meshes stand in a row.
+/// The carrier's lever is the sum of both base radii: thinner teeth give it their play along the line of
+/// action, and the springs of both meshes stand in a row.
 #[test]
 fn one_set_is_its_lever() {
     let told = sheets(&one(ALLOWANCES), None);
@@ -52,7 +53,8 @@ fn one_set_is_its_lever() {
     assert!(near(six.stiffness_n_m.unwrap(), stiffness * 2.0));
     let twice = at_output(&one("").replace("module: 4 mm", "module: 8 mm"));
     assert!(near(twice.stiffness_n_m.unwrap(), stiffness * 4.0));
-    // Springs of 20 N/(mm·µm), 60 mm wide, of three planets on this lever: the formulas of ISO 6336-1 are not far from it.
+    // Springs of 20 N/(mm·µm), 60 mm wide, of three planets on this lever: the formulas of ISO 6336-1 are not
+    // far from it.
     let usual = lever * lever * 3.0 / (2.0 / (20e9 * 0.06));
     assert!((0.5..1.5).contains(&(stiffness / usual)), "{stiffness} {usual}");
     assert!(sheets(&one(""), Some("A")).at_output.is_empty());

@@ -143,7 +143,8 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     assert!(wrong.to_string().contains("crawl"), "{wrong}");
 }
 
-/// The bearings too: what differs is the planets' mass, here the teeth between tip and root circle, there a cylinder to the reference circle.
+/// The bearings too: what differs is the planets' mass, here the teeth between tip and root circle, there a
+/// cylinder to the reference circle.
 #[test]
 fn the_saved_file_has_the_bearing_lives_that_were_found() {
     let size = sized(&hoist(), &wanted()).unwrap();

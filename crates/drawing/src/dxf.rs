@@ -1,8 +1,9 @@
 //! The scene as a DXF drawing in millimetres, for CAD.
 //!
-//! AutoCAD 2000 (`AC1015`): the oldest version with `LWPOLYLINE`, line weights and units, and one that every reader takes. Lines, circles,
-//! arcs and text become entities of their kind, polylines `LWPOLYLINE` with bulges; layers keep name, colour and dashes. Fills are
-//! left out: a filled shape is its outline. The same scene gives the same text: no time and no random number is in it.
+//! AutoCAD 2000 (`AC1015`): the oldest version with `LWPOLYLINE`, line weights and units, and one that every
+//! reader takes. Lines, circles, arcs and text become entities of their kind, polylines `LWPOLYLINE` with
+//! bulges; layers keep name, colour and dashes. Fills are left out: a filled shape is its outline. The same
+//! scene gives the same text: no time and no random number is in it.
 //!
 //! # Source
 //! Autodesk, *DXF Reference*, AutoCAD 2000. Read back in the tests by an independent reader.
@@ -351,7 +352,8 @@ impl Writer {
     }
 }
 
-/// What is outside ASCII as `\U+XXXX`, beyond the first plane as `?`: the code page of the file is not the reader's.
+/// What is outside ASCII as `\U+XXXX`, beyond the first plane as `?`: the code page of the file is not the
+/// reader's.
 fn encoded(text: &str) -> String {
     let mut out = String::new();
     for c in one_line(text).chars() {
@@ -389,11 +391,12 @@ fn color_of(style: Style) -> u16 {
     color_index(if style.width_mm > 0.0 { style.color } else { style.fill.unwrap_or(style.color) })
 }
 
-/// The least contrast of every colour with white paper and with a black screen: that which WCAG 2 asks of graphics.
+/// The least contrast of every colour with white paper and with a black screen: that which WCAG 2 asks of
+/// graphics.
 pub const LEAST_CONTRAST: f64 = 3.0;
 
-/// Colours by their AutoCAD index that print on white and are seen on black, each with a contrast of at least [`LEAST_CONTRAST`] to
-/// both. Besides them there is only 7, which is black on white and white on black.
+/// Colours by their AutoCAD index that print on white and are seen on black, each with a contrast of at least
+/// [`LEAST_CONTRAST`] to both. Besides them there is only 7, which is black on white and white on black.
 const PRINTED: [(u16, Color); 8] = [
     (1, Color::new(255, 0, 0)),
     (32, Color::new(165, 82, 0)),
@@ -417,7 +420,8 @@ const NEUTRAL: u8 = 40;
 /// Neutral colours darker than this are the foreground's.
 const DARK: u8 = 70;
 
-/// The printed colour of the nearest hue, however light or dark; black and dark greys as the foreground, others as grey.
+/// The printed colour of the nearest hue, however light or dark; black and dark greys as the foreground,
+/// others as grey.
 fn color_index(color: Color) -> u16 {
     let channels = [color.red, color.green, color.blue];
     let (least, most) = (channels.into_iter().min().unwrap_or(0), channels.into_iter().max().unwrap_or(0));
@@ -435,7 +439,8 @@ fn hue_rad(color: Color) -> f64 {
     libm::atan2(3.0_f64.sqrt() * (green - blue), 2.0 * red - green - blue)
 }
 
-/// The contrast of an index with white and with black, `(L₁ + 0.05)/(L₂ + 0.05)` of the relative luminances; `None` of one that no drawing has.
+/// The contrast of an index with white and with black, `(L₁ + 0.05)/(L₂ + 0.05)` of the relative luminances;
+/// `None` of one that no drawing has.
 ///
 /// ```
 /// use epicyclic_drawing::dxf::{LEAST_CONTRAST, contrast};
@@ -472,7 +477,8 @@ mod tests {
     fn colours_and_weights_are_the_nearest_that_dxf_has() {
         assert_eq!(color_index(Color::new(250, 5, 5)), 1);
         assert_eq!(color_index(Color::new(10, 10, 10)), 7);
-        // Light fills of a hue as the hue, light greys as grey; the line of a filled shape counts before its fill.
+        // Light fills of a hue as the hue, light greys as grey; the line of a filled shape counts before its
+        // fill.
         assert_eq!([Color::new(120, 170, 215), Color::new(226, 229, 233)].map(color_index), [150, 8]);
         assert_eq!(color_of(Style::line(0.4).fill(Color::WHITE)), 7);
         assert_eq!(color_of(Style::filled(Color::new(240, 140, 20))), 32);

@@ -1,13 +1,15 @@
 //! Text as outlines of Noto Sans, for formats that show it without a font of the system.
 //!
-//! The widths of labels are those of Helvetica; a line that is wider in this font is drawn together to its width, so that labels keep
-//! clear of each other. Subscript digits, which the font lacks, are small digits; any other character that it lacks is an empty box.
+//! The widths of labels are those of Helvetica; a line that is wider in this font is drawn together to its
+//! width, so that labels keep clear of each other. Subscript digits, which the font lacks, are small digits;
+//! any other character that it lacks is an empty box.
 
 use crate::bounds::Point;
 use crate::label::{Align, Text, one_line};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// Size of subscript digits over that of digits, and how far they stand below the line, over the size of the font.
+/// Size of subscript digits over that of digits, and how far they stand below the line, over the size of the
+/// font.
 const SUBSCRIPT: [f64; 2] = [0.62, 0.14];
 
 /// A step of an outline, in millimetres of the scene.

@@ -1,7 +1,7 @@
 //! A line of text and the room that it takes.
 //!
-//! Widths are those of Helvetica, which Arial and Liberation Sans share; characters outside its table count as wide ones. Boxes
-//! are therefore as wide as the text or a little wider in any of these fonts.
+//! Widths are those of Helvetica, which Arial and Liberation Sans share; characters outside its table count
+//! as wide ones. Boxes are therefore as wide as the text or a little wider in any of these fonts.
 
 use crate::bounds::{Bounds, Point};
 
@@ -74,7 +74,8 @@ impl Text {
         self.content.chars().map(width).sum::<f64>() / 1000.0 * self.font_size_mm()
     }
 
-    /// Width of a line that a wider font would make longer than it may be: of those that have some letters, each of a width that is known.
+    /// Width of a line that a wider font would make longer than it may be: of those that have some letters,
+    /// each of a width that is known.
     pub(crate) fn fixed_width_mm(&self) -> Option<f64> {
         let is_long = self.content.chars().nth(LONG).is_some();
         (is_long && self.content.chars().all(|c| known(c).is_some())).then(|| self.width_mm())

@@ -10,8 +10,8 @@
 //! | `pdf` | with the feature `print`: the scene as a PDF page of its size |
 //! | `png` | with the feature `print`: the scene as pixels |
 //!
-//! Coordinates are millimetres, `x` to the right and `y` **up**; angles are radians, counter-clockwise. Nothing here knows a gear or
-//! opens a file.
+//! Coordinates are millimetres, `x` to the right and `y` **up**; angles are radians, counter-clockwise.
+//! Nothing here knows a gear or opens a file.
 //!
 //! # Example
 //!

@@ -1,7 +1,7 @@
 //! The scene as a PDF page of its size, with the border of the image.
 //!
-//! Lines, arcs and fills are those of the scene, text is drawn as outlines: no font is needed, and none can be searched. The same
-//! scene gives the same bytes: no time and no random number is in them.
+//! Lines, arcs and fills are those of the scene, text is drawn as outlines: no font is needed, and none can
+//! be searched. The same scene gives the same bytes: no time and no random number is in them.
 //!
 //! # Source
 //! ISO 32000-1, page description and content streams.
@@ -145,7 +145,8 @@ fn path(content: &mut Content, shape: &Shape) {
     }
 }
 
-/// An arc from where the path is, in cubic curves of at most a quarter turn: off the circle by less than 3e-4 of its radius.
+/// An arc from where the path is, in cubic curves of at most a quarter turn: off the circle by less than 3e-4
+/// of its radius.
 ///
 /// The control points of a piece of angle `θ` lie `4/3·tan(θ/4)` radii along the tangents at its ends.
 fn arc(content: &mut Content, centre: Point, radius: f64, start: f64, sweep: f64) {

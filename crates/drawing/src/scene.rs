@@ -16,7 +16,8 @@ pub const LIMIT_MM: f64 = 1e5;
 pub struct Vertex {
     /// Where it is.
     pub at: Point,
-    /// The side to the next vertex: 0 a straight line, else an arc with `tan(sweep/4)`, positive counter-clockwise.
+    /// The side to the next vertex: 0 a straight line, else an arc with `tan(sweep/4)`, positive
+    /// counter-clockwise.
     pub bulge: f64,
 }
 

@@ -25,7 +25,8 @@ impl Color {
         Self { red, green, blue }
     }
 
-    /// The colour at `part` of the way from this to another, each channel by itself; `part` outside 0…1 means the nearer end.
+    /// The colour at `part` of the way from this to another, each channel by itself; `part` outside 0…1 means
+    /// the nearer end.
     #[must_use]
     pub fn towards(self, other: Self, part: f64) -> Self {
         let part = if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) };

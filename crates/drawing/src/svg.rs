@@ -1,8 +1,9 @@
 //! The scene as an SVG image, one user unit a millimetre.
 //!
-//! A layer is a group with the layer's name as its `id` and `class`, so that a page can restyle or hide it. Shapes keep their order
-//! across layers: a layer whose shapes are drawn in several goes appears as several groups, of which the first has the `id`. Shapes that follow
-//! each other in one style of their own share a group.
+//! A layer is a group with the layer's name as its `id` and `class`, so that a page can restyle or hide it.
+//! Shapes keep their order across layers: a layer whose shapes are drawn in several goes appears as several
+//! groups, of which the first has the `id`. Shapes that follow each other in one style of their own share a
+//! group.
 
 use quick_xml::Writer;
 use quick_xml::escape::partial_escape;
@@ -263,7 +264,8 @@ fn place(point: Point) -> String {
 /// To a tenth of a micrometre, without trailing zeros.
 fn number(value: f64) -> String {
     let scaled = value.abs() * 1e4;
-    // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what is large.
+    // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what
+    // is large.
     let is_sure = scaled < 1e12 && (scaled.fract() - 0.5).abs() > 1e-3;
     if !is_sure {
         return formatted(value);

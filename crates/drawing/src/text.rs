@@ -12,7 +12,8 @@ pub struct Overlap {
     pub with: usize,
 }
 
-/// Labels that meet another label, or a line or circle that runs through them; each pair once. Fills do not count.
+/// Labels that meet another label, or a line or circle that runs through them; each pair once. Fills do not
+/// count.
 #[must_use]
 pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     let items = scene.items();
@@ -35,7 +36,8 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     found
 }
 
-/// Whether a text, with a margin about it, meets nothing that a scene has: no label, line or circle. Fills do not count.
+/// Whether a text, with a margin about it, meets nothing that a scene has: no label, line or circle. Fills do
+/// not count.
 #[must_use]
 pub fn is_free(scene: &Scene, text: &Text, margin_mm: f64) -> bool {
     let bounds = text.bounds().grown(margin_mm);
@@ -45,7 +47,8 @@ pub fn is_free(scene: &Scene, text: &Text, margin_mm: f64) -> bool {
     })
 }
 
-/// Whether a shape's line runs through the inside of a box; never for text. Arcs are followed in steps of at most 3°.
+/// Whether a shape's line runs through the inside of a box; never for text. Arcs are followed in steps of at
+/// most 3°.
 ///
 /// ```
 /// use epicyclic_drawing::{Shape, Text, text::line_meets};
@@ -61,8 +64,8 @@ pub fn line_meets(shape: &Shape, bounds: Bounds) -> bool {
     meets
 }
 
-/// The least distance between a straight line and a shape's line, 0 where they cross; infinite of text. Arcs are followed in steps of at
-/// most 3°.
+/// The least distance between a straight line and a shape's line, 0 where they cross; infinite of text. Arcs
+/// are followed in steps of at most 3°.
 ///
 /// ```
 /// use epicyclic_drawing::{Point, Shape, text::distance};
@@ -78,7 +81,8 @@ pub fn distance(from: Point, to: Point, shape: &Shape) -> f64 {
     least.sqrt()
 }
 
-/// The square of the distance of two straight lines: 0 where they cross, else that of an end from the other line.
+/// The square of the distance of two straight lines: 0 where they cross, else that of an end from the other
+/// line.
 fn square_apart(one: [Point; 2], other: [Point; 2]) -> f64 {
     let aside = |[a, b]: [Point; 2], p: Point| (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     let parted = |line: [Point; 2], ends: [Point; 2]| aside(line, ends[0]) * aside(line, ends[1]) < 0.0;
@@ -125,7 +129,8 @@ fn pieces(shape: &Shape, mut each: impl FnMut(Point, Point)) {
     }
 }
 
-/// Whether a straight line runs through the inside of a box: what is left of it between the four sides (Liang and Barsky).
+/// Whether a straight line runs through the inside of a box: what is left of it between the four sides (Liang
+/// and Barsky).
 fn segment_meets(from: Point, to: Point, bounds: Bounds) -> bool {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let mut part = (0.0_f64, 1.0_f64);

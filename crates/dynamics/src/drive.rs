@@ -8,8 +8,8 @@
 //!       → forces → J_pr, T → accelerations → starting time
 //! ```
 //!
-//! Each arrow is a value that the next stage takes, beside the part of the specification that concerns it; the solver of
-//! gearboxes is asked once, for the speeds.
+//! Each arrow is a value that the next stage takes, beside the part of the specification that concerns it;
+//! the solver of gearboxes is asked once, for the speeds.
 //!
 //! What stops the calculation is an [`Error`]; what deserves a second look is a [`Warning`].
 //!
@@ -84,8 +84,8 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 /// Designs a drive.
 ///
 /// # Errors
-/// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no set of tooth numbers
-/// reaches, gears without root, holes outside their arms, shafts beyond the standard diameters;
+/// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no set of tooth
+/// numbers reaches, gears without root, holes outside their arms, shafts beyond the standard diameters;
 /// [`Error::UnequalCentreDistances`], [`Error::BoreTooLarge`], [`Error::Impossible`], [`Error::NotFinite`],
 /// [`Error::NoInertia`], [`Error::SelfLocking`], and [`Error::Overflow`] where a result is beyond numbers.
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {

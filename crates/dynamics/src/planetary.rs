@@ -12,9 +12,9 @@
 //! whole    M_1 − M_H + R = J_1·ε_1 + N·J_2·ε_2 + (N·m·r² + J_H)·ε_H
 //! ```
 //!
-//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse. Turning forward,
-//! power flows so where the mesh's torque (`T_1`, `T_2`) is above 0, turning backward where it is below.
-//! In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
+//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse. Turning
+//! forward, power flows so where the mesh's torque (`T_1`, `T_2`) is above 0, turning backward where it is
+//! below. In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
 //!
 //! ```text
 //! J_η·ε_1 = M_1 − M_H/(1 + η_0·k)
@@ -23,9 +23,10 @@
 //!
 //! # From rest
 //!
-//! At rest friction has no direction of its own: it opposes the motion that the torques would begin. Forward motion begins
-//! if the force with the losses of forward motion is above 0, backward motion if that with the losses of backward motion
-//! is below 0. With `M_1` ≥ 0 the first has `η_0` in place of `e_12·e_23`, the second `1/η_0`; hence
+//! At rest friction has no direction of its own: it opposes the motion that the torques would begin. Forward
+//! motion begins if the force with the losses of forward motion is above 0, backward motion if that with the
+//! losses of backward motion is below 0. With `M_1` ≥ 0 the first has `η_0` in place of `e_12·e_23`, the
+//! second `1/η_0`; hence
 //!
 //! ```text
 //! M_H < M_1·(1 + η_0·k)        starts forward
@@ -33,8 +34,8 @@
 //! between, ends included       held by the friction of the meshes, ε = 0
 //! ```
 //!
-//! With `M_1` < 0 the two bounds change places. At each bound the acceleration on its side is 0 too, so it is continuous
-//! in the load, and never rises with it.
+//! With `M_1` < 0 the two bounds change places. At each bound the acceleration on its side is 0 too, so it is
+//! continuous in the load, and never rises with it.
 //!
 //! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the equivalent inertia.
 //!
@@ -159,7 +160,8 @@ pub enum Turning {
 pub enum FromRest {
     /// It starts forward, so.
     Forward(LossyMotion),
-    /// The friction of the meshes holds it: nothing accelerates. How it parts between the meshes is indeterminate.
+    /// The friction of the meshes holds it: nothing accelerates. How it parts between the meshes is
+    /// indeterminate.
     Held,
     /// The load turns it backward, so; accelerations are below 0.
     Backward(LossyMotion),
@@ -265,8 +267,9 @@ impl PlanetaryDrive {
         Ok(self.accelerations(acceleration(force, self.equivalent_inertia()?)?))
     }
 
-    /// Loads on the carrier that the friction of the meshes holds at rest against a driving torque, the least and the
-    /// greatest: `M_1·(1 + η_0·k)` and `M_1·(1 + k/η_0)`, in ascending order. Without losses both are `M_1·(1 + k)`.
+    /// Loads on the carrier that the friction of the meshes holds at rest against a driving torque, the least
+    /// and the greatest: `M_1·(1 + η_0·k)` and `M_1·(1 + k/η_0)`, in ascending order. Without losses both are
+    /// `M_1·(1 + k)`.
     #[must_use]
     pub fn held_loads(
         &self,
@@ -280,7 +283,8 @@ impl PlanetaryDrive {
         if forward <= backward { [forward, backward] } else { [backward, forward] }
     }
 
-    /// What the drive does from rest: starts forward, is held by the friction of its meshes, or runs backward.
+    /// What the drive does from rest: starts forward, is held by the friction of its meshes, or runs
+    /// backward.
     ///
     /// # Errors
     /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
@@ -307,8 +311,8 @@ impl PlanetaryDrive {
         }
     }
 
-    /// The same with the losses of the meshes, for a drive that turns in a direction. One that turns against its
-    /// acceleration slows down; what it does at rest says [`from_rest`](Self::from_rest).
+    /// The same with the losses of the meshes, for a drive that turns in a direction. One that turns against
+    /// its acceleration slows down; what it does at rest says [`from_rest`](Self::from_rest).
     ///
     /// # Errors
     /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
@@ -331,7 +335,8 @@ impl PlanetaryDrive {
         let (m1, mh) = (driving.si(), load.si());
         let (eta_12, eta_23) = (sun_planet.get(), planet_ring.get());
 
-        // Four pairs of directions of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is above 1.
+        // Four pairs of directions of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is
+        // above 1.
         for (e_12, e_23) in
             [(eta_12, eta_23), (1.0 / eta_12, 1.0 / eta_23), (eta_12, 1.0 / eta_23), (1.0 / eta_12, eta_23)]
         {
@@ -557,8 +562,9 @@ mod tests {
             }
         }
 
-        /// Held is where both meshes can pass the torques with the friction that they have, and nowhere else: the ring's
-        /// torque follows from the balance of the whole, and some torque on the planets must suit both meshes.
+        /// Held is where both meshes can pass the torques with the friction that they have, and nowhere else:
+        /// the ring's torque follows from the balance of the whole, and some torque on the planets must suit
+        /// both meshes.
         #[test]
         fn held_is_what_the_friction_of_both_meshes_can_hold(
             drive in any_drive(), driving in -900.0..900.0_f64, part in 0.5..1.5, e12 in 0.6..1.0, e23 in 0.6..1.0,

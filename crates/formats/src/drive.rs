@@ -40,7 +40,8 @@ pub struct DriveFile {
     pub power: Quantity<Power>,
     /// Speed of the sun.
     pub speed: Quantity<AngularVelocity>,
-    /// Ratio of the speeds of sun and carrier. It may be left out where `teeth` gives sun, planets, and planet or ring.
+    /// Ratio of the speeds of sun and carrier. It may be left out where `teeth` gives sun, planets, and
+    /// planet or ring.
     pub ratio: Option<Number>,
     /// How far the ratio may be off, below 100 %. Default 1 %.
     pub ratio_tolerance: Option<Quantity<Ratio>>,
@@ -64,9 +65,9 @@ pub struct DriveFile {
 
 /// Tooth numbers or bounds for them: one number, or a range with both ends included.
 ///
-/// Where sun, planets, and planet or ring are single numbers the set is taken as given, even if it does not fit.
-/// Otherwise the set nearest to the ratio is taken; of equally near ones that with most planets, then the
-/// smallest.
+/// Where sun, planets, and planet or ring are single numbers the set is taken as given, even if it does not
+/// fit. Otherwise the set nearest to the ratio is taken; of equally near ones that with most planets, then
+/// the smallest.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TeethFile {
@@ -78,11 +79,11 @@ pub struct TeethFile {
     pub ring: Option<Span<u32>>,
     /// Number of planets. Default 3..8, as many as fit.
     pub planets: Option<Span<u32>>,
-    /// `equal`, the default, or `least-unequal`: where equal angles do not assemble, as near to them as do. A set given
-    /// in full that does not assemble at equal angles is warned of unless unequal ones are allowed.
+    /// `equal`, the default, or `least-unequal`: where equal angles do not assemble, as near to them as do. A
+    /// set given in full that does not assemble at equal angles is warned of unless unequal ones are allowed.
     pub spacing: Option<Spacing>,
-    /// Least gap between the tips of neighbouring planets, in modules. Default 0. A set given in full with a smaller one
-    /// is warned of.
+    /// Least gap between the tips of neighbouring planets, in modules. Default 0. A set given in full with a
+    /// smaller one is warned of.
     pub tip_gap: Option<Number>,
 }
 
@@ -158,11 +159,11 @@ pub struct GearSetFile {
     pub pressure_angle: Option<Quantity<Angle>>,
     /// Density of gears and carrier. Default 7850 kg/m³, steel.
     pub density: Option<Quantity<MassDensity>>,
-    /// Bore of the sun: `shaft`, the default, its shaft's diameter; `bearing`, its bearing's outside diameter; or a
-    /// diameter.
+    /// Bore of the sun: `shaft`, the default, its shaft's diameter; `bearing`, its bearing's outside
+    /// diameter; or a diameter.
     pub sun_bore: Option<BoreText>,
-    /// Bore of a planet: `bearing`, `shaft`, or a diameter. Default its bearing's outside diameter where that goes into the planet; else
-    /// the planet is taken as solid, with a warning.
+    /// Bore of a planet: `bearing`, `shaft`, or a diameter. Default its bearing's outside diameter where that
+    /// goes into the planet; else the planet is taken as solid, with a warning.
     pub planet_bore: Option<BoreText>,
 }
 

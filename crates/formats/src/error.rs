@@ -5,7 +5,8 @@ use std::{fmt, sync::Arc};
 use crate::document::{path::Path, position::Position};
 use epicyclic_units::{QuantityError, visible::one_line};
 
-/// A [`Problem`] at its [`Place`]. Displays as `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
+/// A [`Problem`] at its [`Place`]. Displays as
+/// `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Error(Box<(Place, Problem)>);
 
@@ -217,7 +218,8 @@ impl Problem {
         Self::Refused { name, message: message.into() }
     }
 
-    /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of its error.
+    /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of
+    /// its error.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {

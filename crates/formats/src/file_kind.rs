@@ -66,7 +66,8 @@ impl Document {
     /// Refuses a file that describes something else than what is due, and tells who reads it.
     ///
     /// # Errors
-    /// [`Problem::Refused`] at the beginning of the document. What describes nothing known is left to whoever reads its keys.
+    /// [`Problem::Refused`] at the beginning of the document. What describes nothing known is left to whoever
+    /// reads its keys.
     pub fn must_be(&self, due: FileKind) -> Result<(), Error> {
         match self.kind() {
             Some(other) if other != due => {

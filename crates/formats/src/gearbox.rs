@@ -1,9 +1,9 @@
 //! Gearboxes as files: our own format, and a list of real transmissions with published ratios.
 //!
 //! # Our own format
-//! Planet sets name the links of their members; shift elements and gears follow. The links are those of the sets'
-//! members, and an input or output that a clutch or tie names; `links` adds what else touches no set. A set with two
-//! central gears stands in `sets` by its kind, any other gear by gear in `compound_sets`.
+//! Planet sets name the links of their members; shift elements and gears follow. The links are those of the
+//! sets' members, and an input or output that a clutch or tie names; `links` adds what else touches no set. A
+//! set with two central gears stands in `sets` by its kind, any other gear by gear in `compound_sets`.
 //!
 //! ```yaml
 //! gearbox: II-3
@@ -23,10 +23,11 @@
 //!   - { name: "3", engaged: [direct] }
 //! ```
 //!
-//! Efficiencies are parts of 1 or per cent. In their place a simple set with teeth may have `friction`, the coefficients of friction of its
-//! meshes, and the gearbox one `friction` for all sets without losses of their own; efficiencies then follow from the teeth. For the forces on planets a set may have `planets`, `module` or
-//! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
-//! of their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
+//! Efficiencies are parts of 1 or per cent. In their place a simple set with teeth may have `friction`, the
+//! coefficients of friction of its meshes, and the gearbox one `friction` for all sets without losses of
+//! their own; efficiencies then follow from the teeth. For the forces on planets a set may have `planets`,
+//! `module` or `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life of
+//! their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
 //!
 //! # Real transmissions
 //! [`TransmissionsFile`]: a list `transmissions`, each with sets, links that join members, shift elements that join links
@@ -160,7 +161,8 @@ pub enum DescriptionError {
         /// Why.
         source: ToolMisfit,
     },
-    /// Profile shifts of a set that is not simple, or whose teeth are not all given; tip alterations without shifts.
+    /// Profile shifts of a set that is not simple, or whose teeth are not all given; tip alterations without
+    /// shifts.
     #[error(
         "set `{set}`: `profile_shifts`, with or without `tip_alterations`, are of a simple set with `teeth` and one count in `planet_teeth`"
     )]
@@ -325,7 +327,8 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
-    /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor efficiencies and whose teeth are known.
+    /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor
+    /// efficiencies and whose teeth are known.
     #[serde(default)]
     pub friction: Option<Number>,
     /// Drag torques of seals, bearings and churning, for `epicyclic losses`.
@@ -337,7 +340,8 @@ pub struct GearboxFile {
     /// The oil, for the strength of teeth.
     #[serde(default)]
     pub oil: Option<OilEntry>,
-    /// Inertias of links and stiffness of shafts, for the vibration of the whole gearbox, and what excites it.
+    /// Inertias of links and stiffness of shafts, for the vibration of the whole gearbox, and what excites
+    /// it.
     #[serde(default)]
     pub vibration: Option<VibrationOfGearbox>,
     /// Required life, for the strength of teeth and bearings.
@@ -394,23 +398,25 @@ pub struct SetEntry {
     /// Angle of each planet on the carrier, in place of `spacing`. Only differences of angles matter.
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
-    /// Member that floats: it has no bearing of its own, or a flexible one, and shares the load among the planets. The mesh load factor `K_γ` follows
-    /// from it where none is given. Default: a floating member is assumed.
+    /// Member that floats: it has no bearing of its own, or a flexible one, and shares the load among the
+    /// planets. The mesh load factor `K_γ` follows from it where none is given. Default: a floating member is
+    /// assumed.
     #[serde(default)]
     pub floating: Option<FloatingEntry>,
-    /// Profile shift coefficients of sun, planets and ring of a simple set with `teeth` and `planet_teeth`; one above 0 moves the tips of the
-    /// ring inwards.
+    /// Profile shift coefficients of sun, planets and ring of a simple set with `teeth` and `planet_teeth`;
+    /// one above 0 moves the tips of the ring inwards.
     #[serde(default)]
     pub profile_shifts: Option<Vec<Number>>,
-    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default: sun and planets as they
-    /// come, the ring shortened to stay out of the fillets of the planets.
+    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the
+    /// teeth are shorter. Default: sun and planets as they come, the ring shortened to stay out of the
+    /// fillets of the planets.
     #[serde(default)]
     pub tip_alterations: Option<Vec<Number>>,
     /// What cuts the gears of a simple set.
     #[serde(default)]
     pub tools: Option<ToolsEntry>,
-    /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is then the normal module, the
-    /// pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
+    /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is
+    /// then the normal module, the pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
@@ -419,7 +425,8 @@ pub struct SetEntry {
     /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
     #[serde(default)]
     pub meshes: Option<Vec<Quantity<Ratio>>>,
-    /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a simple set with teeth.
+    /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a
+    /// simple set with teeth.
     #[serde(default)]
     pub friction: Option<Vec<Number>>,
     /// Module of the mesh with the sun, for forces on planets.
@@ -697,7 +704,8 @@ mod tests {
         assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is missing"));
     }
 
-    /// However many values a key of a simple set has, a pair is told once that it has no such key, and a simple set how many there are.
+    /// However many values a key of a simple set has, a pair is told once that it has no such key, and a
+    /// simple set how many there are.
     #[test]
     fn keys_of_simple_sets_are_refused_of_pairs_whatever_their_length() {
         let pair = |key: &str| {

@@ -36,8 +36,8 @@
 //! # Ok::<(), epicyclic_formats::Error>(())
 //! ```
 //!
-//! Not understood by the reader: `flatten`, `untagged` and tagged enums. They read through a buffer of `serde`'s in
-//! which positions, and the names of quantity errors, are lost.
+//! Not understood by the reader: `flatten`, `untagged` and tagged enums. They read through a buffer of
+//! `serde`'s in which positions, and the names of quantity errors, are lost.
 
 pub mod document;
 pub mod drive;

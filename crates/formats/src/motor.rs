@@ -72,7 +72,8 @@ pub struct MotorFile {
     pub oil: Option<OilGroup>,
     /// Gaps at the end faces, for the leaks.
     pub gaps: Option<GapsGroup>,
-    /// Coefficient of friction of the flanks: one number, or a range `0.05..0.1` from the least to the greatest.
+    /// Coefficient of friction of the flanks: one number, or a range `0.05..0.1` from the least to the
+    /// greatest.
     pub friction: Option<Span<f64>>,
     /// Ports as made. Default: ideal ones.
     pub ports: Option<PortsGroup>,
@@ -145,7 +146,8 @@ impl MotorFile {
     /// The motor, and the family that it is of; a cosine-law motor has none.
     ///
     /// # Errors
-    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`], [`Motor::of_second_harmonic`].
+    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`],
+    /// [`Motor::of_second_harmonic`].
     pub fn motor(&self) -> Result<(Motor, Option<Family>), MotorError> {
         let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
         let module = self.module.0;

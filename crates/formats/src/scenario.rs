@@ -14,8 +14,8 @@
 //! duration: 2 s
 //! ```
 //!
-//! is enough. Torques on links are positive along the axis, as speeds are, so that a load has a minus. A [`ScenarioFile`] says what was
-//! written; what is meant by it is made where it is simulated.
+//! is enough. Torques on links are positive along the axis, as speeds are, so that a load has a minus. A
+//! [`ScenarioFile`] says what was written; what is meant by it is made where it is simulated.
 
 mod change;
 mod elements;
@@ -49,13 +49,15 @@ pub struct ScenarioFile {
     /// The gearbox, with the keys of a gearbox file.
     #[serde(default)]
     pub gearbox: Option<Box<GearboxFile>>,
-    /// In place of `gearbox`: a gearbox file, or a list of transmissions, by its path from the folder of this file.
+    /// In place of `gearbox`: a gearbox file, or a list of transmissions, by its path from the folder of this
+    /// file.
     #[serde(default)]
     pub gearbox_file: Option<String>,
     /// One transmission of the list in `gearbox_file`: its name, or a part that no other name has.
     #[serde(default)]
     pub transmission: Option<String>,
-    /// Efficiency with the carrier fixed of each set for which the gearbox states no losses, 0.97 or 97 %. Default: no losses.
+    /// Efficiency with the carrier fixed of each set for which the gearbox states no losses, 0.97 or 97 %.
+    /// Default: no losses.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
     /// Whether the drags that the gearbox states act. Default: they do.

@@ -1,4 +1,5 @@
-//! Places of faults: each kind of fault that a gearbox file can have, at its value, whatever the order of keys and wherever else its names stand.
+//! Places of faults: each kind of fault that a gearbox file can have, at its value, whatever the order of
+//! keys and wherever else its names stand.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -93,7 +94,8 @@ fn of_transmission(text: &str) -> Option<Error> {
     file.transmissions[0].gearbox().err().map(|error| located(&document, &base, &error))
 }
 
-/// The refusal of a text, which is the same with its keys in the other order: path and name, and what begins at its position.
+/// The refusal of a text, which is the same with its keys in the other order: path and name, and what begins
+/// at its position.
 fn refusal(text: &str, of: fn(&str) -> Option<Error>) -> [String; 3] {
     let told = |text: &str| {
         let refused = of(text);

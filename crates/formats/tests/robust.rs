@@ -1,5 +1,6 @@
-//! Files that nobody would write: the examples with lines lost, doubled and exchanged, and with other scalars. Each is
-//! read and worked through, or refused with its place; nothing panics, and no number that is none comes out.
+//! Files that nobody would write: the examples with lines lost, doubled and exchanged, and with other
+//! scalars. Each is read and worked through, or refused with its place; nothing panics, and no number that is
+//! none comes out.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 

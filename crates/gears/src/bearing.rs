@@ -62,7 +62,8 @@ pub enum Verification {
 /// One bearing of the table.
 ///
 /// # Source
-/// Dimensions by ISO 15, diameter series 2, 3 and 4 (GOST 8338); excavator-dynamics, table 1, uses 310, 312, 318.
+/// Dimensions by ISO 15, diameter series 2, 3 and 4 (GOST 8338); excavator-dynamics, table 1, uses 310, 312,
+/// 318.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Bearing {

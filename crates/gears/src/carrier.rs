@@ -1,7 +1,7 @@
 //! Mass and polar inertia of a planet carrier: flat arms with a hole each, around a hub ring.
 //!
-//! Left out: planet pins and bearings, second cheek plates, and the sliver between the flat end of an arm and the
-//! round hub.
+//! Left out: planet pins and bearings, second cheek plates, and the sliver between the flat end of an arm and
+//! the round hub.
 
 use std::f64::consts::PI;
 
@@ -74,13 +74,13 @@ pub struct Hub {
 /// whole: m = N·m_a + m_h    J = N·J_a + J_h
 /// ```
 ///
-/// `N` is the number of arms; the other symbols stand at the fields of [`Arm`], [`Hole`] and [`Hub`]. The inner end of
-/// an arm is at the hub's outside radius `R`. Inertias are about the gearbox axis, by the parallel-axis theorem, holes
-/// included.
+/// `N` is the number of arms; the other symbols stand at the fields of [`Arm`], [`Hole`] and [`Hub`]. The
+/// inner end of an arm is at the hub's outside radius `R`. Inertias are about the gearbox axis, by the
+/// parallel-axis theorem, holes included.
 ///
 /// # Source
-/// excavator-dynamics, section 5. Masses and centroid follow it (with its π = 3.14); the inertia does not: see
-/// [`Carrier::published_inertia`].
+/// excavator-dynamics, section 5. Masses and centroid follow it (with its π = 3.14); the inertia does not:
+/// see [`Carrier::published_inertia`].
 ///
 /// # Example
 /// ```
@@ -131,9 +131,9 @@ impl Carrier {
     /// A carrier whose holes lie inside its arms and whose arms do not overlap.
     ///
     /// # Errors
-    /// [`Error::TooFew`] for no arms; [`Error::NotPositive`] for a dimension or the density; [`Error::OutOfRange`] when
-    /// a hole breaks out of its arm, the hub's inside radius is not below its outside one, or three or more arms are
-    /// wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
+    /// [`Error::TooFew`] for no arms; [`Error::NotPositive`] for a dimension or the density;
+    /// [`Error::OutOfRange`] when a hole breaks out of its arm, the hub's inside radius is not below its
+    /// outside one, or three or more arms are wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
     pub fn new(arms: u32, arm: Arm, hub: Hub, density: MassDensity) -> Result<Self, Error> {
         if arms == 0 {
             return Err(Error::TooFew { what: Counted::Arms, count: arms, at_least: 1 });
@@ -224,10 +224,10 @@ impl Carrier {
     /// J = N·(m_a·L²/12 + m_a·x²) + ¼·m_h·(R² − r²)
     /// ```
     ///
-    /// The arm is taken for a thin rod `L` of the bored arm's mass about its centroid `x`: the width is neglected, and
-    /// the rod does not have the bored arm's own inertia. The hub's term has ¼ for ½ and a minus where a ring has a
-    /// plus (`½·m_h·(R² + r²)`): twenty times too little. The document prints only the results,
-    /// 0.143 + 0.00124 = 0.144 kg·m².
+    /// The arm is taken for a thin rod `L` of the bored arm's mass about its centroid `x`: the width is
+    /// neglected, and the rod does not have the bored arm's own inertia. The hub's term has ¼ for ½ and a
+    /// minus where a ring has a plus (`½·m_h·(R² + r²)`): twenty times too little. The document prints only
+    /// the results, 0.143 + 0.00124 = 0.144 kg·m².
     ///
     /// # Source
     /// excavator-dynamics, section 5, inferred from the printed results.

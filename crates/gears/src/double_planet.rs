@@ -1,5 +1,5 @@
-//! Tooth numbers of a double-planet set: sun, ring, and pairs of planets in mesh with each other, the *inner* planet of a pair in
-//! mesh with the sun, the *outer* one with the ring, both on one carrier.
+//! Tooth numbers of a double-planet set: sun, ring, and pairs of planets in mesh with each other, the *inner*
+//! planet of a pair in mesh with the sun, the *outer* one with the ring, both on one carrier.
 //!
 //! ```text
 //! centres          R_g = (z_a + z_g)/2    R_f = (z_b − z_f)/2    d = (z_g + z_f)/2
@@ -24,27 +24,31 @@
 //! | `h_a*` | addendum coefficient | modules |
 //! | `s` | least gap wanted between tip circles of gears that do not mesh | modules |
 //!
-//! All gears have one module and no profile shift. The two planets are free where a simple set has none: sun and ring leave
-//! `z_b = z_a + 2·z_g` of it, and here an inequality. `i₀ = +z_b/z_a` does not depend on them.
+//! All gears have one module and no profile shift. The two planets are free where a simple set has none: sun
+//! and ring leave `z_b = z_a + 2·z_g` of it, and here an inequality. `i₀ = +z_b/z_a` does not depend on them.
 //!
 //! # Assembly
-//! Carried on by an angle `α` about the axis, the inner planet finds the sun turned back by `z_a·α/2π` teeth, the outer planet the
-//! ring by `z_b·α/2π` teeth. Turned until it is in mesh with the sun, the inner planet turns the outer one by the same number of
-//! teeth, and, against it, with the same sense as the ring: so the pair fits again where the difference `(z_b − z_a)·α/2π` is whole,
-//! at `z_b − z_a` angles a turn. Equal spacing needs `(z_b − z_a)/N` to be an integer.
+//! Carried on by an angle `α` about the axis, the inner planet finds the sun turned back by `z_a·α/2π` teeth,
+//! the outer planet the ring by `z_b·α/2π` teeth. Turned until it is in mesh with the sun, the inner planet
+//! turns the outer one by the same number of teeth, and, against it, with the same sense as the ring: so the
+//! pair fits again where the difference `(z_b − z_a)·α/2π` is whole, at `z_b − z_a` angles a turn. Equal
+//! spacing needs `(z_b − z_a)/N` to be an integer.
 //!
 //! # Fewer teeth clear better
-//! Where a pair fits, one with fewer teeth on either planet fits, too, as long as the triangle closes. The conditions of one planet
-//! alone show it at once. Both planets have fewer than `(z_b − z_a)/2` teeth by the clearances to ring and sun, so that `R_f > R_g`,
-//! and `ψ < γ/2` by the last clearance, since planets of a pair are nearer than those of neighbours. There, for the distance `e` of
-//! the last clearance:
+//! Where a pair fits, one with fewer teeth on either planet fits, too, as long as the triangle closes. The
+//! conditions of one planet alone show it at once. Both planets have fewer than `(z_b − z_a)/2` teeth by the
+//! clearances to ring and sun, so that `R_f > R_g`, and `ψ < γ/2` by the last clearance, since planets of a
+//! pair are nearer than those of neighbours. There, for the distance `e` of the last clearance:
 //!
-//! - fewer teeth on the outer planet move its centre on the ellipse `R_f + d = const` about the axis and the inner planet, away from
-//!   the next inner planet, which stands on the axis' side of the line through the pair: `e − d` rises;
-//! - fewer teeth on the inner planet move its centre on the hyperbola `R_g − d = const` along the bisector of the directions from
-//!   the axis and from the outer planet; the previous outer planet stands outside the angle between them: `e − d` rises.
+//! - fewer teeth on the outer planet move its centre on the ellipse `R_f + d = const` about the axis and the
+//!   inner planet, away from the next inner planet, which stands on the axis' side of the line through the
+//!   pair: `e − d` rises;
+//! - fewer teeth on the inner planet move its centre on the hyperbola `R_g − d = const` along the bisector of
+//!   the directions from the axis and from the outer planet; the previous outer planet stands outside the
+//!   angle between them: `e − d` rises.
 //!
-//! So the pairs that fit a sun, a ring and a number of pairs are found without trying those beyond the first that does not.
+//! So the pairs that fit a sun, a ring and a number of pairs are found without trying those beyond the first
+//! that does not.
 //!
 //! # Source
 //! None of the documents: derived here. The tests place every gear by coordinates and turn every tooth.
@@ -115,8 +119,8 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// The places of a pair between a sun and a ring by their teeth, sun, inner planet, outer planet, ring, which need not be whole
-    /// numbers; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
+    /// The places of a pair between a sun and a ring by their teeth, sun, inner planet, outer planet, ring,
+    /// which need not be whole numbers; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
     #[must_use]
     pub fn of([sun, inner, outer, ring]: [f64; 4], rack: &BasicRack) -> Option<Self> {
         let circle = |mesh: Mesh, planet: f64| TipCircle {
@@ -135,7 +139,8 @@ impl Pair {
         })
     }
 
-    /// Whether so many pairs at equal angles are clear of a sun and a ring with these teeth, and of each other, by more than `gap` modules.
+    /// Whether so many pairs at equal angles are clear of a sun and a ring with these teeth, and of each
+    /// other, by more than `gap` modules.
     #[must_use]
     pub fn fits(&self, sun_and_ring: [f64; 2], pairs: u32, rack: &BasicRack, gap: f64) -> bool {
         let whole_rad = std::f64::consts::TAU / f64::from(pairs);
@@ -194,14 +199,15 @@ impl DoublePlanetNumbers {
         Pair::of([self.sun, self.inner, self.outer, self.ring].map(ToothCount::as_f64), rack)
     }
 
-    /// Where the pairs stand: as near to equal angles as they assemble; `None` where the ring has no more teeth than the sun.
+    /// Where the pairs stand: as near to equal angles as they assemble; `None` where the ring has no more
+    /// teeth than the sun.
     #[must_use]
     pub fn spacing(&self) -> Option<PlanetSpacing> {
         PlanetSpacing::of_pairs(self.sun, self.ring, self.pairs)
     }
 
-    /// Whether a set with pairs at equal angles goes together: the triangle closes, they assemble, and tip circles of gears that
-    /// do not mesh are apart by more than `gap` modules.
+    /// Whether a set with pairs at equal angles goes together: the triangle closes, they assemble, and tip
+    /// circles of gears that do not mesh are apart by more than `gap` modules.
     #[must_use]
     pub fn fits(&self, rack: &BasicRack, gap: f64) -> bool {
         self.spacing()
@@ -333,9 +339,9 @@ impl<'a> Frame<'a> {
 }
 
 impl Bounds {
-    /// Every double-planet set within the bounds, ascending by sun, ring, number of pairs, inner and outer planet. The bounds of
-    /// planets are those of each of the two, the number of planets is that of the pairs, and `tip_gap` is between the tip circles of
-    /// any gears that do not mesh.
+    /// Every double-planet set within the bounds, ascending by sun, ring, number of pairs, inner and outer
+    /// planet. The bounds of planets are those of each of the two, the number of planets is that of the
+    /// pairs, and `tip_gap` is between the tip circles of any gears that do not mesh.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -386,9 +392,10 @@ impl Bounds {
         Ok((found, left_out))
     }
 
-    /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first `most` of them, each with the
-    /// planets of [`double_planet_choices`](Self::double_planet_choices): the most exact first, equally exact ones by ring and sun.
-    /// `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
+    /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first
+    /// `most` of them, each with the planets of [`double_planet_choices`](Self::double_planet_choices): the
+    /// most exact first, equally exact ones by ring and sun. `done` is told, from 0 to 1, how much of the
+    /// bounds has been gone through; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;

@@ -51,8 +51,8 @@ impl MeshEfficiency {
         }
     }
 
-    /// The least that is taken: far below any gear, and large enough that products and reciprocals over all sets of a
-    /// gearbox stay numbers.
+    /// The least that is taken: far below any gear, and large enough that products and reciprocals over all
+    /// sets of a gearbox stay numbers.
     pub const LEAST: f64 = LEAST_EFFICIENCY;
 
     /// The efficiency as a number.
@@ -67,8 +67,8 @@ impl MeshEfficiency {
         1.0 - self.0
     }
 
-    /// Part of the loss of two meshes in a row that the first has, `ln η_1/(ln η_1 + ln η_2)`: `(η_1·η_2)` to this power
-    /// is `η_1`. A half where neither loses.
+    /// Part of the loss of two meshes in a row that the first has, `ln η_1/(ln η_1 + ln η_2)`: `(η_1·η_2)` to
+    /// this power is `η_1`. A half where neither loses.
     #[must_use]
     pub fn share_of_loss(first: Self, second: Self) -> f64 {
         let [first, second] = [first, second].map(|eta| libm::log(eta.get()));

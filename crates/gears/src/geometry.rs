@@ -58,8 +58,8 @@ impl ToothedGear {
     /// A gear whose pitch, tip, root and base circles are all positive.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the module or `h_a*`, [`Error::Negative`] for `c*`, [`Error::OutOfRange`] for a
-    /// pressure angle outside 0…90°, [`Error::NoRoot`] or [`Error::NoInternalTip`] for too few teeth.
+    /// [`Error::NotPositive`] for the module or `h_a*`, [`Error::Negative`] for `c*`, [`Error::OutOfRange`]
+    /// for a pressure angle outside 0…90°, [`Error::NoRoot`] or [`Error::NoInternalTip`] for too few teeth.
     pub fn new(kind: GearKind, module: Length, teeth: ToothCount, rack: BasicRack) -> Result<Self, Error> {
         positive_length(Quantity::Module, module)?;
         positive(Quantity::AddendumCoefficient, rack.addendum, "")?;
@@ -355,7 +355,8 @@ mod tests {
             prop_assert!(ring.pitch_diameter() < ring.root_diameter());
         }
 
-        /// At the standard centre distance tip and opposite root are `c*·m` apart, external and internal alike.
+        /// At the standard centre distance tip and opposite root are `c*·m` apart, external and internal
+        /// alike.
         #[test]
         fn clearance_is_left_between_tip_and_root(z in 5_u32..100, more in 1_u32..200, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4) {
             let of = |kind, z| ToothedGear::new(kind, Length::from_mm(m_mm), teeth(z), rack(clearance)).unwrap();

@@ -10,8 +10,8 @@
 //! | `P` | `load` | equivalent load; of a radial one alone the load itself | N |
 //! | `ω` | `speed` | speed of one race relative to the other | rpm |
 //!
-//! Left out: lubrication, dirt, the fatigue limit (`a_ISO` = 1), and loads that change. The formula holds for loads up to
-//! about half of `C`.
+//! Left out: lubrication, dirt, the fatigue limit (`a_ISO` = 1), and loads that change. The formula holds for
+//! loads up to about half of `C`.
 //!
 //! # Source
 //! ISO 281:2007, basic rating life.
@@ -45,11 +45,12 @@ impl Rolling {
     }
 }
 
-/// Basic rating life at one load and speed; `None` of a bearing that does not turn, carries nothing, or for which it
-/// is longer than a number holds.
+/// Basic rating life at one load and speed; `None` of a bearing that does not turn, carries nothing, or for
+/// which it is longer than a number holds.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the load rating, [`Error::Negative`] for a load below 0 or a speed that is not finite.
+/// [`Error::NotPositive`] for the load rating, [`Error::Negative`] for a load below 0 or a speed that is not
+/// finite.
 ///
 /// # Example
 /// ```

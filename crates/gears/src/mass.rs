@@ -136,8 +136,8 @@ fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: 
 /// | `ρ` | `density` | density | kg/m³ |
 ///
 /// # Source
-/// excavator-dynamics (4)–(7); it takes π = 3.14, so its volumes and masses are 3.14/π of these. The inertia is
-/// that of the same shape, not its formula (8): see [`published_gear_inertia`].
+/// excavator-dynamics (4)–(7); it takes π = 3.14, so its volumes and masses are 3.14/π of these. The inertia
+/// is that of the same shape, not its formula (8): see [`published_gear_inertia`].
 ///
 /// # Example
 /// ```
@@ -246,16 +246,17 @@ pub enum FormulaEight {
 /// | `m` | `gear_mass` | mass of the gear itself, bore already taken out | kg |
 /// | `2r₁`, `2r₂`, `2r₃` | `tip_diameter`, `root_diameter`, `bore_diameter` | diameters | mm |
 ///
-/// The mean of `J₁` and `J₂` takes the whole mass for a solid disc. Taking `½·m·r₃²` off for the bore then counts
-/// the bore twice over: the mass `m` lacks it already, and for one mass a bore moves material outwards, so that `J/m`
-/// of a ring is `½·(R² + r²)`, more than a disc's, not less. It is kept because the document's
-/// downstream figures come from it. The print gives kg·m⁴; the unit is kg·m².
+/// The mean of `J₁` and `J₂` takes the whole mass for a solid disc. Taking `½·m·r₃²` off for the bore then
+/// counts the bore twice over: the mass `m` lacks it already, and for one mass a bore moves material
+/// outwards, so that `J/m` of a ring is `½·(R² + r²)`, more than a disc's, not less. It is kept because the
+/// document's downstream figures come from it. The print gives kg·m⁴; the unit is kg·m².
 ///
 /// # Errors
 /// [`Error::NotPositive`] for mass or tip diameter; [`Error::OutOfRange`] unless bore < root < tip.
 ///
 /// # Source
-/// excavator-dynamics (8); published: 0.00818 and 0.3, from which the likely reading differs by its truncated terms.
+/// excavator-dynamics (8); published: 0.00818 and 0.3, from which the likely reading differs by its truncated
+/// terms.
 ///
 /// # Example
 /// ```
@@ -344,7 +345,8 @@ mod tests {
 
     #[test]
     fn inertias_of_the_shapes_of_the_excavator_drive() {
-        // ½·7900·π·0.06·[(0.088⁴ + 0.0704⁴)/2 − 0.055⁴] and so for the planet, to half a unit of the last digit.
+        // ½·7900·π·0.06·[(0.088⁴ + 0.0704⁴)/2 − 0.055⁴] and so for the planet, to half a unit of the last
+        // digit.
         for (teeth, bore_mm, expected) in [(20, 110.0, 0.024_657), (40, 130.0, 0.473_75)] {
             let found = excavator_gear(teeth, bore_mm).total().polar_inertia.si();
             assert!((found / expected - 1.0).abs() < 3e-5, "{found} is not {expected}");

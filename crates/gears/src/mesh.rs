@@ -1,4 +1,5 @@
-//! What teeth say of a mesh and of planets beside each other: pitch, tip and root circles, centre distance, clearance.
+//! What teeth say of a mesh and of planets beside each other: pitch, tip and root circles, centre distance,
+//! clearance.
 //!
 //! ```text
 //! pitch circle        r = z/2
@@ -16,15 +17,16 @@
 //! | `γ` | angle between two planets about the main axis | rad |
 //! | `s` | least gap wanted between their tip circles | modules |
 //!
-//! Gears without profile shift. The synthesis of tooth numbers, the drive, the gearbox and its tooth checks all ask
-//! here, so that a shift of the profiles has one place to enter.
+//! Gears without profile shift. The synthesis of tooth numbers, the drive, the gearbox and its tooth checks
+//! all ask here, so that a shift of the profiles has one place to enter.
 
 use crate::gear_kind::GearKind;
 use crate::rack::BasicRack;
 use crate::teeth::ToothCount;
 use std::f64::consts::PI;
 
-/// Usual gap between the tip circles of neighbouring planets, in modules. It covers errors of pitch, runout and pins.
+/// Usual gap between the tip circles of neighbouring planets, in modules. It covers errors of pitch, runout
+/// and pins.
 pub const USUAL_PLANET_GAP: f64 = 0.5;
 
 /// A gear as its meshes see it; lengths in modules.
@@ -136,8 +138,8 @@ pub const fn coaxial_ring(sun: u32, planet: u32) -> u32 {
     sun + 2 * planet
 }
 
-/// Teeth of the planet that stands as far from the sun as from the ring, `z_g = (z_b − z_a)/2`: whole or not, and
-/// not above 0 where the ring has no more teeth than the sun.
+/// Teeth of the planet that stands as far from the sun as from the ring, `z_g = (z_b − z_a)/2`: whole or not,
+/// and not above 0 where the ring has no more teeth than the sun.
 #[must_use]
 pub fn coaxial_planet(sun: ToothCount, ring: ToothCount) -> f64 {
     (ring.as_f64() - sun.as_f64()) / 2.0
@@ -197,8 +199,8 @@ impl TipCircle {
         2.0 * (self.centre_radius * half_angle_sine - self.tip_radius)
     }
 
-    /// Whether planets of the same kind clear each other by more than `gap`, from the sine of half the angle between
-    /// neighbours.
+    /// Whether planets of the same kind clear each other by more than `gap`, from the sine of half the angle
+    /// between neighbours.
     #[must_use]
     pub fn clears_alike(self, half_angle_sine: f64, gap: f64) -> bool {
         self.centre_radius * half_angle_sine > self.reach(gap)
@@ -209,8 +211,8 @@ impl TipCircle {
         self.tip_radius + gap / 2.0
     }
 
-    /// Limit of the number of equally spaced planets, `180°/arcsin((r_a + s/2)/a)`: fewer than this clear each other by
-    /// more than `gap`. `None` where two already do not.
+    /// Limit of the number of equally spaced planets, `180°/arcsin((r_a + s/2)/a)`: fewer than this clear
+    /// each other by more than `gap`. `None` where two already do not.
     ///
     /// # Source
     /// excavator-dynamics, where it is called the condition of neighbourhood.
@@ -220,8 +222,8 @@ impl TipCircle {
         (sine > 0.0 && sine < 1.0).then(|| PI / libm::asin(sine))
     }
 
-    /// The largest number of equally spaced planets that clear each other by more than `gap`, whether or not they
-    /// assemble; 1 where not even two do.
+    /// The largest number of equally spaced planets that clear each other by more than `gap`, whether or not
+    /// they assemble; 1 where not even two do.
     #[must_use]
     pub fn most(self, gap: f64) -> u32 {
         self.number_limit(gap).map_or(1, |limit| {

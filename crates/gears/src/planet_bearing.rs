@@ -1,7 +1,7 @@
 //! Forces on the bearings and the pin of a planet: from the meshes and from its mass.
 //!
-//! The planet pins hand the carrier its torque, so the tangential force follows from the carrier's statics alone, with losses
-//! or without:
+//! The planet pins hand the carrier its torque, so the tangential force follows from the carrier's statics
+//! alone, with losses or without:
 //!
 //! ```text
 //! F_t = |T_H|/(n·r_w)
@@ -27,19 +27,19 @@
 //! F = |T_1 + T_2|/(n·a)        T_1, T_2 torques on both gears from outside the mesh, a centre distance
 //! ```
 //!
-//! since the moments of one force about two axes differ by the force times their distance. The forces of a planet's
-//! meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is calculated from, lays the
-//! whole torque on the pitch circle: it leaves out the torque of friction on the planet, and its sum over both meshes is
-//! larger than `F_t` by a part of the order of the loss.
+//! since the moments of one force about two axes differ by the force times their distance. The forces of a
+//! planet's meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is
+//! calculated from, lays the whole torque on the pitch circle: it leaves out the torque of friction on the
+//! planet, and its sum over both meshes is larger than `F_t` by a part of the order of the loss.
 //!
-//! A planet with two meshes, as in a simple set, hands on the torque `T_g` that it takes, so both forces follow from the
-//! torques on the central gears and from how the loss is shared between the meshes ([`two_mesh_forces`]); `F_r` is then
-//! of these. Where a planet has more meshes, what each loses does not follow from the torques on the central gears, and
-//! `F_r` above is of the nominal forces.
+//! A planet with two meshes, as in a simple set, hands on the torque `T_g` that it takes, so both forces
+//! follow from the torques on the central gears and from how the loss is shared between the meshes
+//! ([`two_mesh_forces`]); `F_r` is then of these. Where a planet has more meshes, what each loses does not
+//! follow from the torques on the central gears, and `F_r` above is of the nominal forces.
 //!
-//! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
-//! the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets (mesh load factor `K_γ` > 1), and in a stepped planet
-//! the couple of its two planes.
+//! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to
+//! `2·F`, and the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets
+//! (mesh load factor `K_γ` > 1), and in a stepped planet the couple of its two planes.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
@@ -63,7 +63,8 @@ pub struct Push {
 /// Tangential force on the bearings of each planet, `|T_H|/(n·r_w)`.
 ///
 /// # Errors
-/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the radius, [`Error::Negative`] for a torque that is not finite.
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the radius, [`Error::Negative`] for a torque
+/// that is not finite.
 ///
 /// # Example
 /// ```
@@ -86,14 +87,16 @@ pub fn tangential_force(
     Ok(Force::from_si(size(Quantity::CarrierTorque, carrier_torque.si(), "N·m")? / (count * radius_m)))
 }
 
-/// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
+/// Tangential force of a mesh at each of `planets` planets, friction of the teeth included:
+/// `|T_1 + T_2|/(n·a)`.
 ///
-/// The torques are those on the two gears from outside the mesh, of all planets together: of one direction in an external
-/// mesh, of opposite directions in an internal one. That of a gear in mesh twice is what it hands from one mesh to the other.
+/// The torques are those on the two gears from outside the mesh, of all planets together: of one direction in
+/// an external mesh, of opposite directions in an internal one. That of a gear in mesh twice is what it hands
+/// from one mesh to the other.
 ///
 /// # Errors
-/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the distance, [`Error::Negative`] for a torque that is not
-/// finite.
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the distance, [`Error::Negative`] for a
+/// torque that is not finite.
 ///
 /// # Example
 /// ```
@@ -122,8 +125,8 @@ pub fn mesh_force(
 /// Radial force of the meshes on a planet, outwards positive: `Σ ±|T_i|·tan α/(n·r_i)`.
 ///
 /// # Errors
-/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, [`Error::Negative`] for a torque that is not finite,
-/// [`Error::OutOfRange`] unless 0 < α < 90°.
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, [`Error::Negative`] for a torque
+/// that is not finite, [`Error::OutOfRange`] unless 0 < α < 90°.
 pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
     acute_angle(Quantity::PressureAngle, pressure_angle)?;
@@ -145,12 +148,13 @@ pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Resu
 /// F_2 = (|T_2| ± T_g)/(n·r_w)
 /// ```
 ///
-/// with `r_g = r_w − r` in an external mesh, `r − r_w` in an internal one, and `s` the first mesh's part of the loss
-/// ([`share_of_loss`](crate::efficiency::MeshEfficiency::share_of_loss)). Where one of the torques is 0, so is `T_g`.
+/// with `r_g = r_w − r` in an external mesh, `r − r_w` in an internal one, and `s` the first mesh's part of
+/// the loss ([`share_of_loss`](crate::efficiency::MeshEfficiency::share_of_loss)). Where one of the torques
+/// is 0, so is `T_g`.
 ///
 /// # Errors
-/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, also that of a planet, [`Error::Negative`] for a
-/// torque that is not finite.
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, also that of a planet,
+/// [`Error::Negative`] for a torque that is not finite.
 ///
 /// # Example
 /// ```
@@ -200,7 +204,8 @@ pub fn two_mesh_forces(
     Ok([of_mesh(0), of_mesh(1)])
 }
 
-/// Radial force of meshes of these tangential forces and working pressure angles on a planet, outwards positive: `Σ ±F·tan α`.
+/// Radial force of meshes of these tangential forces and working pressure angles on a planet, outwards
+/// positive: `Σ ±F·tan α`.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
@@ -271,7 +276,8 @@ mod tests {
         Length::from_mm(value)
     }
 
-    /// The force on the planet bearings from the two meshes and their geometry, as vectors, without statics of the carrier.
+    /// The force on the planet bearings from the two meshes and their geometry, as vectors, without statics
+    /// of the carrier.
     #[test]
     fn the_carrier_and_the_two_meshes_tell_one_force() {
         let (k, radius_mm, planets) = (3.0, 60.0, 3);

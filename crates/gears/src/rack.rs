@@ -1,7 +1,7 @@
 //! The basic rack: the one description of a tooth that all checks take.
 //!
-//! Diameters, undercut, the gap between planets and the direction of the tooth force follow from the same three
-//! numbers. No other file of the crate has a pressure angle or an addendum of its own.
+//! Diameters, undercut, the gap between planets and the direction of the tooth force follow from the same
+//! three numbers. No other file of the crate has a pressure angle or an addendum of its own.
 
 use crate::checks::{acute_angle, not_negative};
 use crate::{Error, Quantity, ToothCount};
@@ -55,15 +55,17 @@ impl BasicRack {
         Ok(())
     }
 
-    /// Teeth at which a rack just reaches the base circle's tangent point: below them it cuts into the involute.
+    /// Teeth at which a rack just reaches the base circle's tangent point: below them it cuts into the
+    /// involute.
     ///
     /// ```text
     /// z_min = 2·h_a*/sin²α
     /// ```
     ///
-    /// For external teeth without profile shift. The rack that cuts them has straight flanks to `h_a*` below its
-    /// pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771); the rounding below lies within
-    /// the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at 14.5°, 20° and 25° with `h_a*` = 1.
+    /// For external teeth without profile shift. The rack that cuts them has straight flanks to `h_a*` below
+    /// its pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771); the rounding
+    /// below lies within the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at 14.5°, 20° and
+    /// 25° with `h_a*` = 1.
     ///
     /// # Source
     /// ISO 21771, limit of undercut at `x` = 0.
@@ -72,12 +74,13 @@ impl BasicRack {
         2.0 * self.addendum / libm::sin(self.pressure_angle.si()).powi(2)
     }
 
-    /// The least whole number of teeth that counts as not undercut: [`undercut_limit`](Self::undercut_limit) to the
-    /// nearest whole number, a half upwards.
+    /// The least whole number of teeth that counts as not undercut: [`undercut_limit`](Self::undercut_limit)
+    /// to the nearest whole number, a half upwards.
     ///
-    /// Exactly it would be the next *higher* one. Practice takes 17 teeth at 20°, where the limit is 17.1. The
-    /// nearest whole number does the same at every angle: the gear lacks at most half a tooth, and the rack then
-    /// reaches at most `sin²α/4` modules too deep, 0.03 modules at 20°. At 14.5°, 20° and 25° it gives 32, 17 and 11.
+    /// Exactly it would be the next *higher* one. Practice takes 17 teeth at 20°, where the limit is 17.1.
+    /// The nearest whole number does the same at every angle: the gear lacks at most half a tooth, and the
+    /// rack then reaches at most `sin²α/4` modules too deep, 0.03 modules at 20°. At 14.5°, 20° and 25° it
+    /// gives 32, 17 and 11.
     #[must_use]
     pub fn least_teeth_without_undercut(&self) -> u32 {
         // A float cast to an integer saturates, so an absurd coefficient asks for u32::MAX teeth.
@@ -139,8 +142,8 @@ mod tests {
     }
 
     proptest! {
-        /// By the geometry of the cut: the rack's tip line stands `r − h_a*·m` from the axis, the tangent point of
-        /// the line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
+        /// By the geometry of the cut: the rack's tip line stands `r − h_a*·m` from the axis, the tangent
+        /// point of the line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
         #[test]
         fn the_limit_is_where_the_tip_line_meets_the_tangent_point(
             addendum in 0.3..1.5_f64, alpha_deg in 10.0..35.0_f64,

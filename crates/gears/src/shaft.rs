@@ -1,7 +1,7 @@
 //! Shaft diameters by a low allowable torsional stress, and the standard diameters they are rounded up to.
 //!
-//! A first sizing: bending is not calculated but allowed for by a low allowable stress. Left out: fatigue, key seats,
-//! stiffness.
+//! A first sizing: bending is not calculated but allowed for by a low allowable stress. Left out: fatigue,
+//! key seats, stiffness.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;

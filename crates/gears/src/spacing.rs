@@ -39,9 +39,10 @@ impl PlanetSpacing {
         Self { slots: u64::from(sun.get()) + u64::from(ring.get()), planets }
     }
 
-    /// The same for pairs of planets in mesh with each other, between a sun and a ring that mesh with one of them each: such a pair
-    /// fits at `z_b − z_a` angles a turn ([`double_planet`](crate::double_planet#assembly)). `None` where the ring has no more teeth
-    /// than the sun.
+    /// The same for pairs of planets in mesh with each other, between a sun and a ring that mesh with one of
+    /// them each: such a pair fits at `z_b − z_a` angles a turn
+    /// ([`double_planet`](crate::double_planet#assembly)). `None` where the ring has no more teeth than the
+    /// sun.
     #[must_use]
     pub fn of_pairs(sun: ToothCount, ring: ToothCount, pairs: u32) -> Option<Self> {
         let slots = u64::from(ring.get().checked_sub(sun.get())?);

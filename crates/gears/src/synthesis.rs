@@ -13,8 +13,8 @@
 //! | `h_a*` | addendum coefficient | modules |
 //! | `s` | least gap wanted between the tip circles of adjacent planets | modules |
 //!
-//! Gears without profile shift: sets that depart from `z_b = z_a + 2·z_g` by some teeth and close by it are those of
-//! [`ShiftedSearch`](crate::involute::search::ShiftedSearch).
+//! Gears without profile shift: sets that depart from `z_b = z_a + 2·z_g` by some teeth and close by it are
+//! those of [`ShiftedSearch`](crate::involute::search::ShiftedSearch).
 //!
 //! # Source
 //! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
@@ -121,7 +121,8 @@ pub struct Bounds {
     pub planets: RangeInclusive<u32>,
     /// Ring-to-sun ratio `k = z_b/z_a`.
     pub ring_to_sun_ratio: RangeInclusive<f64>,
-    /// The basic rack: its addendum `h_a*` decides on the gap between planets, with the pressure angle on undercut.
+    /// The basic rack: its addendum `h_a*` decides on the gap between planets, with the pressure angle on
+    /// undercut.
     pub rack: BasicRack,
     /// Least gap between the tip circles of adjacent planets, in modules.
     pub tip_gap: f64,
@@ -215,8 +216,9 @@ impl Bounds {
         Ok(count)
     }
 
-    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets; nothing is held. `done` is
-    /// told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
+    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets;
+    /// nothing is held. `done` is told, from 0 to 1, how much of the bounds has been gone through; a break
+    /// ends the search.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
@@ -318,8 +320,8 @@ impl Bounds {
         Ok(())
     }
 
-    /// Every set of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the most
-    /// exact first; equally exact ones by ring, sun and number of planets.
+    /// Every set of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the
+    /// most exact first; equally exact ones by ring, sun and number of planets.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Tolerance`]; [`Error::NoToothNumbers`], with the
@@ -328,7 +330,8 @@ impl Bounds {
         self.for_ratio_watched(wanted, mode, tolerance, |_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
+    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
+    /// search.
     ///
     /// # Errors
     /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
@@ -442,8 +445,8 @@ impl Bounds {
         found.ok().and(most)
     }
 
-    /// How many combinations of sun, planet and number of planets are gone through, before their clearances and assembly are looked
-    /// at; of double-planet sets of sun, ring and number of pairs.
+    /// How many combinations of sun, planet and number of planets are gone through, before their clearances
+    /// and assembly are looked at; of double-planet sets of sun, ring and number of pairs.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;

@@ -7,8 +7,8 @@ use std::num::NonZeroU32;
 /// Number of teeth of a gear, at least 1.
 ///
 /// Internal gears have positive counts too: what is internal is said by
-/// [`GearKind`](crate::geometry::GearKind), not by a sign. How many teeth a gear *should* have is for [`crate::synthesis`]; the type only keeps a zero out
-/// of every denominator.
+/// [`GearKind`](crate::geometry::GearKind), not by a sign. How many teeth a gear *should* have is for
+/// [`crate::synthesis`]; the type only keeps a zero out of every denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ToothCount(NonZeroU32);
 

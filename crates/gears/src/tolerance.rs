@@ -16,8 +16,8 @@ pub(crate) const SAME_M: f64 = 1e-9;
 /// Modules and pressure angles that differ by less than this share of the larger are the same.
 pub(crate) const SAME: f64 = 1e-12;
 
-/// A listed diameter counts as thick enough when it falls short by less than this fraction: a shaft needed to be
-/// exactly 50 mm must not become 53 mm by the rounding of a cube root.
+/// A listed diameter counts as thick enough when it falls short by less than this fraction: a shaft needed to
+/// be exactly 50 mm must not become 53 mm by the rounding of a cube root.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// The least efficiency that is taken: products and reciprocals over all sets of a gearbox stay numbers.

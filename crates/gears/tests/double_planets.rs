@@ -33,7 +33,8 @@ fn apart(one: Point, other: Point) -> f64 {
     libm::hypot(one[0] - other[0], one[1] - other[1])
 }
 
-/// Centres of the inner and the outer planets, by their distances from the axis and from each other; none where they cannot mesh.
+/// Centres of the inner and the outer planets, by their distances from the axis and from each other; none
+/// where they cannot mesh.
 fn centres(of: &DoublePlanetNumbers, angles: &[f64]) -> Option<Vec<[Point; 2]>> {
     let [a, g, f, b] = counts(of);
     let (inner, outer, distance) = ((a + g) / 2.0, (b - f) / 2.0, (g + f) / 2.0);
@@ -75,7 +76,8 @@ fn teeth_to(teeth: f64, phase: f64, direction: f64) -> f64 {
     teeth * (direction - phase) / TAU
 }
 
-/// Phase of a gear in mesh with another: a tooth of the one stands in a space of the other on the line of their centres.
+/// Phase of a gear in mesh with another: a tooth of the one stands in a space of the other on the line of
+/// their centres.
 fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
     let direction = libm::atan2(its[1] - at[1], its[0] - at[0]);
     let behind = direction + PI;
@@ -162,7 +164,8 @@ fn the_pairs_of_a_6hp_stand_by_hand() {
     assert_eq!(one.to_string(), "31/21+21/85 ×3");
 }
 
-/// Two planets of 13 teeth each leave 52 between sun and ring: centres on one line. With one tooth less they do not reach.
+/// Two planets of 13 teeth each leave 52 between sun and ring: centres on one line. With one tooth less they
+/// do not reach.
 #[test]
 fn the_triangle_is_flat_where_the_planets_just_reach() {
     let rack = BasicRack::default();
@@ -255,8 +258,8 @@ proptest! {
     }
 }
 
-/// Of every mode, against the trial of all sets: each pair of sun and ring once, the most exact first, with as many choices of planets as
-/// there are.
+/// Of every mode, against the trial of all sets: each pair of sun and ring once, the most exact first, with
+/// as many choices of planets as there are.
 #[test]
 fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
     let bounds = Bounds { sun: 20..=34, ring: 60..=84, planet: 10..=30, planets: 3..=5, ..Bounds::default() };

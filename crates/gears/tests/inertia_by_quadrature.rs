@@ -1,4 +1,5 @@
-//! Masses and inertias against direct integration of the shapes; no parallel-axis theorem, no powers of radii.
+//! Masses and inertias against direct integration of the shapes; no parallel-axis theorem, no powers of
+//! radii.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,5 @@
-//! The checks of interference against the outlines of planet and ring, as their tools leave them, at every position: points of one within the other.
+//! The checks of interference against the outlines of planet and ring, as their tools leave them, at every
+//! position: points of one within the other.
 
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
@@ -65,7 +66,8 @@ fn deepest(set: &PlanetSet) -> Option<f64> {
     Some(deepest)
 }
 
-/// Whether the checks say that planet and ring interfere; `None` where one of them is a near thing, or the tool spoils the ring.
+/// Whether the checks say that planet and ring interfere; `None` where one of them is a near thing, or the
+/// tool spoils the ring.
 fn interferes(set: &PlanetSet) -> Option<bool> {
     let rules = [Rule::Involute, Rule::Fillet, Rule::Trochoidal, Rule::TipClearance];
     let of_ring = |place: Place| match place {
@@ -110,7 +112,8 @@ fn set(teeth: [u32; 3], shift: f64, ring: Tool) -> Option<PlanetSet> {
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases / 8, ..ProptestConfig::default() })]
-    /// With tips as they come and with shortened ones: clear where the outlines say so, and not where they overlap.
+    /// With tips as they come and with shortened ones: clear where the outlines say so, and not where they
+    /// overlap.
     #[test]
     fn verdicts_are_those_of_the_outlines(
         sun in 12..50_u32, planet in 14..50_u32, shift in -0.5..0.5_f64, cutter in 18..40_u32, radius in 0.1..0.38_f64, shortened: bool,

@@ -1,4 +1,5 @@
-//! A closed motor from its numbers and a distance, with displacement and ripple; its tooth profiles and their flanks under load; the search for designs on one core.
+//! A closed motor from its numbers and a distance, with displacement and ripple; its tooth profiles and their
+//! flanks under load; the search for designs on one core.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_hydromotor::centrode::Wheel;

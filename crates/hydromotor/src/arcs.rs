@@ -5,9 +5,9 @@
 //! (R₁ + R₂)/sin θ₃ = a/sin Γ                    B = θ₃ + Γ
 //! ```
 //!
-//! One of `2N` congruent pieces. `O` is the axis. *Arc 1* bulges inward, about `O₁` on the ray 0, at the *trough* where
-//! the stator comes nearest to the axis; *arc 2* bulges outward, about `O₂` on the ray `θ₃`, at the *crest*. They
-//! touch on the line `O₁O₂`.
+//! One of `2N` congruent pieces. `O` is the axis. *Arc 1* bulges inward, about `O₁` on the ray 0, at the
+//! *trough* where the stator comes nearest to the axis; *arc 2* bulges outward, about `O₂` on the ray `θ₃`,
+//! at the *crest*. They touch on the line `O₁O₂`.
 //!
 //! | symbol | here | meaning | unit |
 //! |---|---|---|---|
@@ -56,7 +56,8 @@ use crate::ranges::{finite_angle, positive_modules};
 use crate::real::Real;
 use epicyclic_numerics::roots::bracketed;
 
-/// System (1) in units of the module, solved for two distances; generic, so that its derivatives come with it.
+/// System (1) in units of the module, solved for two distances; generic, so that its derivatives come with
+/// it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Arcs<T = f64> {
     pub(crate) theta3: f64,
@@ -168,15 +169,16 @@ pub struct StatorArcs {
 }
 
 impl StatorArcs {
-    /// All pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is left out.
+    /// All pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is left
+    /// out.
     ///
-    /// System (1) asks only for the lobes and teeth of the stator. Whether the rotor closes is another matter:
-    /// [`crate::closure`].
+    /// System (1) asks only for the lobes and teeth of the stator. Whether the rotor closes is another
+    /// matter: [`crate::closure`].
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a parameter or the module,
-    /// [`Error::PairUndetermined`] for twice the same parameter or both angles, [`Error::NoArcs`] where no pair of
-    /// arcs has both.
+    /// [`Error::PairUndetermined`] for twice the same parameter or both angles, [`Error::NoArcs`] where no
+    /// pair of arcs has both.
     ///
     /// # Example
     /// ```
@@ -478,7 +480,8 @@ mod tests {
                             .map(|((x, y), scale)| ((x - y) / scale).abs()).fold(0.0, f64::max)
                     };
                     let nearest = solutions.iter().map(miss).fold(f64::INFINITY, f64::min);
-                    // Near the double root of a and R₁, and near Γ = 0 or R₂ = 0, the rest is ill-conditioned.
+                    // Near the double root of a and R₁, and near Γ = 0 or R₂ = 0, the rest is
+                    // ill-conditioned.
                     prop_assert!(nearest < 1e-5, "{i} {j}: {nearest:e}");
                     let most = if (i.min(j), i.max(j)) == (1, 2) { 2 } else { 1 };
                     prop_assert!(solutions.len() <= most);

@@ -1,7 +1,8 @@
 //! The working chambers between neighbouring satellites, and the displacement.
 //!
-//! A satellite at the phase `Φ` sweeps, as the rotor turns on, `f = ½·ρ₁·ρ₃` a radian: what the rotor's side of the chord `PP₁`
-//! brings in less what the stator's side leaves. The chamber in front of a satellite at `Φ` has the area
+//! A satellite at the phase `Φ` sweeps, as the rotor turns on, `f = ½·ρ₁·ρ₃` a radian: what the rotor's side
+//! of the chord `PP₁` brings in less what the stator's side leaves. The chamber in front of a satellite at
+//! `Φ` has the area
 //!
 //! ```text
 //! A(Φ) = G(Φ + 2π/n) − G(Φ) − A₁ − π·r²        G = ∫ f dΦ        dA/dφ = f(front) − f(back)
@@ -12,8 +13,8 @@
 //! | `A₁` | area of the rotor's centrode over a lobe | m² |
 //! | `φ` | rotation of the rotor | rad |
 //!
-//! `f` is even about crests and troughs and falls from crest to trough, so that a chamber is greatest with a stator crest in
-//! its middle and least with a trough, and
+//! `f` is even about crests and troughs and falls from crest to trough, so that a chamber is greatest with a
+//! stator crest in its middle and least with a trough, and
 //!
 //! ```text
 //! A_max − A_min = 2·[G(π/N) + G(π/n) − G(π/N + π/n)]        q = N·n·b·(A_max − A_min)
@@ -122,7 +123,8 @@ impl Motor {
 
     /// In units of the module.
     pub(crate) fn extremes(&self) -> [f64; 2] {
-        // The greatest has its satellites at ±π/n, the least at the trough's phase ± π/n, π/N before the next crest's.
+        // The greatest has its satellites at ±π/n, the least at the trough's phase ± π/n, π/N before the next
+        // crest's.
         let half = 0.5 * self.chamber_phase();
         let end = self.shape.trough();
         let swept = |phase: f64| self.shape.within(By::Phase, phase).swept;
@@ -152,8 +154,8 @@ impl Motor {
         Ok(volume(self.displacement_kernel(), self.module(), width))
     }
 
-    /// The outline of a chamber, counter-clockwise: stator, the satellite in front, rotor, the satellite behind; each in
-    /// `steps` equal pieces. The chamber's index counts on beyond the last.
+    /// The outline of a chamber, counter-clockwise: stator, the satellite in front, rotor, the satellite
+    /// behind; each in `steps` equal pieces. The chamber's index counts on beyond the last.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] unless there are 1 to 100 000 steps.
@@ -182,7 +184,8 @@ impl Motor {
             let [x, y] = polar(r, between(from, to, i));
             [place.centre[0] + x, place.centre[1] + y]
         };
-        // Clockwise about the satellites: behind the front one from stator to rotor, before the back one back again.
+        // Clockwise about the satellites: behind the front one from stator to rotor, before the back one back
+        // again.
         let (theta, mu) = (front.contact.theta3, front.contact.mu);
         points.extend((0..steps).map(|i| on_satellite(&front, theta - mu, theta + mu - PI, i)));
         // Along the rotor in its frame, lobe by lobe, and back again into the stator's.

@@ -1,4 +1,5 @@
-//! What limits a motor: distances and curvatures against the satellite and the height of its teeth; and its size.
+//! What limits a motor: distances and curvatures against the satellite and the height of its teeth; and its
+//! size.
 //!
 //! | check | quantity | at least | why |
 //! |---|---|---|---|
@@ -105,8 +106,9 @@ pub(crate) fn finite_heights(heights: ToothHeights) -> Result<(), Error> {
 impl Motor {
     /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
     ///
-    /// Of a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's image. Of a
-    /// cosine law, with a second harmonic or without, they are sought among 257 places of the half-lobe and refined about the best.
+    /// Of a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's
+    /// image. Of a cosine law, with a second harmonic or without, they are sought among 257 places of the
+    /// half-lobe and refined about the best.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the heights are finite and not below 0.

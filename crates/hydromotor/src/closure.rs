@@ -4,11 +4,12 @@
 //! [`Family`].
 //!
 //! # Derivation
-//! The satellite touches the stator in `P` and the rotor in `P₁`. By Kennedy's theorem `P` and `P₁`, its instant
-//! centres against the two wheels, lie on one line with the axis `O`. With `ρ₃ = OP`, `ρ₁ = OP₁` and the angle `μ`
-//! between that line and the normal at `P`, the chord is `ρ₃ − ρ₁ = 2r·cos μ`, and the product `ρ₁·ρ₃` is the power
-//! of `O` with respect to the satellite's circle. The satellite turns about `P`; as its centre goes along
-//! `(1 − κ₃·r)·ds₃`, with `κ₃` the curvature of the stator, the rotor turns against the stator by
+//! The satellite touches the stator in `P` and the rotor in `P₁`. By Kennedy's theorem `P` and `P₁`, its
+//! instant centres against the two wheels, lie on one line with the axis `O`. With `ρ₃ = OP`, `ρ₁ = OP₁` and
+//! the angle `μ` between that line and the normal at `P`, the chord is `ρ₃ − ρ₁ = 2r·cos μ`, and the product
+//! `ρ₁·ρ₃` is the power of `O` with respect to the satellite's circle. The satellite turns about `P`; as its
+//! centre goes along `(1 − κ₃·r)·ds₃`, with `κ₃` the curvature of the stator, the rotor turns against the
+//! stator by
 //!
 //! ```text
 //! dΦ = 2·cos μ·(1 − κ₃·r)/ρ₁ · ds₃ = dθ₃ + dθ₁
@@ -29,26 +30,29 @@
 //! (l² − R₁²)·J(K₁, M₁, Γ) + (R₂² − a²)·J(K₂, M₂, B) = π/n
 //! ```
 //!
-//! In closed form `J = 2t/(K + M)·A((K − M)/(K + M)·t²)`, `t = tan(x/2)`, `A(z) = ∫₀¹ dt/(1 + z·t²)`: the arc tangent
-//! `atan √z/√z` for `K > |M|`, the area tangent `atanh √−z/√−z` for `K < |M|`, which arc 2 has for `0 < R₂ − a < 2r`, and 1
-//! between them. `K ± M` have factors, `(l − R₁)(l − R₁ − 2r)` and the like, one of which cancels against the one before `J`.
+//! In closed form `J = 2t/(K + M)·A((K − M)/(K + M)·t²)`, `t = tan(x/2)`, `A(z) = ∫₀¹ dt/(1 + z·t²)`: the arc
+//! tangent `atan √z/√z` for `K > |M|`, the area tangent `atanh √−z/√−z` for `K < |M|`, which arc 2 has for
+//! `0 < R₂ − a < 2r`, and 1 between them. `K ± M` have factors, `(l − R₁)(l − R₁ − 2r)` and the like, one of
+//! which cancels against the one before `J`.
 //!
-//! The arcs of stator and rotor are equally long without further ado: `s₁ − s₃ = 2·r·μ`, and `μ` vanishes at crest and
-//! trough.
+//! The arcs of stator and rotor are equally long without further ado: `s₁ − s₃ = 2·r·μ`, and `μ` vanishes at
+//! crest and trough.
 //!
 //! # No root missed
 //! At fixed `l` both radii are monotone in `a`: `∂R₁/∂a = (sin B − B·cos B)/θ₃ > 0` and
-//! `∂R₂/∂a = −(sin B − Γ·cos B)/θ₃ < 0`, since `tan x > x`. So the `a` for which `R₁ > 0`, `R₂ > r` and the rotor's trough
-//! is outside the axis, `l − R₁ > 2r` (it too is falling), are *one* interval. At its lower end the half-lobe is too
-//! short: of a circle, `a = 0`, by the condition on `Z_s`; and where `R₁ = 0`, it is at or below the family's lower end. In
-//! the interval the residual rises with `a`, so that it holds at most one root, which bisection brackets and Brent's
-//! method finds. That it rises is not proved in closed form; the tests evaluate the exact derivative on a dense grid
-//! over `(l, a)` for every ratio of lobes up to `N = 10` and every size of satellite (the residual but for the constant `π/n`
-//! depends on `N`, `Z_s/Z_3` and the distances alone), and scan for roots without use of it.
+//! `∂R₂/∂a = −(sin B − Γ·cos B)/θ₃ < 0`, since `tan x > x`. So the `a` for which `R₁ > 0`, `R₂ > r` and the
+//! rotor's trough is outside the axis, `l − R₁ > 2r` (it too is falling), are *one* interval. At its lower
+//! end the half-lobe is too short: of a circle, `a = 0`, by the condition on `Z_s`; and where `R₁ = 0`, it is
+//! at or below the family's lower end. In the interval the residual rises with `a`, so that it holds at most
+//! one root, which bisection brackets and Brent's method finds. That it rises is not proved in closed form;
+//! the tests evaluate the exact derivative on a dense grid over `(l, a)` for every ratio of lobes up to
+//! `N = 10` and every size of satellite (the residual but for the constant `π/n` depends on `N`, `Z_s/Z_3`
+//! and the distances alone), and scan for roots without use of it.
 //!
-//! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens: it starts where `R₁ = 0` and ends where the rotor
-//! gets a cusp, or at the greatest `l` of a machine ([`crate::machine`]), where arc 1 is nearly straight. Of few lobes and small satellites, such as 3×1, it has a gap where
-//! the stator's flank would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The tests hold the
+//! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens: it starts where `R₁ = 0` and
+//! ends where the rotor gets a cusp, or at the greatest `l` of a machine ([`crate::machine`]), where arc 1 is
+//! nearly straight. Of few lobes and small satellites, such as 3×1, it has a gap where the stator's flank
+//! would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The tests hold the
 //! intervals against a scan over every seventh admissible set.
 //!
 //! # Source
@@ -122,8 +126,8 @@ pub(crate) fn least_stretch(arcs: &Arcs, r: f64) -> f64 {
     stretch(1.0).min(stretch(libm::cos(beta)))
 }
 
-/// `cos μ` where the arcs meet, its least, times the radius there over that of the satellite: above 0 while both curves
-/// turn one way about the axis.
+/// `cos μ` where the arcs meet, its least, times the radius there over that of the satellite: above 0 while
+/// both curves turn one way about the axis.
 fn flank(arcs: &Arcs, r: f64) -> f64 {
     (arcs.r2 + arcs.a * libm::cos(arcs.beta)) / r
 }
@@ -234,7 +238,8 @@ pub enum Limit {
     RotorCusp,
     /// The flank of stator and rotor becomes radial where the arcs meet, `cos μ = 0`.
     RadialFlank,
-    /// `l` reaches [`GREATEST_RADIUS`](crate::machine::GREATEST_RADIUS) times the stator's nominal radius: arc 1 is nearly straight.
+    /// `l` reaches [`GREATEST_RADIUS`](crate::machine::GREATEST_RADIUS) times the stator's nominal radius:
+    /// arc 1 is nearly straight.
     GreatestRadius,
 }
 
@@ -280,7 +285,8 @@ impl Family {
     /// The whole family.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the module, [`Error::NoFamily`] for numbers with which no pair of arcs closes.
+    /// [`Error::NotPositive`] for the module, [`Error::NoFamily`] for numbers with which no pair of arcs
+    /// closes.
     ///
     /// # Example
     /// ```
@@ -376,7 +382,8 @@ impl Family {
         Err(Error::OutsideFamilyByCrest { a_mm: crest_distance.mm(), intervals_mm })
     }
 
-    /// The motor's arcs at a part `0 < t < 1` of the family, even in `1/l` over its intervals, from the least `l` on.
+    /// The motor's arcs at a part `0 < t < 1` of the family, even in `1/l` over its intervals, from the least
+    /// `l` on.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a part outside.
@@ -404,7 +411,8 @@ impl Family {
         self.at(length(inverse.recip(), self.module))
     }
 
-    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves no root.
+    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves
+    /// no root.
     pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
         let (from, to) = (interval.lower.inverse(), interval.upper.inverse());
         let inverse = from + (to - from) * part;
@@ -509,8 +517,8 @@ impl Kernel {
         Arcs { r1: 0.0, r2: d, least: l, ..self.arcs(l, a) }
     }
 
-    /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where the
-    /// residual is without bound; `l` falls with `B`.
+    /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where
+    /// the residual is without bound; `l` falls with `B`.
     fn lower_end(&self) -> Arcs {
         let beta = bracketed(self.theta3 * (1.0 + EDGE_ANGLE), PI, |beta| {
             let arcs = self.cornered(beta);
@@ -521,9 +529,10 @@ impl Kernel {
 
     /// Where both curves are smooth and turn one way about the axis, by rising `l`.
     ///
-    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to the greatest `l` of a machine. The crest only sharpens on the way, so
-    /// that there is one such place. `cos μ` where the arcs meet falls to a least value and rises again: golden section finds
-    /// it, and where it is below 0, a root on either side bounds the gap.
+    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to the greatest `l` of a
+    /// machine. The crest only sharpens on the way, so that there is one such place. `cos μ` where the arcs
+    /// meet falls to a least value and rises again: golden section finds it, and where it is below 0, a root
+    /// on either side bounds the gap.
     fn intervals(&self, module: Length) -> Result<Vec<Interval>, FamilyFault> {
         let corner = self.lower_end();
         if corner.r2 <= self.r {

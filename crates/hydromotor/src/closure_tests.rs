@@ -161,7 +161,8 @@ fn a_scan_finds_the_same_roots_and_no_others() {
     assert!(families > 100, "{families} of {}", sets.len() / 7);
 }
 
-/// Along the family `a` and `R₁` grow with `l` and the rotor's crest sharpens, in every set of the default bounds.
+/// Along the family `a` and `R₁` grow with `l` and the rotor's crest sharpens, in every set of the default
+/// bounds.
 #[test]
 fn a_family_is_ordered_by_its_distance() {
     for numbers in Bounds::default().all().unwrap().iter().step_by(5) {

@@ -1,8 +1,8 @@
 //! The contact of a satellite with both wheels along a half-lobe: what every conjugate pair of centrodes has.
 //!
-//! In units of the module and radians. Everything is counted from where a stator crest faces a rotor crest across a
-//! satellite; the *phase* `Φ = θ₃ + θ₁` is the angle of the rotor since then. From the crest, radii fall and `μ` is
-//! negative up to the trough, where it vanishes again.
+//! In units of the module and radians. Everything is counted from where a stator crest faces a rotor crest
+//! across a satellite; the *phase* `Φ = θ₃ + θ₁` is the angle of the rotor since then. From the crest, radii
+//! fall and `μ` is negative up to the trough, where it vanishes again.
 
 /// A satellite between the wheels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +25,8 @@ pub(crate) struct Contact {
     pub(crate) swept: f64,
 }
 
-/// Curvature of the wheel across the satellite: of the rotor for `r > 0` from that of the stator, and of the stator
-/// from that of the rotor for `r < 0` (Euler and Savary).
+/// Curvature of the wheel across the satellite: of the rotor for `r > 0` from that of the stator, and of the
+/// stator from that of the rotor for `r < 0` (Euler and Savary).
 pub(crate) fn conjugate_curvature(r: f64, cos_mu: f64, rho: f64, kappa: f64, rho_across: f64) -> f64 {
     let turn = cos_mu / rho - kappa;
     cos_mu / rho_across - turn / (1.0 + 2.0 * r * turn)

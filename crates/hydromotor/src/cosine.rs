@@ -1,4 +1,5 @@
-//! A rotor by a cosine law, with or without a second harmonic, and the stator conjugate to it: the literature's other way.
+//! A rotor by a cosine law, with or without a second harmonic, and the stator conjugate to it: the
+//! literature's other way.
 //!
 //! ```text
 //! ρ₁ = c·(1 + ε₁·cos nθ₁ + ε₂·cos 2nθ₁)
@@ -10,26 +11,29 @@
 //! | `ε₁`, `ε` | relative amplitude | 1 |
 //! | `ε₂` | relative amplitude of the second harmonic; 0 of the cosine law | 1 |
 //!
-//! Two conditions fix `c` and `ε₁`: a half-lobe has the length `π·m·Z₁/(2n)`, and the stator closes, `∫ dΦ = π/N + π/n` with
-//! `dΦ = 2·cos μ·(1 + r·κ₁)/ρ₃·ds₁` and `ρ₃ = ρ₁ + 2r·cos μ`. The numbers leave the cosine law no choice: one motor, no family;
-//! with the second harmonic `ε₂` is free ([`crate::second_harmonic`]). The stator's half-lobe spans too much with round wheels, by
-//! the condition on `Z_s`, and less the greater `ε₁`.
+//! Two conditions fix `c` and `ε₁`: a half-lobe has the length `π·m·Z₁/(2n)`, and the stator closes,
+//! `∫ dΦ = π/N + π/n` with `dΦ = 2·cos μ·(1 + r·κ₁)/ρ₃·ds₁` and `ρ₃ = ρ₁ + 2r·cos μ`. The numbers leave the
+//! cosine law no choice: one motor, no family; with the second harmonic `ε₂` is free
+//! ([`crate::second_harmonic`]). The stator's half-lobe spans too much with round wheels, by the condition on
+//! `Z_s`, and less the greater `ε₁`.
 //!
-//! The stator is smooth while `ds₃/ds₁ = 1 − 2r·(cos μ/ρ₁ − κ₁) > 0`. Of the cosine law this is least at the rotor's trough, where it
-//! vanishes at the *cusp limit*
+//! The stator is smooth while `ds₃/ds₁ = 1 − 2r·(cos μ/ρ₁ − κ₁) > 0`. Of the cosine law this is least at the
+//! rotor's trough, where it vanishes at the *cusp limit*
 //!
 //! ```text
 //! 2·r·ε·n² = c·(1 − ε)²
 //! ```
 //!
-//! With `u = ln ρ₁` and dashes for derivatives by `θ₁` it is `1 − 2r·u″/(ρ₁·(1 + u′²)^(3/2))`; with a second harmonic above 0 the least lies
-//! at the trough or between it and the crest, and is sought along the half-lobe. While it is above 0 everything else is smooth, too:
-//! `1 + r·κ₁ > ½ + r·cos μ/ρ₁ > 0`, and `1 − r·κ₃ = (1 + r·κ₁)·ds₁/ds₃ > 0`. Radii fall from crest to trough while `ε₁ > 4·|ε₂|`.
+//! With `u = ln ρ₁` and dashes for derivatives by `θ₁` it is `1 − 2r·u″/(ρ₁·(1 + u′²)^(3/2))`; with a second
+//! harmonic above 0 the least lies at the trough or between it and the crest, and is sought along the
+//! half-lobe. While it is above 0 everything else is smooth, too: `1 + r·κ₁ > ½ + r·cos μ/ρ₁ > 0`, and
+//! `1 − r·κ₃ = (1 + r·κ₁)·ds₁/ds₃ > 0`. Radii fall from crest to trough while `ε₁ > 4·|ε₂|`.
 //!
 //! Integrals are by Gauss–Legendre rules on 48 panels, to 1e-13 and better.
 //!
 //! # Source
-//! Not in rotary-hydromotor, which takes arcs; the conjugation is that of [`crate::closure`] with the wheels changed.
+//! Not in rotary-hydromotor, which takes arcs; the conjugation is that of [`crate::closure`] with the wheels
+//! changed.
 
 use std::f64::consts::PI;
 
@@ -187,8 +191,8 @@ impl Numbers {
         self.law(amplitudes, panels).span(panels) - self.wanted
     }
 
-    /// At a part `t = 4·ε₂/ε₁` the amplitude `ε₁` at which the stator gets cusps, and what the half-lobes span too little there: above 0
-    /// where a motor without cusps closes.
+    /// At a part `t = 4·ε₂/ε₁` the amplitude `ε₁` at which the stator gets cusps, and what the half-lobes
+    /// span too little there: above 0 where a motor without cusps closes.
     pub(crate) fn cusp(&self, part: f64) -> (f64, f64) {
         // ρ₁ vanishes at the trough where ε₁ − ε₂ = 1; long before, the stator has cusps.
         let most = 0.999 / (1.0 - 0.25 * part);
@@ -205,7 +209,8 @@ impl Numbers {
         (margin > 0.0).then(|| self.closed(0.0, cusp, amplitudes))
     }
 
-    /// The law that closes with an amplitude `ε₂`, with cusps or without; none where radii would not fall from crest to trough.
+    /// The law that closes with an amplitude `ε₂`, with cusps or without; none where radii would not fall
+    /// from crest to trough.
     pub(crate) fn at_second(&self, second: f64) -> Option<Law> {
         let amplitudes = |amplitude: f64| [amplitude, second];
         // Below, a crest or a trough splits in two.
@@ -354,7 +359,8 @@ impl Conjugate for Cosine {
         if by == By::RotorAngle {
             return self.on_rotor(value);
         }
-        // Between the ends of the panel that holds the value, by Newton's method from the chord: each step squares what is left.
+        // Between the ends of the panel that holds the value, by Newton's method from the chord: each step
+        // squares what is left.
         let panel = self.edges.partition_point(|edge| edge.get(by) <= value).clamp(1, self.edges.len() - 1);
         let (low, high) = (&self.edges[panel - 1], &self.edges[panel]);
         let share = (value - low.get(by)) / (high.get(by) - low.get(by));

@@ -15,8 +15,9 @@
 //! | `M_gaps` | a model, of the gaps and the viscosity given | [`crate::friction`] |
 //! | `P_ports` | a model, of the discharge coefficient given; left out without ports | [`crate::ports::throttling`] |
 //!
-//! Gaps, fluid, friction and discharge coefficient are inputs without defaults: none is measured here, and no result is validated against a made
-//! motor. What the models leave out (flank leaks, bearings, seals, churning, changing viscosity) makes a made motor worse than the map.
+//! Gaps, fluid, friction and discharge coefficient are inputs without defaults: none is measured here, and no
+//! result is validated against a made motor. What the models leave out (flank leaks, bearings, seals,
+//! churning, changing viscosity) makes a made motor worse than the map.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
@@ -115,7 +116,8 @@ impl Figure {
     }
 }
 
-/// A motor at a speed and a pressure. Where there are two values, the first is with the greatest friction, the second with the least.
+/// A motor at a speed and a pressure. Where there are two values, the first is with the greatest friction,
+/// the second with the least.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingPoint {
     /// Speed of the rotor.
@@ -176,9 +178,10 @@ impl Motor {
     /// The motor at a speed and a pressure.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for speed and pressure drop; the errors of the inputs, as [`Motor::end_leakage`],
-    /// [`Motor::mean_friction_torque`], [`Motor::gap_drag`], [`Motor::dead_volume_charge`] and [`PortPlate::throttling`] have them;
-    /// [`Error::OtherMotor`] for ports of another motor.
+    /// [`Error::NotPositive`] for speed and pressure drop; the errors of the inputs, as
+    /// [`Motor::end_leakage`], [`Motor::mean_friction_torque`], [`Motor::gap_drag`],
+    /// [`Motor::dead_volume_charge`] and [`PortPlate::throttling`] have them; [`Error::OtherMotor`] for ports
+    /// of another motor.
     ///
     /// # Example
     /// ```

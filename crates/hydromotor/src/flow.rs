@@ -1,42 +1,44 @@
 //! Flow and torque for ideal ports, without leaks, and their ripple.
 //!
-//! Ideal ports join every growing chamber with the high pressure and every shrinking one with the low one. What goes through
-//! is `b·Σ dA/dφ` over the growing ones a radian; by the virtual work the torque is that times `Δp`. Both have one ripple
+//! Ideal ports join every growing chamber with the high pressure and every shrinking one with the low one.
+//! What goes through is `b·Σ dA/dφ` over the growing ones a radian; by the virtual work the torque is that
+//! times `Δp`. Both have one ripple
 //!
 //! ```text
 //! Q(φ) = b·Σ max(0, f(Φⱼ + 2π/n) − f(Φⱼ))      M(φ) = Q·Δp      M = q·Δp/(2π)      δ = (Q_max − Q_min)/Q_mean
 //! ```
 //!
-//! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`; it is smooth but where a chamber changes over (at 0 and at half a
-//! period) and where a satellite passes a junction of the arcs. Its extremes are sought on each smooth piece, at the ends and at
-//! the zeros of `dQ/dφ` between eight places.
+//! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`; it is smooth but where a chamber changes over
+//! (at 0 and at half a period) and where a satellite passes a junction of the arcs. Its extremes are sought
+//! on each smooth piece, at the ends and at the zeros of `dQ/dφ` between eight places.
 //!
 //! # Pulses
 //!
-//! A chamber grows by `g(Φ) = f(Φ + 2π/n) − f(Φ)` a radian, with the period `P = 2π·(N + n)/(N·n)`: the phase by which a
-//! satellite comes from crest to crest. The `N + n` chambers stand `2π/n` of the phase apart. With `d = gcd(N, n)` this gives
-//! `p = (N + n)/d` different phases, evenly spread over `P`, each of `d` chambers. All growths sum to 0, so that the growing
-//! chambers take as much as the shrinking ones leave:
+//! A chamber grows by `g(Φ) = f(Φ + 2π/n) − f(Φ)` a radian, with the period `P = 2π·(N + n)/(N·n)`: the phase
+//! by which a satellite comes from crest to crest. The `N + n` chambers stand `2π/n` of the phase apart. With
+//! `d = gcd(N, n)` this gives `p = (N + n)/d` different phases, evenly spread over `P`, each of `d` chambers.
+//! All growths sum to 0, so that the growing chambers take as much as the shrinking ones leave:
 //!
 //! ```text
 //! Q(φ) = ½·b·d·Σ |g(φ + k·P/p)|, k = 0 … p − 1
 //! ```
 //!
-//! `g` vanishes where a chamber is greatest and, half a period on, where it is least, and nowhere else, since `f` is even about
-//! crests and troughs and falls between them. There `|g|` has a kink, and `Q` a dip; between two dips it has one crest. With an
-//! even `p` a chamber is greatest while another is least: `p` dips in `P`. With an odd `p` the two kinds alternate: `2·p` dips.
-//! A growth like a sine would give, with `M` pulses in `P`,
+//! `g` vanishes where a chamber is greatest and, half a period on, where it is least, and nowhere else, since
+//! `f` is even about crests and troughs and falls between them. There `|g|` has a kink, and `Q` a dip;
+//! between two dips it has one crest. With an even `p` a chamber is greatest while another is least: `p` dips
+//! in `P`. With an odd `p` the two kinds alternate: `2·p` dips. A growth like a sine would give, with `M`
+//! pulses in `P`,
 //!
 //! ```text
 //! δ = (π/M)·tan(π/(2·M)) ≈ π²/(2·M²)
 //! ```
 //!
-//! which is 7.8 % of 8 pulses (5×3), 5.0 % of 10 (6×4) and 1.0 % of 22 (7×4). The growth of a motor differs from a sine, and its
-//! ripple from this.
+//! which is 7.8 % of 8 pulses (5×3), 5.0 % of 10 (6×4) and 1.0 % of 22 (7×4). The growth of a motor differs
+//! from a sine, and its ripple from this.
 //!
-//! By `N − n` it is `M = 2·(N + n)` with 1 and 3 lobes more, `N + n` with 2, and a third of the first with 3 where 3 divides `n`.
-//! So rotary-hydromotor's remark, that the torque fluctuates less the nearer `N/n` is to 1, holds among motors with 1 lobe more and
-//! among those with 2, and in general it does not.
+//! By `N − n` it is `M = 2·(N + n)` with 1 and 3 lobes more, `N + n` with 2, and a third of the first with 3
+//! where 3 divides `n`. So rotary-hydromotor's remark, that the torque fluctuates less the nearer `N/n` is to
+//! 1, holds among motors with 1 lobe more and among those with 2, and in general it does not.
 
 use crate::quantity::Quantity;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
@@ -221,8 +223,8 @@ impl Motor {
 
 /// The value of a function where its slope vanishes between two places.
 fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    // The value is flat there: a place to a hundred-thousandth of the piece gives it to its last digits. Each place is where the
-    // cubic through values and slopes at the bracket's ends is flat.
+    // The value is flat there: a place to a hundred-thousandth of the piece gives it to its last digits. Each
+    // place is where the cubic through values and slopes at the bracket's ends is flat.
     let ((mut low, mut at_low), (mut high, mut at_high)) = (before, here);
     let near = 1e-5 * (high - low);
     let mut best = f64::NAN;
@@ -331,9 +333,10 @@ mod tests {
         breaks.into_iter().flat_map(|place| [place, -place]).collect()
     }
 
-    /// Least and greatest flow over a period from `start` on, by samples: 2000 even ones, and around every place where a
-    /// satellite passes a crest, a trough or a junction, or a chamber changes over, ever closer ones, since the least may be a dip
-    /// as sharp as a needle there; the neighbourhood of the best by golden section.
+    /// Least and greatest flow over a period from `start` on, by samples: 2000 even ones, and around every
+    /// place where a satellite passes a crest, a trough or a junction, or a chamber changes over, ever closer
+    /// ones, since the least may be a dip as sharp as a needle there; the neighbourhood of the best by golden
+    /// section.
     fn sampled_extremes(motor: &Motor, start: f64) -> [f64; 2] {
         let period = motor.period();
         let flow = |rotation: f64| get(motor.flow_per_width(Angle::from_si(rotation)).unwrap());
@@ -347,7 +350,8 @@ mod tests {
         [1.0, -1.0].map(|sign| {
             let value = |k: usize| sign * flows[k];
             let best = flows.iter().chain(&at_breaks).map(|flow| sign * flow).fold(f64::INFINITY, f64::min);
-            // Every dip that may be the deepest: what an even sample may miss of one is less than a hundredth of the flow.
+            // Every dip that may be the deepest: what an even sample may miss of one is less than a hundredth
+            // of the flow.
             let dips = (1..flows.len() - 1)
                 .filter(|&k| value(k) <= value(k - 1).min(value(k + 1)) && value(k) < best + 0.01 * flows[k]);
             let deepest = |k: usize| {
@@ -383,7 +387,8 @@ mod tests {
         #[test]
         fn displacement_is_the_integral_of_the_flow(motor in any_motor(), start in -9.0..9.0_f64) {
             let closed = get(motor.displacement_per_width());
-            // Smooth from break to break; the panels close in on both ends, near which a nearly radial flank makes it steep.
+            // Smooth from break to break; the panels close in on both ends, near which a nearly radial flank
+            // makes it steep.
             let mut edges: Vec<f64> = breaks(&motor).iter().map(|&place| (place - start).rem_euclid(motor.period())).collect();
             edges.extend([0.0, motor.period()]);
             edges.sort_by(f64::total_cmp);

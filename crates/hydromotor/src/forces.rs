@@ -1,8 +1,8 @@
 //! Forces of the pressure on the satellites, and the ports that share it out.
 //!
 //! # Forces
-//! A satellite parts two chambers along the chord `PP₁ = 2r·cos μ`, which lies on a ray from the axis. The pressures on its rim
-//! amount to those on the chord: a force across the ray, through the satellite's centre,
+//! A satellite parts two chambers along the chord `PP₁ = 2r·cos μ`, which lies on a ray from the axis. The
+//! pressures on its rim amount to those on the chord: a force across the ray, through the satellite's centre,
 //!
 //! ```text
 //! F = (p_back − p_front)·b·2·r·cos μ
@@ -11,12 +11,14 @@
 //! positive the way that angles are counted. Where both sides have one pressure there is none.
 //!
 //! # Ports
-//! Ports lie in the cover, at rest with the stator. Ideal ones give a chamber high pressure while it grows: counter-clockwise,
-//! from a stator trough in its middle to the next crest. They need no more than a hole that a satellite just covers while it has
-//! a chamber at its greatest in front, at the phase `−π/n`, and until it has one at its least behind, at `−π/N`: within the lens that
-//! the two discs share. The high ports lie behind the crests, the low ones before; the other way round the motor turns back.
+//! Ports lie in the cover, at rest with the stator. Ideal ones give a chamber high pressure while it grows:
+//! counter-clockwise, from a stator trough in its middle to the next crest. They need no more than a hole
+//! that a satellite just covers while it has a chamber at its greatest in front, at the phase `−π/n`, and
+//! until it has one at its least behind, at `−π/N`: within the lens that the two discs share. The high ports
+//! lie behind the crests, the low ones before; the other way round the motor turns back.
 //!
-//! Left out: inertia, friction. The contact forces of the teeth, which share `F` between stator and rotor, are in [`crate::flanks`].
+//! Left out: inertia, friction. The contact forces of the teeth, which share `F` between stator and rotor,
+//! are in [`crate::flanks`].
 
 use crate::quantity::Quantity;
 use epicyclic_units::Physical;
@@ -69,8 +71,8 @@ pub struct Ports {
 }
 
 impl Motor {
-    /// The forces of the pressures on all satellites after a rotation, with ideal ports; chambers that just change over have
-    /// the low pressure.
+    /// The forces of the pressures on all satellites after a rotation, with ideal ports; chambers that just
+    /// change over have the low pressure.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the others.

@@ -1,21 +1,24 @@
 //! Friction: sliding of the flanks in the mean over the teeth, drag of the end gaps.
 //!
 //! # Flanks
-//! A pair of flanks slides at the distance `|e|` from the pitch point along the line of action as fast as their wheels turn against each other
-//! times that distance. Rolling about `P` on the resting stator, a satellite turns by `ρ₁/c` a radian of the rotor, `c = ρ₃ − ρ₁`; against
-//! the rotor by `ρ₁/c + 1 = ρ₃/c`. A pair is relieved by the next after a base pitch `p_b = π·m·cos α`, so that `|e|` is `p_b/4` in the mean with contacts on
-//! either side of the pitch point alike. By the work of the friction `μ_f·N` on both flanks
+//! A pair of flanks slides at the distance `|e|` from the pitch point along the line of action as fast as
+//! their wheels turn against each other times that distance. Rolling about `P` on the resting stator, a
+//! satellite turns by `ρ₁/c` a radian of the rotor, `c = ρ₃ − ρ₁`; against the rotor by `ρ₁/c + 1 = ρ₃/c`. A
+//! pair is relieved by the next after a base pitch `p_b = π·m·cos α`, so that `|e|` is `p_b/4` in the mean
+//! with contacts on either side of the pitch point alike. By the work of the friction `μ_f·N` on both flanks
 //!
 //! ```text
 //! M_loss = μ_f·(p_b/4)·Σ N·(ρ₁ + ρ₃)/c        over the satellites that part the pressures
 //! ```
 //!
-//! with the flank forces `N` of [`crate::flanks::forces`]. What is lost at an angle, with the contacts where they are, stands in
-//! [`crate::flanks::starting`]. As `N` grows with `Δp·b·m` like the torque, the part lost depends on shape and `μ_f` alone.
+//! with the flank forces `N` of [`crate::flanks::forces`]. What is lost at an angle, with the contacts where
+//! they are, stands in [`crate::flanks::starting`]. As `N` grows with `Δp·b·m` like the torque, the part lost
+//! depends on shape and `μ_f` alone.
 //!
 //! # End gaps
-//! The oil in a gap `h` between a face and its plate is sheared by `v/h` (Couette); pressure flow adds the same on both walls and takes no
-//! power from the rotor. A satellite moves as if it turned about `P`, where `∫ v² dA = (ω·ρ₁/c)²·(3/2)·π·r⁴`, the rotor about its axis:
+//! The oil in a gap `h` between a face and its plate is sheared by `v/h` (Couette); pressure flow adds the
+//! same on both walls and takes no power from the rotor. A satellite moves as if it turned about `P`, where
+//! `∫ v² dA = (ω·ρ₁/c)²·(3/2)·π·r⁴`, the rotor about its axis:
 //!
 //! ```text
 //! satellites  M = 3·π·η·r⁴·ω/h·Σ (ρ₁/c)²        rotor  M = 2·η·ω·I/h,  I = ∫ ρ² dA over its face
@@ -30,7 +33,8 @@
 //! | `η` | `viscosity` | dynamic viscosity | Pa·s |
 //!
 //! # Left out
-//! Friction of bearings and shaft seals, of faces that touch, at third contacts; the change of `N` by friction itself, of second order in `μ_f`; churning.
+//! Friction of bearings and shaft seals, of faces that touch, at third contacts; the change of `N` by
+//! friction itself, of second order in `μ_f`; churning.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, DynamicViscosity, Length, Pressure, Torque};
@@ -192,10 +196,12 @@ impl Motor {
         Ok(friction.ends().map(|friction| Torque::from_si(friction * arm * per_turn * sum)))
     }
 
-    /// The drag of the end gaps at a speed, the mean over a revolution; of a gap of 0, the ideal face that neither leaks nor drags, none.
+    /// The drag of the end gaps at a speed, the mean over a revolution; of a gap of 0, the ideal face that
+    /// neither leaks nor drags, none.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the viscosity, [`Error::OutOfRange`] for gaps and a speed below 0 and a bore that is not within the rotor.
+    /// [`Error::NotPositive`] for the viscosity, [`Error::OutOfRange`] for gaps and a speed below 0 and a
+    /// bore that is not within the rotor.
     pub fn gap_drag(
         &self,
         gaps: EndGaps,

@@ -20,8 +20,9 @@
 //! Here `l − R₁` is taken as one number, so that a large `l` costs no digits.
 //!
 //! # Source
-//! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in (4) the copy lost
-//! the root; (6)–(8) are restored by integrating the rolling, of which (5) is the primitive.
+//! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in
+//! (4) the copy lost the root; (6)–(8) are restored by integrating the rolling, of which (5) is the
+//! primitive.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};

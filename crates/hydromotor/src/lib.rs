@@ -1,7 +1,7 @@
 //! Hydromotors with non-circular wheels and floating satellites: geometry that closes, and working data.
 //!
-//! A ring with `N` arches (the stator), a sun with `n < N` lobes (the rotor), and between them `N + n` round satellites that
-//! roll on both and float; neighbouring satellites bound the working chambers.
+//! A ring with `N` arches (the stator), a sun with `n < N` lobes (the rotor), and between them `N + n` round
+//! satellites that roll on both and float; neighbouring satellites bound the working chambers.
 //!
 //! # Contents
 //!
@@ -31,11 +31,12 @@
 //! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and motors of two arcs |
 //! | [`search::forms`] | the same over three families and with the tooth form free |
 //!
-//! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
+//! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or
+//! writes.
 //!
 //! # Left out
-//! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it opens or closes, the change of
-//! viscosity; elastic teeth, strength beyond the stresses of [`flanks`].
+//! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it
+//! opens or closes, the change of viscosity; elastic teeth, strength beyond the stresses of [`flanks`].
 //!
 //! # Example
 //!

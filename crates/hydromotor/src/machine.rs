@@ -1,4 +1,5 @@
-//! What makes a motor a machine: bounds of its size, a rotor that turns within the stator, chambers that never vanish.
+//! What makes a motor a machine: bounds of its size, a rotor that turns within the stator, chambers that
+//! never vanish.
 //!
 //! | bound | value | why |
 //! |---|---|---|
@@ -7,14 +8,16 @@
 //! | distance `l` of arc 1 | [`GREATEST_RADIUS`], 100 times the stator's nominal radius `m·Z₃/2` | beyond, arc 1 is a straight line to any machine tool |
 //!
 //! # Rotor and stator
-//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`, and the rotor passes every angle `φ`, so that
-//! each of its radii comes to face each of the stator's. They overlap at no angle of the rotor if and only if
+//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`, and the rotor passes
+//! every angle `φ`, so that each of its radii comes to face each of the stator's. They overlap at no angle of
+//! the rotor if and only if
 //!
 //! ```text
 //! max ρ₁ = ρ₁(crest) < ρ₃(trough) = min ρ₃
 //! ```
 //!
-//! which is decided by two numbers, without sampling. The least chamber is known in closed form ([`crate::chambers`]).
+//! which is decided by two numbers, without sampling. The least chamber is known in closed form
+//! ([`crate::chambers`]).
 
 use epicyclic_units::Physical;
 use uom::si::f64::Length;
@@ -131,7 +134,8 @@ mod tests {
     }
 
     proptest! {
-        /// The decision by two radii is that of polygons turned through a whole turn, both ways; and what is accepted has chambers.
+        /// The decision by two radii is that of polygons turned through a whole turn, both ways; and what is
+        /// accepted has chambers.
         #[test]
         fn a_rotor_that_is_accepted_never_reaches_into_the_stator(motor in any_closed()) {
             let found = depth(&motor, 120);

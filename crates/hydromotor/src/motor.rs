@@ -1,8 +1,9 @@
 //! A motor: numbers, module, and a closed pair of centrodes.
 //!
 //! # Frame and signs
-//! The stator rests, with the middle of a crest on the x axis; angles are counter-clockwise from there. The *rotation* of
-//! the rotor is counter-clockwise from where one of its crests is on the x axis too, with satellite 0 between.
+//! The stator rests, with the middle of a crest on the x axis; angles are counter-clockwise from there. The
+//! *rotation* of the rotor is counter-clockwise from where one of its crests is on the x axis too, with
+//! satellite 0 between.
 
 use crate::quantity::Quantity;
 use epicyclic_units::Physical;
@@ -69,18 +70,20 @@ impl Motor {
     /// The motor with a cosine-law rotor ([`crate::cosine`]).
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NoCosineRotor`] where none closes;
-    /// [`Error::RotorInStator`], [`Error::NoChamber`].
+    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NoCosineRotor`] where none
+    /// closes; [`Error::RotorInStator`], [`Error::NoChamber`].
     pub fn of_cosine_law(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
         let module = machine::module(module)?;
         Self { numbers, module, shape: Shape::Cosine(Cosine::new(numbers)?) }.turning()
     }
 
-    /// The motor with a second-harmonic rotor of an amplitude `ε₂` ([`crate::second_harmonic`]); with 0 that of the cosine law.
+    /// The motor with a second-harmonic rotor of an amplitude `ε₂` ([`crate::second_harmonic`]); with 0 that
+    /// of the cosine law.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NotFinite`] for `ε₂`, [`Error::RotorInStator`], [`Error::NoChamber`], [`Error::OutsideHarmonic`] where none closes without cusps
-    /// with this `ε₂`, [`Error::NoSecondHarmonicRotor`] where none does with any.
+    /// [`Error::NotPositive`], [`Error::OutOfRange`] for the module, [`Error::NotFinite`] for `ε₂`,
+    /// [`Error::RotorInStator`], [`Error::NoChamber`], [`Error::OutsideHarmonic`] where none closes without
+    /// cusps with this `ε₂`, [`Error::NoSecondHarmonicRotor`] where none does with any.
     ///
     /// # Example
     /// ```
@@ -108,7 +111,8 @@ impl Motor {
         Self { numbers, module, shape: Shape::Cosine(Cosine::of_law(law)) }
     }
 
-    /// The motor, if its rotor turns within the stator and its least chamber has an area ([`crate::machine`]).
+    /// The motor, if its rotor turns within the stator and its least chamber has an area
+    /// ([`crate::machine`]).
     pub(crate) fn turning(self) -> Result<Self, Error> {
         let [rotor, stator] = self.facing_radii();
         if rotor >= stator {
@@ -120,7 +124,8 @@ impl Motor {
         if area_mm2 > 0.0 { Ok(self) } else { Err(Error::NoChamber { area_mm2 }) }
     }
 
-    /// The rotor's greatest radius and the stator's least, in modules: the radii of crest and trough where they face each other.
+    /// The rotor's greatest radius and the stator's least, in modules: the radii of crest and trough where
+    /// they face each other.
     pub(crate) fn facing_radii(&self) -> [f64; 2] {
         [self.shape.at(By::Phase, 0.0).rho1, self.shape.trough().rho3]
     }
@@ -174,7 +179,8 @@ impl Motor {
         self.length(self.shape.satellite_radius())
     }
 
-    /// A satellite's contact with both wheels after a rotation of the rotor since it stood between two crests.
+    /// A satellite's contact with both wheels after a rotation of the rotor since it stood between two
+    /// crests.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -222,7 +228,8 @@ pub struct SatelliteContact {
     pub rotor_angle: Angle,
     /// `ρ₁`: distance of that point from the axis.
     pub rotor_radius: Length,
-    /// `μ`: polar angle less angle of the normal; 0 at crests and troughs, negative on the way from crest to trough.
+    /// `μ`: polar angle less angle of the normal; 0 at crests and troughs, negative on the way from crest to
+    /// trough.
     pub slope_angle: Angle,
     /// `s₃`: arc rolled on the stator.
     pub stator_arc: Length,

@@ -14,20 +14,21 @@
 //! - *`N > n`*: with fewer arches than lobes the centrodes of the two wheels interfere.
 //! - *`N − n ≤ 3`*: with more the satellites are too far from being neighbours.
 //! - *`Z_3/N` an integer*: assembly; all arches then have their teeth alike.
-//! - *`Z_1/n` the same*: both wheels roll equal arcs on the satellite in a half-lobe, so their lobes are equally long.
-//!   All `N + n` satellites pass one another's places, a rotor's `1/n` turn apart; their teeth are in phase when
-//!   the common value is an integer.
+//! - *`Z_1/n` the same*: both wheels roll equal arcs on the satellite in a half-lobe, so their lobes are
+//!   equally long. All `N + n` satellites pass one another's places, a rotor's `1/n` turn apart; their teeth
+//!   are in phase when the common value is an integer.
 //! - *`Z_s < (Z_3 − Z_1)/2`*: at equality both centrodes are circles and no chamber changes its volume.
 //!
-//! Two remarks of the source concern the choice. A common divisor of `N` and `n` makes the reactions in the bearings of
-//! the central wheels vanish ([`MotorNumbers::bearing_reactions_vanish`]), since the pressures then repeat around the axis.
-//! That the torque fluctuates less the closer `N/n` is to 1 is not so: the number of pulses decides first
-//! ([`MotorNumbers::pulses_per_cycle`], derived in [`crate::flow`]). 7×4 with `N/n = 1.75` has 22 pulses and a ripple of
-//! 1.8 %, 6×4 with 1.5 has 10 and 7.4 % (11 teeth a lobe, satellites of 10, each 0.3 along its family).
+//! Two remarks of the source concern the choice. A common divisor of `N` and `n` makes the reactions in the
+//! bearings of the central wheels vanish ([`MotorNumbers::bearing_reactions_vanish`]), since the pressures
+//! then repeat around the axis. That the torque fluctuates less the closer `N/n` is to 1 is not so: the
+//! number of pulses decides first ([`MotorNumbers::pulses_per_cycle`], derived in [`crate::flow`]). 7×4 with
+//! `N/n = 1.75` has 22 pulses and a ripple of 1.8 %, 6×4 with 1.5 has 10 and 7.4 % (11 teeth a lobe,
+//! satellites of 10, each 0.3 along its family).
 //!
 //! # Source
-//! rotary-hydromotor, conditions 1–4. The copy lost the sides of `Z_1/n = Z_3/N` and the bound of `Z_s`; both are
-//! restored from the mechanics, and follow from the closure of the rotor ([`crate::closure`]).
+//! rotary-hydromotor, conditions 1–4. The copy lost the sides of `Z_1/n = Z_3/N` and the bound of `Z_s`; both
+//! are restored from the mechanics, and follow from the closure of the rotor ([`crate::closure`]).
 
 use crate::quantity::{Quantity, WheelKind};
 use std::ops::RangeInclusive;
@@ -54,7 +55,8 @@ impl MotorNumbers {
     ///
     /// # Errors
     /// One variant a condition: [`Error::NoLobes`], [`Error::NoTeeth`], [`Error::TooManyTeeth`],
-    /// [`Error::LobesNotMore`], [`Error::LobesTooDifferent`], [`Error::TeethPerLobe`], [`Error::SatelliteTooLarge`].
+    /// [`Error::LobesNotMore`], [`Error::LobesTooDifferent`], [`Error::TeethPerLobe`],
+    /// [`Error::SatelliteTooLarge`].
     ///
     /// # Example
     /// ```
@@ -192,14 +194,16 @@ impl MotorNumbers {
         a
     }
 
-    /// Pulses of flow and torque in a cycle, while a satellite passes from one crest of the stator to the next.
+    /// Pulses of flow and torque in a cycle, while a satellite passes from one crest of the stator to the
+    /// next.
     ///
     /// ```text
     /// M = (N + n)/d for an even quotient, else twice as many        d = gcd(N, n)
     /// ```
     ///
-    /// The chambers have `(N + n)/d` different phases. With an even number one chamber is greatest while another is least;
-    /// with an odd number these changeovers alternate, as with the pistons of a pump ([`crate::flow`]).
+    /// The chambers have `(N + n)/d` different phases. With an even number one chamber is greatest while
+    /// another is least; with an odd number these changeovers alternate, as with the pistons of a pump
+    /// ([`crate::flow`]).
     ///
     /// ```
     /// use epicyclic_hydromotor::MotorNumbers;
@@ -214,8 +218,8 @@ impl MotorNumbers {
         self.changeovers_alternate() * self.satellites() / self.common_divisor()
     }
 
-    /// Pulses of flow and torque in a revolution of the rotor: the least common multiple of `N` and `n`, doubled where
-    /// `(N + n)/gcd(N, n)` is odd.
+    /// Pulses of flow and torque in a revolution of the rotor: the least common multiple of `N` and `n`,
+    /// doubled where `(N + n)/gcd(N, n)` is odd.
     #[must_use]
     pub fn pulses_per_revolution(self) -> u32 {
         self.changeovers_alternate() * (self.stator_lobes / self.common_divisor()) * self.rotor_lobes
@@ -226,8 +230,8 @@ impl MotorNumbers {
         1 + self.satellites() / self.common_divisor() % 2
     }
 
-    /// Whether the pressures put no load on the bearings of the central wheels: they repeat at least twice around
-    /// the axis.
+    /// Whether the pressures put no load on the bearings of the central wheels: they repeat at least twice
+    /// around the axis.
     #[must_use]
     pub fn bearing_reactions_vanish(self) -> bool {
         self.common_divisor() > 1

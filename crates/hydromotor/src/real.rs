@@ -18,7 +18,8 @@ pub(crate) trait Real:
     fn arc(self) -> Self;
 }
 
-/// `A(z) = ∫₀¹ dt/(1 + z·t²)`: `atan(√z)/√z` above 0, `atanh(√−z)/√−z` below, 1 at 0; not a number at `z ≤ −1`.
+/// `A(z) = ∫₀¹ dt/(1 + z·t²)`: `atan(√z)/√z` above 0, `atanh(√−z)/√−z` below, 1 at 0; not a number at
+/// `z ≤ −1`.
 ///
 /// Both branches of the integral `J` in one function that is smooth where they meet. Nothing cancels near 0.
 pub(crate) fn arc(z: f64) -> f64 {

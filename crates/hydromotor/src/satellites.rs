@@ -1,7 +1,7 @@
 //! The motion of the satellites through a revolution: centre, rotation and contacts of each.
 //!
-//! Satellite `j` stands where satellite 0 will after `j/n` of a turn of the rotor, so that all `N + n` run one behind the other.
-//! Its rotation follows from rolling on either wheel alike:
+//! Satellite `j` stands where satellite 0 will after `j/n` of a turn of the rotor, so that all `N + n` run
+//! one behind the other. Its rotation follows from rolling on either wheel alike:
 //!
 //! ```text
 //! α = (θ₃ − μ) − s₃/r = Φ − (θ₁ − μ) − s₁/r
@@ -104,10 +104,12 @@ impl Motor {
         }
     }
 
-    /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which one pair has it.
+    /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which
+    /// one pair has it.
     ///
-    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and where a satellite passes a
-    /// jump of the curvature; every minimum that may be the least is refined by golden section.
+    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and
+    /// where a satellite passes a jump of the curvature; every minimum that may be the least is refined by
+    /// golden section.
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
         let (distance, phase) = self.least_neighbour_kernel();
@@ -123,12 +125,14 @@ impl Motor {
     /// In units of the module: the distance, and the phase of the satellite behind.
     pub(crate) fn least_neighbour_kernel(&self) -> (f64, f64) {
         let distance = |phase: f64| self.neighbour_distance(phase);
-        // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half a period.
+        // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half
+        // a period.
         let (chamber, half) = (self.chamber_phase(), self.shape.trough().phase);
         let start = -0.5 * chamber;
         let even = (0..=ROTATIONS).map(|i| start + half * f64::from(i) / f64::from(ROTATIONS));
         let mut phases: Vec<f64> = even.collect();
-        // Where one of the two passes a jump of the curvature the distance turns sharply, however narrow an arc is.
+        // Where one of the two passes a jump of the curvature the distance turns sharply, however narrow an
+        // arc is.
         for at in
             self.shape.kink().into_iter().flat_map(|kink| [kink, -kink, kink - chamber, -kink - chamber])
         {
@@ -145,7 +149,8 @@ impl Motor {
         for i in 0..=last {
             let (here, before, after) = (distances[i], i.saturating_sub(1), (i + 1).min(last));
             let [one, other] = [distances[before], distances[after]];
-            // No minimum, or one far from the least: between three of its points a smooth curve falls by less than it rises.
+            // No minimum, or one far from the least: between three of its points a smooth curve falls by less
+            // than it rises.
             if here > one.min(other) || here - (one.max(other) - here) > best.0 {
                 continue;
             }

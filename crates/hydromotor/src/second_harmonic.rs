@@ -10,21 +10,24 @@
 //! | `ε₁` | relative amplitude | 1 |
 //! | `ε₂` | relative amplitude of the second harmonic; above 0 it sharpens the crests and flattens the troughs | 1 |
 //!
-//! The length of a half-lobe and the closure of the stator fix `c` and `ε₁` as for the cosine law ([`crate::cosine`]); `ε₂` is free, and
-//! at 0 the motor is that of the cosine law. The curvature nowhere jumps, other than where two arcs meet.
+//! The length of a half-lobe and the closure of the stator fix `c` and `ε₁` as for the cosine law
+//! ([`crate::cosine`]); `ε₂` is free, and at 0 the motor is that of the cosine law. The curvature nowhere
+//! jumps, other than where two arcs meet.
 //!
 //! # The range of `ε₂`
 //! Three things end it:
 //!
-//! - the stator gets cusps, `ds₃/ds₁ = 0` ([`HarmonicLimit::StatorCusp`]), at the trough for small `ε₂`, between trough and crest for large;
-//! - `ε₁ = 4·ε₂`: the rotor's trough is flat, beyond it is a hill between two troughs ([`HarmonicLimit::FlatTrough`]), since
-//!   `dρ₁/dθ₁ = −c·n·sin nθ₁·(ε₁ + 4·ε₂·cos nθ₁)`;
+//! - the stator gets cusps, `ds₃/ds₁ = 0` ([`HarmonicLimit::StatorCusp`]), at the trough for small `ε₂`,
+//!   between trough and crest for large;
+//! - `ε₁ = 4·ε₂`: the rotor's trough is flat, beyond it is a hill between two troughs
+//!   ([`HarmonicLimit::FlatTrough`]), since `dρ₁/dθ₁ = −c·n·sin nθ₁·(ε₁ + 4·ε₂·cos nθ₁)`;
 //! - `ε₁ = −4·ε₂`: the same of the crest ([`HarmonicLimit::FlatCrest`]).
 //!
-//! The range is found by the part `t = 4·ε₂/ε₁`, from −1 to 1: at each `t` the half-lobes span the less the greater `ε₁`, up to the `ε₁` at
-//! which the stator gets cusps; a motor closes there if they span too little at this `ε₁`. What they span too little rises with
-//! `t` to one peak, where the cusp leaves the trough, and falls beyond, so that the range is one interval. That it has one peak
-//! is not proved: the tests scan every seventh set of numbers.
+//! The range is found by the part `t = 4·ε₂/ε₁`, from −1 to 1: at each `t` the half-lobes span the less the
+//! greater `ε₁`, up to the `ε₁` at which the stator gets cusps; a motor closes there if they span too little
+//! at this `ε₁`. What they span too little rises with `t` to one peak, where the cusp leaves the trough, and
+//! falls beyond, so that the range is one interval. That it has one peak is not proved: the tests scan every
+//! seventh set of numbers.
 //!
 //! # Source
 //! Not in rotary-hydromotor. The conjugation is that of [`crate::closure`] with the wheels changed.
@@ -50,7 +53,8 @@ pub struct HarmonicLaw {
     pub amplitude: f64,
     /// `ε₂`.
     pub second_amplitude: f64,
-    /// The least `ds₃/ds₁` along the half-lobe: above 0 the stator is smooth, at 0 it has a cusp, below a loop.
+    /// The least `ds₃/ds₁` along the half-lobe: above 0 the stator is smooth, at 0 it has a cusp, below a
+    /// loop.
     pub least_stretch: f64,
 }
 
@@ -67,11 +71,13 @@ impl HarmonicLaw {
 
 /// The law that fulfils both closures with an amplitude `ε₂`, whether or not the stator then has cusps.
 ///
-/// Only laws whose [`least_stretch`](HarmonicLaw::least_stretch) is above 0 are motors: [`crate::Motor::of_second_harmonic`].
+/// Only laws whose [`least_stretch`](HarmonicLaw::least_stretch) is above 0 are motors:
+/// [`crate::Motor::of_second_harmonic`].
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`; where radii would not fall from crest to trough
-/// [`Error::OutsideHarmonic`], or [`Error::NoSecondHarmonicRotor`] where there is no range at all.
+/// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`; where radii would not fall from
+/// crest to trough [`Error::OutsideHarmonic`], or [`Error::NoSecondHarmonicRotor`] where there is no range at
+/// all.
 ///
 /// # Example
 /// ```
@@ -165,7 +171,8 @@ pub fn range(numbers: MotorNumbers) -> Result<HarmonicRange, Error> {
 /// Places of `t` at which the peak is looked for.
 const PLACES: u32 = 16;
 
-/// The ends of the range as parts `t = 4·ε₂/ε₁`; what the half-lobes span too much at the peak where there is no range.
+/// The ends of the range as parts `t = 4·ε₂/ε₁`; what the half-lobes span too much at the peak where there is
+/// no range.
 pub(crate) fn part_ends(kernel: &Numbers) -> Result<[f64; 2], f64> {
     let margin = |part: f64| kernel.cusp(part).1;
     let place = |i: u32| -1.0 + 2.0 * f64::from(i) / f64::from(PLACES);
@@ -214,7 +221,8 @@ pub(crate) fn lobe(numbers: MotorNumbers, second_amplitude: f64) -> Result<Cosin
     }
 }
 
-/// Laws of a search: at so many parts `t` of the range, evenly from end to end, the first and the last a hair within.
+/// Laws of a search: at so many parts `t` of the range, evenly from end to end, the first and the last a hair
+/// within.
 pub(crate) fn laws(numbers: MotorNumbers, places: u32, within: f64) -> Vec<Law> {
     let kernel = Numbers::of(numbers);
     let Ok([from, to]) = part_ends(&kernel) else { return Vec::new() };

@@ -48,7 +48,8 @@ fn the_figures_of_the_six_by_four_motor_are_met() {
     assert!((best - 96.19).abs() < 5e-3 && scanned <= best + 1e-9, "{best} {scanned}");
 }
 
-/// The least stretch, the law's radii and the closure by other ways: differences of the curve, and the polar sum of the stator.
+/// The least stretch, the law's radii and the closure by other ways: differences of the curve, and the polar
+/// sum of the stator.
 #[test]
 fn a_law_keeps_both_closures() {
     for (n, second) in [(SIX, 0.015), (SIX, 0.004), ((5, 3, 55, 10), 0.02), ((8, 6, 88, 10), -0.0002)] {
@@ -71,7 +72,8 @@ fn a_law_keeps_both_closures() {
         let (coarse, fine) = (length(4000), length(8000));
         let half = PI * f64::from(n.2) / f64::from(n.0) / 2.0;
         assert!((fine + (fine - coarse) / 3.0 - half).abs() < 1e-9);
-        // The stator's polar angle grows to π/N: dθ₃ = cos μ/ρ₃·ds₃ by the midpoint rule over the rotor's angle.
+        // The stator's polar angle grows to π/N: dθ₃ = cos μ/ρ₃·ds₃ by the midpoint rule over the rotor's
+        // angle.
         let steps = 4000;
         let trough = motor.shape.trough();
         let by_angle = |i: u32| {
@@ -117,7 +119,8 @@ fn without_a_second_harmonic_it_is_the_motor_of_the_cosine_law() {
     assert!(compared > 10, "{compared}");
 }
 
-/// Every seventh set: between the ends every motor closes and is smooth, beyond them none, by another way than that which found them.
+/// Every seventh set: between the ends every motor closes and is smooth, beyond them none, by another way
+/// than that which found them.
 #[test]
 fn the_range_is_what_a_scan_finds() {
     let (mut with, mut without, mut limits) = (0, 0, Vec::new());

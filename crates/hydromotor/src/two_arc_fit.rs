@@ -1,18 +1,21 @@
 //! How nearly the rotor consists of circular arcs.
 //!
-//! The source claims that the rotor, like the stator, is made of arcs, and draws circles through `K₁P₁` and `K₂P₁`: through its
-//! crest or trough and the junction of formulas (2)–(8). The exact curve ([`crate::centrode`]) is not: here is the best pair of
-//! tangent arcs, and by how much it misses, and the same of the source's circles, which meet at an angle.
+//! The source claims that the rotor, like the stator, is made of arcs, and draws circles through `K₁P₁` and
+//! `K₂P₁`: through its crest or trough and the junction of formulas (2)–(8). The exact curve
+//! ([`crate::centrode`]) is not: here is the best pair of tangent arcs, and by how much it misses, and the
+//! same of the source's circles, which meet at an angle.
 //!
-//! An arc has its centre on the ray of the crest or of the trough, so that the lobes join smoothly; crest radius `ρ_c`, trough
-//! radius `ρ_t` and curvature radius `q_c` of the crest's arc are free, that of the trough's arc follows from tangency:
+//! An arc has its centre on the ray of the crest or of the trough, so that the lobes join smoothly; crest
+//! radius `ρ_c`, trough radius `ρ_t` and curvature radius `q_c` of the crest's arc are free, that of the
+//! trough's arc follows from tangency:
 //!
 //! ```text
 //! q_t = (q_c² − c² − ρ_t² + 2·c·ρ_t·cos(π/n))/(2·(q_c + c·cos(π/n) − ρ_t))        c = ρ_c − q_c
 //! ```
 //!
-//! The best pair makes the greatest distance from the exact curve, looked at in 401 places, least (Chebyshev). Linear in small
-//! steps, the problem is solved by exchange of the four places that decide it; the deviation is the least to a thousandth of itself.
+//! The best pair makes the greatest distance from the exact curve, looked at in 401 places, least
+//! (Chebyshev). Linear in small steps, the problem is solved by exchange of the four places that decide it;
+//! the deviation is the least to a thousandth of itself.
 //!
 //! # Source
 //! rotary-hydromotor, algorithm of the profile. Our rotor departs from it: it is the exact curve.
@@ -206,10 +209,11 @@ fn greatest(points: &[[f64; 2]], parameters: Parameters, span: f64) -> f64 {
     if most.is_nan() { f64::INFINITY } else { most }
 }
 
-/// The parameters whose greatest distance is least, and that distance: the linear problem solved exactly within a reach that
-/// grows with success and shrinks without.
+/// The parameters whose greatest distance is least, and that distance: the linear problem solved exactly
+/// within a reach that grows with success and shrinks without.
 ///
-/// The reach enters as three more rows, `|stepᵢ|·deviation/reach`, which the solution levels with the distances.
+/// The reach enters as three more rows, `|stepᵢ|·deviation/reach`, which the solution levels with the
+/// distances.
 fn best(points: &[[f64; 2]], start: Parameters, span: f64) -> (Parameters, f64) {
     let mut found = (start, greatest(points, start, span));
     // A reach that shrinks to nothing short of the best is seen by looking about.
@@ -284,11 +288,13 @@ fn rows(points: &[[f64; 2]], parameters: Parameters, span: f64) -> Vec<[f64; 4]>
     points.iter().map(row).collect()
 }
 
-/// The step that makes the greatest of `|row·(step, 1)|` least, by exchange of one of four rows at a time (Stiefel).
+/// The step that makes the greatest of `|row·(step, 1)|` least, by exchange of one of four rows at a time
+/// (Stiefel).
 fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
     let count = rows.len();
     let mut basis = [0, count / 3, 2 * count / 3, count - 1];
-    // Of any four rows there is one combination of the slopes that vanishes; its signs are those of the distances.
+    // Of any four rows there is one combination of the slopes that vanishes; its signs are those of the
+    // distances.
     let mut equations = [[0.0; 5]; 4];
     for (column, &row) in basis.iter().enumerate() {
         for (i, equation) in equations.iter_mut().take(3).enumerate() {
@@ -361,8 +367,8 @@ mod tests {
         assert!(deviations.iter().all(|&d| d > 0.0105 && d < 0.0225), "{deviations:?}");
     }
 
-    /// Chebyshev: of all `a·x + b·x² + c·x³` on positive `x` that is the best whose greatest deviation stands at four
-    /// points with signs in turn.
+    /// Chebyshev: of all `a·x + b·x² + c·x³` on positive `x` that is the best whose greatest deviation stands
+    /// at four points with signs in turn.
     #[test]
     fn the_best_step_levels_four_distances_of_alternate_signs() {
         let functions: [fn(f64) -> f64; 3] = [libm::exp, |x| libm::sin(3.0 * x), |x| 1.0 / (1.2 + x)];

@@ -1,6 +1,7 @@
 //! The half-lobe whose stator consists of the two arcs of system (1); the rotor in closed form.
 //!
-//! With the angle `x` at the arc's centre, from the crest on arc 2 and from the trough on arc 1, and `t = tan(x/2)`:
+//! With the angle `x` at the arc's centre, from the crest on arc 2 and from the trough on arc 1, and
+//! `t = tan(x/2)`:
 //!
 //! ```text
 //! arc 2:  s₃ = R₂·x           μ = −atan2(a·sin x, R₂ + a·cos x)     G = (R₂ − r)·(R₂·x + a·sin x)
@@ -10,14 +11,15 @@
 //! and `Φ` by [`crate::closure`]. `G` is elementary because `ρ₁·ρ₃` cancels in `f·dΦ`.
 //!
 //! # The rotor's curvature is monotone on the image of either arc
-//! On arc 2, with `c = cos x`, `P = ρ₁·ρ₃` and `Q = R₂·ρ₃²·ds₁/ds₃`, both linear in `c`, Euler and Savary give
+//! On arc 2, with `c = cos x`, `P = ρ₁·ρ₃` and `Q = R₂·ρ₃²·ds₁/ds₃`, both linear in `c`, Euler and Savary
+//! give
 //!
 //! ```text
 //! κ₁ = (R₂ + a·c)/P + a·(a + R₂·c)/Q       dκ₁/dc = a·(R₂² − a²)·(R₂²/Q² − 1/P²)       Q/R₂ − P = 2·r·(R₂² − a²)/R₂
 //! ```
 //!
-//! so that the slope keeps its sign; on arc 1 likewise with `−R₁` for `R₂` and `l` for `a`. The extremes are at the crest, on
-//! either side of the junction, and at the trough.
+//! so that the slope keeps its sign; on arc 1 likewise with `−R₁` for `R₂` and `l` for `a`. The extremes are
+//! at the crest, on either side of the junction, and at the trough.
 
 use crate::arcs::Arcs;
 use crate::closure::{crest_term, trough_term};
@@ -346,7 +348,8 @@ mod tests {
             let places = places.chain([kink * (1.0 - 1e-14), kink * (1.0 + 1e-14)]);
             let sampled = greatest_curvatures(places.map(|phase| lobe.within(By::Phase, phase)));
             for (exact, sampled) in lobe.curvature_extremes().into_iter().zip(sampled) {
-                // A millionth: the hair beside the junction, where with a nearly radial flank the curvature changes fast.
+                // A millionth: the hair beside the junction, where with a nearly radial flank the curvature
+                // changes fast.
                 prop_assert!((sampled - exact).abs() <= 1e-6 * exact + 1e-12, "{exact} {sampled}");
             }
         }

@@ -167,7 +167,8 @@ impl<'a> Draft<'a> {
     }
 
     fn grid(&self) -> Grid {
-        // Distance from the band: one more than of whatever lies nearer to it. Later bars are never outside of earlier ones.
+        // Distance from the band: one more than of whatever lies nearer to it. Later bars are never outside
+        // of earlier ones.
         let mut depth = vec![1; self.bars.len()];
         for bar in (0..self.bars.len()).rev() {
             let inner = self.bars[bar].inner.iter().filter(|&&inner| self.is_met(inner));

@@ -172,7 +172,8 @@ mod tests {
     const FIRST: usize = BORDER.len();
     const CARRIER: usize = FIRST + 2;
 
-    /// Sets `[sun, ring, carrier]` and clutches between links, which are numbered from [`FIRST`]; 2 is the housing.
+    /// Sets `[sun, ring, carrier]` and clutches between links, which are numbered from [`FIRST`]; 2 is the
+    /// housing.
     fn graph(links: usize, sets: &[[usize; 3]], clutches: &[[usize; 2]]) -> Graph {
         let mut graph = Graph {
             vertices: FIRST + links,

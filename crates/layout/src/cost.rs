@@ -29,8 +29,8 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// All as one number: a band more than the first 10⁴, a corner 6, a wall 24, a unit of length 1, a pair of sets
-    /// against the order of the power 1.5.
+    /// All as one number: a band more than the first 10⁴, a corner 6, a wall 24, a unit of length 1, a pair
+    /// of sets against the order of the power 1.5.
     #[must_use]
     pub fn total(&self) -> f64 {
         let many = |count: usize, each: f64| count as f64 * each;
@@ -43,14 +43,16 @@ impl Cost {
 }
 
 impl Layout {
-    /// What the drawing costs to look at: that of the fewest bands is drawn, and of these the one with the least
+    /// What the drawing costs to look at: that of the fewest bands is drawn, and of these the one with the
+    /// least
     ///
     /// ```text
     /// 6·bends + 24·walls + length + 1.5·backwards
     /// ```
     ///
-    /// which [`draw`](super::draw) searches for; a crossing is not allowed at any price. A set is nearer to the output than
-    /// another if its links are fewer sets and shift elements away from the output and more from the input.
+    /// which [`draw`](super::draw) searches for; a crossing is not allowed at any price. A set is nearer to
+    /// the output than another if its links are fewer sets and shift elements away from the output and more
+    /// from the input.
     #[must_use]
     pub fn cost(&self, gearbox: &Gearbox) -> Cost {
         let mut heights: Vec<f64> = self.sets.iter().map(|stack| stack.planet).collect();

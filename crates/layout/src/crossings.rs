@@ -34,9 +34,9 @@ impl Layout {
     /// Lines of different links that meet, however little; empty for every layout returned by
     /// [`draw`](super::draw).
     ///
-    /// Compared are all pairs of shafts, drums, webs, central gears and planets; central gears meet planets of
-    /// their own set in the contact alone. Nothing may lie below the axis or reach beyond the
-    /// housing, and only the links of input and output may touch the axis.
+    /// Compared are all pairs of shafts, drums, webs, central gears and planets; central gears meet planets
+    /// of their own set in the contact alone. Nothing may lie below the axis or reach beyond the housing, and
+    /// only the links of input and output may touch the axis.
     #[must_use]
     pub fn crossings(&self) -> Vec<Crossing> {
         let lines = self.lines();

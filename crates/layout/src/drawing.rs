@@ -1,4 +1,5 @@
-//! The drawing of a gearbox: that of the cheapest sweep, or where none is found the cheapest of some made by chance.
+//! The drawing of a gearbox: that of the cheapest sweep, or where none is found the cheapest of some made by
+//! chance.
 
 use super::grid::Grid;
 use super::layout::{BrakeMark, ClutchMark, GAP, Layout, PLANET, Point, Segment, SetStack, ShaftEnd, shapes};
@@ -38,7 +39,8 @@ pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Optio
     let Some(swept) = swept else { return thrown(scheme, gearbox, options) };
     let drawn = gearbox.drawn_sets();
     let is_whole = drawn.windows(2).all(|pair| pair[0].set != pair[1].set);
-    // Of few sets chance has drawn nearly everything: where it has found what the search passed by, that is taken.
+    // Of few sets chance has drawn nearly everything: where it has found what the search passed by, that is
+    // taken.
     let by_chance = (is_whole && drawn.len() <= SMALL).then(|| thrown(scheme, gearbox, options)).flatten();
     let cost = |layout: &Layout| layout.cost(gearbox).total();
     std::iter::once(swept).chain(by_chance).min_by(|a, b| cost(a).total_cmp(&cost(b)))
@@ -261,7 +263,8 @@ mod tests {
     fn the_cost_of_a_drawing_by_hand() {
         let gearbox = crate::samples::scheme_one();
         let layout = *draw(&Scheme::new(&gearbox, &[]), &gearbox, Options::default()).map(Box::new).unwrap();
-        // Input 1 to the sun; carrier 1 to the right and 1 down to the axis, output 1; brake from 2 to 3 less its gap.
+        // Input 1 to the sun; carrier 1 to the right and 1 down to the axis, output 1; brake from 2 to 3 less
+        // its gap.
         let lengths = [1.0, 1.0, 1.0, 1.0, 1.0 - GAP];
         assert_eq!(layout.links.iter().map(|shape| shape.segments.len()).sum::<usize>(), lengths.len());
         let cost = layout.cost(&gearbox);
@@ -285,7 +288,8 @@ mod tests {
         }
     }
 
-    /// Of the 106 structures of two sets that can be drawn, drawings of chance have 51 in one band, the search all.
+    /// Of the 106 structures of two sets that can be drawn, drawings of chance have 51 in one band, the
+    /// search all.
     #[test]
     fn structures_of_two_sets_stand_in_one_band_and_cost_no_more_than_drawings_of_chance() {
         use epicyclic_schemes::structures::{Role, Structure};

@@ -37,7 +37,8 @@ pub struct LinkShape {
 /// A set in section above the axis: first central gear, planet, second central gear upwards at one place.
 ///
 /// For sets with a sun and a ring this is the picture itself. The central gears of the other kinds are
-/// stacked in the same order, central gear 1, planet, central gear 2: see [what is idealised](super#idealised).
+/// stacked in the same order, central gear 1, planet, central gear 2: see
+/// [what is idealised](super#idealised).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetStack {
     /// Place of the set in [`Gearbox::drawn_sets`](epicyclic_train::Gearbox::drawn_sets).
@@ -61,7 +62,8 @@ pub struct SetStack {
 /// A clutch: a gap between two links that it closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutchMark {
-    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements); further numbers are direct-drive clutches asked for.
+    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements);
+    /// further numbers are direct-drive clutches asked for.
     pub shift_element: usize,
     /// Link and its end below the gap.
     pub lower: (LinkId, Point),

@@ -69,16 +69,18 @@
 //!
 //! # What is drawn
 //!
-//! All sets stand in one band, their planets at one height, if a sweep from left to right is found for that: what a line
-//! upright through such a drawing meets changes only next to the band, so a search over these lists finds drawings
-//! without a crossing and nothing else. The first is searched for in haste, cheaper ones with more patience as far as
-//! [`Options::attempts`] allow; the one that costs least is drawn. [`Layout::cost`] is the cost: bands of sets, then corners, walls
-//! of the housing between sets, length, and sets against the order of the power. The search weighs what lies ahead
-//! more than it must, so the cheapest drawing of all may be missed. Sets drawn of one set (a Ravigneaux set) stand side by side
-//! on one level line of their carrier where that is found.
+//! All sets stand in one band, their planets at one height, if a sweep from left to right is found for that:
+//! what a line upright through such a drawing meets changes only next to the band, so a search over these
+//! lists finds drawings without a crossing and nothing else. The first is searched for in haste, cheaper ones
+//! with more patience as far as [`Options::attempts`] allow; the one that costs least is drawn.
+//! [`Layout::cost`] is the cost: bands of sets, then corners, walls of the housing between sets, length, and
+//! sets against the order of the power. The search weighs what lies ahead more than it must, so the cheapest
+//! drawing of all may be missed. Sets drawn of one set (a Ravigneaux set) stand side by side on one level
+//! line of their carrier where that is found.
 //!
-//! Where no sweep is found, and beside it for one set or two, drawings with the sets at any heights are made by chance from embeddings of the graph, and the
-//! cheapest of them is drawn. The verdict never depends on the search.
+//! Where no sweep is found, and beside it for one set or two, drawings with the sets at any heights are made
+//! by chance from embeddings of the graph, and the cheapest of them is drawn. The verdict never depends on
+//! the search.
 //!
 //! # Idealised
 //!
@@ -86,8 +88,9 @@
 //!   nested as deep as need be. A drawable scheme can be built in principle, not always well.
 //! - All shift elements are there at once. Of a direct-drive clutch only the pair given counts;
 //!   [`direct_clutch_options`] lists all pairs that can be drawn.
-//! - Sets of every kind are a chain of central gear 1, planet and central gear 2. Stepped planets, two planets in
-//!   mesh and bevel planets have the same two sides free for the carrier, though not the same shape.
+//! - Sets of every kind are a chain of central gear 1, planet and central gear 2. Stepped planets, two
+//!   planets in mesh and bevel planets have the same two sides free for the carrier, though not the same
+//!   shape.
 //! - A Ravigneaux set is two sets with common ring and carrier. Its long planet has three meshes and
 //!   three gaps between them, where the two sets have four gaps; the fourth lies between ring and
 //!   ring, and what stands in it can be moved beside it. The verdict is the same.
@@ -131,9 +134,9 @@ use scheme::Scheme;
 pub struct Options {
     /// Input and output both leave on the left, the input's shaft around the output's.
     pub same_side: bool,
-    /// How far the search for the drawing that costs least goes on after the first: so many times forty lists of lines. Where no
-    /// drawing with all sets in one band is found, how many drawings are compared, at least one. The verdict does not depend on
-    /// it.
+    /// How far the search for the drawing that costs least goes on after the first: so many times forty lists
+    /// of lines. Where no drawing with all sets in one band is found, how many drawings are compared, at
+    /// least one. The verdict does not depend on it.
     pub attempts: u32,
 }
 
@@ -148,8 +151,8 @@ impl Default for Options {
 pub enum Element {
     /// A set, by its place in [`Gearbox::drawn_sets`].
     Set(usize),
-    /// A brake or clutch, by its place in [`Gearbox::shift_elements`]; a direct-drive clutch asked for has the number after
-    /// the last.
+    /// A brake or clutch, by its place in [`Gearbox::shift_elements`]; a direct-drive clutch asked for has
+    /// the number after the last.
     ShiftElement(usize),
     /// A link; without it its members and connections stand alone.
     Link(LinkId),
@@ -224,8 +227,8 @@ pub fn is_drawable(gearbox: &Gearbox) -> bool {
 
 /// Pairs of links between which a further clutch can be drawn: the options for a direct-drive clutch.
 ///
-/// Not every such clutch gives a direct drive: two links of sets that are not otherwise tied together leave the
-/// rest free.
+/// Not every such clutch gives a direct drive: two links of sets that are not otherwise tied together leave
+/// the rest free.
 #[must_use]
 pub fn direct_clutch_options(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
     let moving = gearbox.link_ids().skip(1);

@@ -207,8 +207,9 @@ impl<'a> Scheme<'a> {
         shift_elements.chain(take_offs).collect()
     }
 
-    /// How far from input to output each set of a gearbox stands: the more steps from the input and the fewer from the output the
-    /// farther, where each set and shift element is a step from one of its links to another.
+    /// How far from input to output each set of a gearbox stands: the more steps from the input and the fewer
+    /// from the output the farther, where each set and shift element is a step from one of its links to
+    /// another.
     pub(super) fn stages(&self) -> Vec<u32> {
         let gearbox = self.gearbox;
         let sets: Vec<Vec<LinkId>> = gearbox.sets().iter().map(|set| set.members().to_vec()).collect();

@@ -18,8 +18,8 @@ pub(super) struct Found {
     pub(super) states: usize,
 }
 
-/// A cheap sweep, after at most so many states. What lies ahead counts `haste` tenths: with 10 and more it is found the sooner
-/// the larger, and is the dearer by at most that factor but for what the estimate misses.
+/// A cheap sweep, after at most so many states. What lies ahead counts `haste` tenths: with 10 and more it is
+/// found the sooner the larger, and is the dearer by at most that factor but for what the estimate misses.
 pub(super) fn sweep(task: &Task, haste: u32, most: usize) -> Found {
     let mut nodes = vec![Node { state: task.start(), cost: 0, from: None }];
     let mut known: FxHashMap<State, u32> = FxHashMap::default();

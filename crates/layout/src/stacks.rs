@@ -1,11 +1,11 @@
 //! Each planet opened into a vertical stack: first central gear, planet, second central gear.
 //!
-//! The planet's vertex has edges below and above it, from left to right; between its first central gear
-//! and its second lie the arms of its right side, counter-clockwise, and beyond those of its left.
-//! With the first central gear reached from below and the second from above nothing is to be done. A first
-//! central gear reached from above has its shaft led out sideways and up, a second central gear reached from below
-//! is a drum led down; an arm on the wrong side of such a shaft or drum is led around under or over
-//! it. So every order of edges can be drawn.
+//! The planet's vertex has edges below and above it, from left to right; between its first central gear and
+//! its second lie the arms of its right side, counter-clockwise, and beyond those of its left. With the first
+//! central gear reached from below and the second from above nothing is to be done. A first central gear
+//! reached from above has its shaft led out sideways and up, a second central gear reached from below is a
+//! drum led down; an arm on the wrong side of such a shaft or drum is led around under or over it. So every
+//! order of edges can be drawn.
 
 use super::map::Map;
 use super::planar::{AXIS, INPUT, OUTPUT};

@@ -1,16 +1,16 @@
 //! A layout with its gears at heights in proportion to their radii.
 //!
-//! What lies where along the axis stays, and so does what lies above what. Of the heights those of the contacts and planet
-//! pins are given, in one scale for all sets; all others are as low as
+//! What lies where along the axis stays, and so does what lies above what. Of the heights those of the
+//! contacts and planet pins are given, in one scale for all sets; all others are as low as
 //!
 //! ```text
 //! y_upper − y_lower ≥ gap        for every two lines that have a place along the axis in common
 //! y = scale·radius               of contacts and planet pins
 //! ```
 //!
-//! allow: a shaft lies close to the axis, a drum close over the largest ring that it passes. The scale is the least for which
-//! there are such heights: they are longest paths in a graph without circles, and a larger scale never takes room away. A
-//! carrier whose sets have pins at different heights has a web between them.
+//! allow: a shaft lies close to the axis, a drum close over the largest ring that it passes. The scale is the
+//! least for which there are such heights: they are longest paths in a graph without circles, and a larger
+//! scale never takes room away. A carrier whose sets have pins at different heights has a web between them.
 
 use super::layout::{GAP, Layout, PLANET, Point, Segment, SetStack, ShaftEnd, shapes};
 use epicyclic_numerics::roots::bisected;
@@ -53,7 +53,8 @@ pub enum SetRadii {
 /// A set whose gears would have to stand above those of another, with smaller radii.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NotToScale {
-    /// The lower set and the upper one, by their places in [`Gearbox::drawn_sets`](epicyclic_train::Gearbox::drawn_sets).
+    /// The lower set and the upper one, by their places in
+    /// [`Gearbox::drawn_sets`](epicyclic_train::Gearbox::drawn_sets).
     pub sets: [usize; 2],
 }
 
@@ -111,12 +112,13 @@ struct Heights<'a> {
 const WALL: usize = 0;
 
 impl Layout {
-    /// The same drawing with contacts and planet pins at heights in proportion to their radii, and the scale: grid units over
-    /// the unit of the radii. `sets` are in the order of [`Layout::sets`]; `chosen` says which scale is taken where this is the
-    /// least that leaves room, and a smaller one is not.
+    /// The same drawing with contacts and planet pins at heights in proportion to their radii, and the scale:
+    /// grid units over the unit of the radii. `sets` are in the order of [`Layout::sets`]; `chosen` says
+    /// which scale is taken where this is the least that leaves room, and a smaller one is not.
     ///
     /// # Errors
-    /// [`NotToScale`] where a set stands on another that is larger, as it may where not all stand in one band.
+    /// [`NotToScale`] where a set stands on another that is larger, as it may where not all stand in one
+    /// band.
     pub fn to_scale(
         &self,
         sets: &[SetRadii],
@@ -483,7 +485,8 @@ impl<'a> Heights<'a> {
     }
 }
 
-/// The least distance of two nodes, the upper one last; `None` where they are parts of one set that say nothing of each other.
+/// The least distance of two nodes, the upper one last; `None` where they are parts of one set that say
+/// nothing of each other.
 fn gap(lower: &Node, upper: &Node) -> Option<f64> {
     use Kind::{Contact, Pin, Plate, Reach};
     let is_own = lower.set.is_some() && lower.set == upper.set;
@@ -515,8 +518,8 @@ mod tests {
         }
     }
 
-    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis asks for a scale of 0.45, the planet for 0.35. The ring's
-    /// web is 0.45 high and the brake in it 0.75.
+    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis asks for a scale of 0.45, the planet for
+    /// 0.35. The ring's web is 0.45 high and the brake in it 0.75.
     #[test]
     fn the_least_heights_of_one_set() {
         let gearbox = crate::samples::scheme_one();

@@ -28,7 +28,8 @@ fn touch(a: &Segment, b: &Segment) -> bool {
     a.from.x <= b.to.x && b.from.x <= a.to.x && a.from.y <= b.to.y && b.from.y <= a.to.y
 }
 
-/// Every link is one connected thing that has all its central gears, ends and shift elements; nothing crosses.
+/// Every link is one connected thing that has all its central gears, ends and shift elements; nothing
+/// crosses.
 fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
     let name = gearbox.name();
     assert_eq!(layout.crossings(), [], "{name}");
@@ -252,8 +253,8 @@ fn sets_on_one_carrier_do_not_interleave() {
         }
         builder.build().unwrap()
     };
-    // A ring of clutches puts the four central gears around the carrier in its order: sun, sun, ring, ring and
-    // sun, ring, ring, sun can be; sun 1, sun 2, ring 1, ring 2 cannot.
+    // A ring of clutches puts the four central gears around the carrier in its order: sun, sun, ring, ring
+    // and sun, ring, ring, sun can be; sun 1, sun 2, ring 1, ring 2 cannot.
     assert!(check(&build(&[["a1", "a2"], ["a2", "b2"], ["b2", "b1"], ["b1", "a1"]])));
     assert!(check(&build(&[["a1", "b1"], ["b1", "a2"], ["a2", "b2"], ["b2", "a1"]])));
     assert!(!check(&build(&[["a1", "a2"], ["a2", "b1"], ["b1", "b2"], ["b2", "a1"]])));
@@ -300,7 +301,8 @@ fn a_direct_drive_clutch_that_cannot_be_drawn_is_named() {
     assert!(refused > 20, "{refused}");
 }
 
-/// Power leaves at `T1` in one gear and enters there in another, and enters at `T2` and leaves at the input in a third.
+/// Power leaves at `T1` in one gear and enters there in another, and enters at `T2` and leaves at the input
+/// in a third.
 #[test]
 fn links_where_power_enters_or_leaves_in_some_gear_only_reach_the_housing() {
     let gear = |name: &str, input: Option<&str>, output: Option<&str>| GearSpec {

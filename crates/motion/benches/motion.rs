@@ -1,4 +1,5 @@
-//! The power shift P2 from start to the locked clutch, and ten seconds of driving with a gearbox of four sets.
+//! The power shift P2 from start to the locked clutch, and ten seconds of driving with a gearbox of four
+//! sets.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_motion::Start;

@@ -12,9 +12,9 @@
 //! | `λ` | capacity, `1/K²` with the K-factor `ω_p/√T_p` | N·m·s²/rad² |
 //! | `μ` | torque ratio | 1 |
 //!
-//! The characteristic is that of a driven impeller: `λ` and `μ` are linear between the points of a table and level beyond them, and
-//! while the impeller stands or turns backwards there is no torque. The oil keeps no energy. A lock-up clutch is a friction
-//! element between the same links.
+//! The characteristic is that of a driven impeller: `λ` and `μ` are linear between the points of a table and
+//! level beyond them, and while the impeller stands or turns backwards there is no torque. The oil keeps no
+//! energy. A lock-up clutch is a friction element between the same links.
 
 use crate::Error;
 use crate::course::finite;
@@ -32,8 +32,9 @@ impl Converter {
     /// From points of speed ratio `ν`, torque ratio `μ`, and capacity `λ` in N·m·s²/rad², in order of `ν`.
     ///
     /// # Errors
-    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite, and of an efficiency `μ·ν` at which the converter would give more
-    /// power than it takes, at a point or between two; [`Error::Order`] of speed ratios that do not ascend.
+    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite, and of an efficiency `μ·ν` at
+    /// which the converter would give more power than it takes, at a point or between two; [`Error::Order`]
+    /// of speed ratios that do not ascend.
     pub fn new(points: &[[f64; 3]]) -> Result<Self, Error> {
         let field = "the characteristic of a converter";
         if points.is_empty() {
@@ -59,8 +60,8 @@ impl Converter {
         Ok(made)
     }
 
-    /// `λ·(1 − μ·ν) ≥ 0` everywhere: where `λ` has one sign, the ends and the vertex of the parabola `μ·ν` decide; beyond the
-    /// table, where `μ` and `λ` are level, its sign far out.
+    /// `λ·(1 − μ·ν) ≥ 0` everywhere: where `λ` has one sign, the ends and the vertex of the parabola `μ·ν`
+    /// decide; beyond the table, where `μ` and `λ` are level, its sign far out.
     fn check_power(&self) -> Result<(), Error> {
         let [first, last] = [self.points[0], self.points[self.points.len() - 1]];
         for (point, sign) in [(first, 1.0), (last, -1.0)] {

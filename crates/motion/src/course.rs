@@ -7,8 +7,8 @@ use uom::si::f64::{Angle, AngularVelocity, Time, Torque};
 
 /// A torque over time.
 ///
-/// Tables are linear between their points and constant before the first and after the last. Two points at one time are a jump: before
-/// it holds the first, at it and after it the second.
+/// Tables are linear between their points and constant before the first and after the last. Two points at one
+/// time are a jump: before it holds the first, at it and after it the second.
 ///
 /// ```
 /// use epicyclic_motion::Course;
@@ -75,8 +75,8 @@ impl Course {
     /// Linear between points in order of time.
     ///
     /// # Errors
-    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of a time before that of the point
-    /// before, or of three points at one time.
+    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of a time
+    /// before that of the point before, or of three points at one time.
     pub fn table(points: &[(Time, Torque)]) -> Result<Self, Error> {
         let points: Vec<[f64; 2]> = points.iter().map(|(time, torque)| [time.si(), torque.si()]).collect();
         if points.is_empty() {
@@ -132,7 +132,8 @@ impl Course {
         Torque::from_si(self.piece(time.si()).at(time.si()))
     }
 
-    /// The same as the capacity of a friction element: a harmonic below 0 is 0, and a constant or a table below 0 is refused.
+    /// The same as the capacity of a friction element: a harmonic below 0 is 0, and a constant or a table
+    /// below 0 is refused.
     pub(crate) fn into_capacity(mut self, element: &str) -> Result<Self, Error> {
         let least = match &self.form {
             Form::Constant(value) => *value,

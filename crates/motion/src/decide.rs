@@ -1,8 +1,8 @@
 //! What holds and what slips from here on.
 //!
-//! Elements and lossy sets whose slip is not 0 go on as they do. The others have three ways each: stuck, forwards, backwards; a one-way clutch
-//! two. Every combination is tried, those first that let go of the fewest elements that were stuck, then those with the most stuck elements, and is
-//! consistent where
+//! Elements and lossy sets whose slip is not 0 go on as they do. The others have three ways each: stuck,
+//! forwards, backwards; a one-way clutch two. Every combination is tried, those first that let go of the
+//! fewest elements that were stuck, then those with the most stuck elements, and is consistent where
 //!
 //! ```text
 //! stuck        |λ| ≤ κ·C, and λ ≥ 0 of a one-way clutch
@@ -10,15 +10,18 @@
 //! power        through each lossy mesh in the direction that was assumed
 //! ```
 //!
-//! Without losses and with `κ = 1` the accelerations minimize the strictly convex `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one
-//! motion is consistent. With `κ > 1` several may be: what is stuck then lets go only where nothing else is consistent, and an element that comes to rest
-//! holds where it can, which is the hysteresis of static friction.
-//! An element that has just exceeded its capacity does not hold again at that moment. Where several that share their torque reach their capacities at once, it
-//! is not said which of them slip: at that moment all accelerations are still 0. Then the torques and capacities a little later tell; what holds less
-//! than it can goes on to hold, if that is consistent.
+//! Without losses and with `κ = 1` the accelerations minimize the strictly convex
+//! `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one motion is consistent. With `κ > 1` several may
+//! be: what is stuck then lets go only where nothing else is consistent, and an element that comes to rest
+//! holds where it can, which is the hysteresis of static friction. An element that has just exceeded its
+//! capacity does not hold again at that moment. Where several that share their torque reach their capacities
+//! at once, it is not said which of them slip: at that moment all accelerations are still 0. Then the torques
+//! and capacities a little later tell; what holds less than it can goes on to hold, if that is consistent.
 //!
-//! The meshes of a set at rest are elements, too: it starts to roll where the losses of that direction let it, and is held by friction where neither
-//! direction does. An element that has exceeded its capacity then *yields*: it carries its capacity without slip, and mesh friction the rest. Where stuck elements make a set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
+//! The meshes of a set at rest are elements, too: it starts to roll where the losses of that direction let
+//! it, and is held by friction where neither direction does. An element that has exceeded its capacity then
+//! *yields*: it carries its capacity without slip, and mesh friction the rest. Where stuck elements make a
+//! set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
 
 use crate::Error;
 use crate::field::{Field, Trigger, push};
@@ -179,8 +182,8 @@ impl Field<'_> {
         open.elements.iter().copied().filter(is_firm).collect()
     }
 
-    /// The state a little later: twists of shafts, whose torques are what may be about to exceed a capacity, and speeds as long as what is
-    /// without slip remains so.
+    /// The state a little later: twists of shafts, whose torques are what may be about to exceed a capacity,
+    /// and speeds as long as what is without slip remains so.
     fn later(&self, moment: &Moment, open: &Open) -> Vec<f64> {
         let mut later = moment.y.to_vec();
         let rates = &self.accelerations;
@@ -197,7 +200,8 @@ impl Field<'_> {
         later
     }
 
-    /// Ways of the open elements: first those that let go of the fewest that were stuck, then those with the most stuck.
+    /// Ways of the open elements: first those that let go of the fewest that were stuck, then those with the
+    /// most stuck.
     fn combinations(
         &self,
         open: &Open,
@@ -221,7 +225,8 @@ impl Field<'_> {
         all
     }
 
-    /// Patterns with ways of the sets that do not roll: moving ones first, so that friction holds only where nothing moves.
+    /// Patterns with ways of the sets that do not roll: moving ones first, so that friction holds only where
+    /// nothing moves.
     ///
     /// A set whose rolling depends on what is stuck is a block. Of sets that roll together one leads.
     fn rolling(&self, candidate: &Pattern, sets: &[usize]) -> Vec<Pattern> {
@@ -245,7 +250,8 @@ impl Field<'_> {
             let mut pattern = candidate.clone();
             for (place, made) in &found.others {
                 let Some(one) = place.checked_sub(stuck.len()) else { continue };
-                // The sign of a sum is that of its largest part; where another would be right the accelerations tell.
+                // The sign of a sum is that of its largest part; where another would be right the
+                // accelerations tell.
                 let mut most = 0.0_f64;
                 for (factor, kept) in made.iter().zip(&found.kept) {
                     let leader = kept.checked_sub(stuck.len());
@@ -265,7 +271,8 @@ impl Field<'_> {
         all.into_iter().map(with).collect()
     }
 
-    /// By how much a pattern is contradicted, over the largest torque or acceleration, with its mesh powers settled.
+    /// By how much a pattern is contradicted, over the largest torque or acceleration, with its mesh powers
+    /// settled.
     fn violation(
         &mut self,
         assumed: Pattern,
@@ -322,7 +329,8 @@ impl Field<'_> {
         Some((worst, self.pattern.clone()))
     }
 
-    /// Finds the directions of the mesh powers under the ways of elements and sets; false where none are consistent.
+    /// Finds the directions of the mesh powers under the ways of elements and sets; false where none are
+    /// consistent.
     fn settle(&mut self, moment: &Moment, unique: &mut Unique) -> Result<bool, Error> {
         let lossy: Vec<usize> = self.lossy_meshes().collect();
         if lossy.len() > MOST_LOSSY_MESHES {
@@ -419,10 +427,11 @@ impl Field<'_> {
         found
     }
 
-    /// Refuses stuck elements whose torques could be split otherwise and load a mesh that loses power: the losses would follow the split,
-    /// which nothing tells.
+    /// Refuses stuck elements whose torques could be split otherwise and load a mesh that loses power: the
+    /// losses would follow the split, which nothing tells.
     ///
-    /// A split that stays in balance is 1 on a dependent element and what this takes from the independent ones.
+    /// A split that stays in balance is 1 on a dependent element and what this takes from the independent
+    /// ones.
     fn check_redundant(&self, lossy: &[usize], time_s: f64) -> Result<(), Error> {
         let System { stuck, independent, meshes, .. } = &self.system;
         for (other, made) in &independent.others {
@@ -480,7 +489,8 @@ impl Field<'_> {
         Err(Error::NotUnique { sets, least, greatest })
     }
 
-    /// Whether a set that friction holds would start under some pattern, with the elements as they are but that those that yield may hold again.
+    /// Whether a set that friction holds would start under some pattern, with the elements as they are but
+    /// that those that yield may hold again.
     pub(crate) fn would_start(&self, moment: &Moment, unique: &mut Unique) -> bool {
         let (mut yielding, sets) = self.at_rest(moment.y, moment.speed_scale);
         // Those that only begin to slip, too.

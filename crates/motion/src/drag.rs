@@ -1,14 +1,17 @@
-//! Drags: torques of seals, bearings, oil and open shift elements between two links, by a curve over their relative speed.
+//! Drags: torques of seals, bearings, oil and open shift elements between two links, by a curve over their
+//! relative speed.
 //!
 //! ```text
 //! s = ω_1 − ω_2     T_1 = −M(|s|)·sign s     T_2 = −T_1
 //! M(|s|)·sign s = M_0·sign s + m(s)          M_0 = M(0),  m odd, m(0) = 0
 //! ```
 //!
-//! `m` is smooth at `s = 0`; between the points of the curve it is linear, and what it does not reach of them is an event. `M_0` is dry friction,
-//! carried by a friction element that slips or sticks as any other: at `s = 0` it holds up to `M_0`, without smoothing. A curve through 0 has none, and
-//! needs no event at rest. Where a shift element or a load stands between the same links, `M_0` adds to what that carries and holds, so that nothing
-//! leaves open how both share a torque; while they stick, the element is told to carry all that it can, and the drag the rest.
+//! `m` is smooth at `s = 0`; between the points of the curve it is linear, and what it does not reach of them
+//! is an event. `M_0` is dry friction, carried by a friction element that slips or sticks as any other: at
+//! `s = 0` it holds up to `M_0`, without smoothing. A curve through 0 has none, and needs no event at rest.
+//! Where a shift element or a load stands between the same links, `M_0` adds to what that carries and holds,
+//! so that nothing leaves open how both share a torque; while they stick, the element is told to carry all
+//! that it can, and the drag the rest.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

@@ -163,7 +163,8 @@ pub enum Error {
         parts: Vec<String>,
         /// Their links.
         links: Vec<String>,
-        /// By how much the best is contradicted, over the largest torque or acceleration; none where no pattern has a solution.
+        /// By how much the best is contradicted, over the largest torque or acceleration; none where no
+        /// pattern has a solution.
         violation: Option<f64>,
     },
     /// A speed at which a drag is not told.

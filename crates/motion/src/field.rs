@@ -1,4 +1,5 @@
-//! The right side of the equations of motion under a pattern, the energies beside it, and how far the pattern is from its end.
+//! The right side of the equations of motion under a pattern, the energies beside it, and how far the pattern
+//! is from its end.
 //!
 //! The state is, in this order,
 //!
@@ -75,7 +76,8 @@ pub(crate) struct Field<'m> {
     pub(crate) sides: Vec<f64>,
     /// Of each dog clutch that waits to engage the sign of its slip; else 0.
     pub(crate) waits: Vec<f64>,
-    /// Whether an element that slips by its [`Way`] has no slip and gets none, see [`find_triggers`](Self::find_triggers).
+    /// Whether an element that slips by its [`Way`] has no slip and gets none, see
+    /// [`find_triggers`](Self::find_triggers).
     pub(crate) yields: Vec<bool>,
     pub(crate) triggers: Vec<Trigger>,
     pub(crate) margins: Vec<f64>,
@@ -84,7 +86,8 @@ pub(crate) struct Field<'m> {
     /// The largest torque and speed so far.
     pub(crate) torque_scale: f64,
     pub(crate) speed_scale: f64,
-    /// What was evaluated last: torques on nodes, `q̈`, `t`, `λ`, torques of elements on their first links, applied torques.
+    /// What was evaluated last: torques on nodes, `q̈`, `t`, `λ`, torques of elements on their first links,
+    /// applied torques.
     pub(crate) nodes: Vec<f64>,
     pub(crate) accelerations: Vec<f64>,
     pub(crate) meshes: Vec<f64>,
@@ -170,8 +173,8 @@ impl<'m> Field<'m> {
         is_idle.extend(model.elements.iter().zip(is_open).map(|(one, is_open)| *is_open && rests(one)));
     }
 
-    /// Capacity of a slipping element, where its slip is not looked at; it never falls below 0, which rounding at the end of a ramp would
-    /// let it.
+    /// Capacity of a slipping element, where its slip is not looked at; it never falls below 0, which
+    /// rounding at the end of a ramp would let it.
     fn capacity(&self, element: usize, t: f64) -> f64 {
         self.capacities[element].at(t).max(0.0)
     }
@@ -186,7 +189,8 @@ impl<'m> Field<'m> {
         }
     }
 
-    /// The largest torque that a stuck element holds, with the dry friction of drags; none of a one-way or dog clutch.
+    /// The largest torque that a stuck element holds, with the dry friction of drags; none of a one-way or
+    /// dog clutch.
     pub(crate) fn static_capacity(&self, element: usize, t: f64) -> Option<f64> {
         self.own_capacity(element, t).map(|own| own + self.model.elements[element].dry)
     }
@@ -238,7 +242,8 @@ impl<'m> Field<'m> {
         }
     }
 
-    /// What mesh friction adds to the torque on the root of a set that it holds, and takes from that on its carrier.
+    /// What mesh friction adds to the torque on the root of a set that it holds, and takes from that on its
+    /// carrier.
     pub(crate) fn held_torque(&self, set: usize) -> f64 {
         let place = self.system.stuck_sets.iter().position(|&one| one == set);
         place.map_or(0.0, |place| self.reactions[self.system.independent.kept.len() + place])

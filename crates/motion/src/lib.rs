@@ -21,21 +21,26 @@
 //! M·q̈ = Q + Σ λ_stuck     ω = B·q̇     M = Bᵀ·J·B
 //! ```
 //!
-//! Shift elements are dry friction without smoothing: between events it is fixed what holds and what slips, and the right side is smooth. An event is the end of
-//! a slip, a torque above what is held, a capacity that leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table or of a drag's curve,
-//! the begin and end of contact in a shaft with backlash.
-//! It is located in the step, and what holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the power
-//! through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic impacts.
+//! Shift elements are dry friction without smoothing: between events it is fixed what holds and what slips,
+//! and the right side is smooth. An event is the end of a slip, a torque above what is held, a capacity that
+//! leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table or of
+//! a drag's curve, the begin and end of contact in a shaft with backlash. It is located in the step, and what
+//! holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the
+//! power through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic
+//! impacts.
 //!
-//! Mesh friction at rest is taken as able to hold while no rolling follows from the torques. Where losses are large both can be consistent, a block that turns and
-//! sets that roll in it; a motion that then changes between them without end is refused as [accumulating](Error::Accumulating). How it shares a torque with
+//! Mesh friction at rest is taken as able to hold while no rolling follows from the torques. Where losses are
+//! large both can be consistent, a block that turns and sets that roll in it; a motion that then changes
+//! between them without end is refused as [accumulating](Error::Accumulating). How it shares a torque with
 //! stuck elements is open as between these; which of several holds longest may then depend on their order.
 //!
-//! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where capacities do and no shaft is between; losses of meshes in
-//! an impact; friction and drags over temperature; friction over pressure; the oil's inertia in a converter.
+//! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where
+//! capacities do and no shaft is between; losses of meshes in an impact; friction and drags over temperature;
+//! friction over pressure; the oil's inertia in a converter.
 //!
 //! # Example
-//! A power shift of one set: a one-way brake holds the ring until the clutch between sun and ring has taken over.
+//! A power shift of one set: a one-way brake holds the ring until the clutch between sun and ring has taken
+//! over.
 //!
 //! ```
 //! use epicyclic_dynamics::gearbox::Masses;

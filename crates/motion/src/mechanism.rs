@@ -1,15 +1,16 @@
 //! What moves: links, planets, and the sets between them, as matrices.
 //!
 //! # Speeds
-//! Links joined for ever are one *node*. The sets ask of the nodes, for each central gear `c` beside the first `r`,
+//! Links joined for ever are one *node*. The sets ask of the nodes, for each central gear `c` beside the
+//! first `r`,
 //!
 //! ```text
 //! (ω_r − ω_H) − i_c·(ω_c − ω_H) = 0      i_c = g_r/g_c
 //! ω_p = ω_H + g_p·(ω_r − ω_H)/g_r        a planet about its own axis, absolute
 //! ```
 //!
-//! Elimination with the largest pivot of what is left makes some node speeds sums of the others; these are the
-//! coordinates `q̇`, and all bodies (nodes, then planets) turn at `ω = B·q̇`.
+//! Elimination with the largest pivot of what is left makes some node speeds sums of the others; these are
+//! the coordinates `q̇`, and all bodies (nodes, then planets) turn at `ω = B·q̇`.
 //!
 //! # Inertia
 //! ```text
@@ -17,7 +18,8 @@
 //! ```
 //!
 //! # Torques
-//! A mesh acts on its gears `A`, `B` and through the bearings of the planets on the carrier `H`; with `ρ = g_A/g_B`
+//! A mesh acts on its gears `A`, `B` and through the bearings of the planets on the carrier `H`; with
+//! `ρ = g_A/g_B`
 //!
 //! ```text
 //! T_B = −ρ·e·T_A     T_H = −T_A − T_B     e = η^w,  w = +1 where power flows from A to B, −1 where it flows back
@@ -25,8 +27,9 @@
 //! loss = P·(1 − e)
 //! ```
 //!
-//! Each body keeps its own balance `J·ω̇ = Σ T`, so that the meshes of a planet carry different powers while it accelerates. A planet
-//! without inertia and with two meshes passes its torque on; these meshes are taken as one, with the product of their efficiencies.
+//! Each body keeps its own balance `J·ω̇ = Σ T`, so that the meshes of a planet carry different powers while
+//! it accelerates. A planet without inertia and with two meshes passes its torque on; these meshes are taken
+//! as one, with the product of their efficiencies.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -142,12 +145,13 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// A gearbox with its masses, these shift elements engaged for good; as a rule none, since a shift element is a torque of the
-    /// [`Model`](crate::Model).
+    /// A gearbox with its masses, these shift elements engaged for good; as a rule none, since a shift
+    /// element is a torque of the [`Model`](crate::Model).
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a shift element, link, set or planet that is not there; [`Error::Value`] for a mass, inertia or radius
-    /// that no body has; [`Error::PlanetSpeed`]; [`Error::NoFreedom`]; [`Error::Overdetermined`]; [`Error::NoInertia`].
+    /// [`Error::Unknown`] for a shift element, link, set or planet that is not there; [`Error::Value`] for a
+    /// mass, inertia or radius that no body has; [`Error::PlanetSpeed`]; [`Error::NoFreedom`];
+    /// [`Error::Overdetermined`]; [`Error::NoInertia`].
     pub fn of(gearbox: &Gearbox, engaged: &[&str], masses: &Masses) -> Result<Self, Error> {
         let mut groups = Groups::new(gearbox.links().len());
         for [first, second] in gearbox.permanent() {
@@ -189,7 +193,8 @@ impl Mechanism {
     /// Shafts without any gear set, by name, to be joined by shift elements.
     ///
     /// # Errors
-    /// [`Error::Duplicate`], [`Error::Value`], [`Error::NoInertia`] for a shaft without inertia, [`Error::NoFreedom`] without shafts.
+    /// [`Error::Duplicate`], [`Error::Value`], [`Error::NoInertia`] for a shaft without inertia,
+    /// [`Error::NoFreedom`] without shafts.
     pub fn shafts(shafts: &[(&str, MomentOfInertia)]) -> Result<Self, Error> {
         let mut links = vec![GROUND.to_owned()];
         for (name, _) in shafts {
@@ -220,10 +225,12 @@ impl Mechanism {
         Ok(made)
     }
 
-    /// With a body beside the gearbox, a link of its own that only shafts, converters and friction join to others: engine, load, vehicle.
+    /// With a body beside the gearbox, a link of its own that only shafts, converters and friction join to
+    /// others: engine, load, vehicle.
     ///
     /// # Errors
-    /// [`Error::Duplicate`] of a link that is there; [`Error::Value`]; [`Error::NoInertia`] of one without inertia.
+    /// [`Error::Duplicate`] of a link that is there; [`Error::Value`]; [`Error::NoInertia`] of one without
+    /// inertia.
     pub fn with_body(mut self, name: &str, inertia: MomentOfInertia) -> Result<Self, Error> {
         if self.links.iter().any(|link| link == name) {
             return Err(Error::Duplicate { what: "link", name: name.to_owned() });
@@ -290,7 +297,8 @@ impl Mechanism {
         })
     }
 
-    /// Equivalent inertia at a link: its torque over its acceleration while nothing else acts, `1/(b·M⁻¹·bᵀ)` with the row `b` of `B`.
+    /// Equivalent inertia at a link: its torque over its acceleration while nothing else acts, `1/(b·M⁻¹·bᵀ)`
+    /// with the row `b` of `B`.
     ///
     /// # Errors
     /// [`Error::Unknown`]; [`Error::NoFreedom`] of a link that cannot move.
@@ -355,7 +363,8 @@ impl Mechanism {
 
     /// Refuses motions in which nothing with inertia moves, naming the links that move in them.
     ///
-    /// `M = Bᵀ·J·B` is positive definite exactly if the rows of `B` of bodies with inertia span all coordinates.
+    /// `M = Bᵀ·J·B` is positive definite exactly if the rows of `B` of bodies with inertia span all
+    /// coordinates.
     fn check_inertia(&self) -> Result<(), Error> {
         let n = self.freedoms();
         if n == 0 {

@@ -24,9 +24,11 @@ use uom::si::f64::{AngularVelocity, Time, Torque};
 /// stuck      T_1 as s = 0 asks, |T_1| ≤ κ·C        κ ≥ 1: static over kinetic friction
 /// ```
 ///
-/// and a one-way clutch `T_1 ≥ 0` with `s = 0`, or none with `s > 0`. A load that opposes motion is a friction element with the housing.
+/// and a one-way clutch `T_1 ≥ 0` with `s = 0`, or none with `s > 0`. A load that opposes motion is a
+/// friction element with the housing.
 ///
-/// One-way clutches of the gearbox are there from the start; its other shift elements are open until they are given a capacity.
+/// One-way clutches of the gearbox are there from the start; its other shift elements are open until they are
+/// given a capacity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     pub(crate) mechanism: Mechanism,
@@ -66,7 +68,8 @@ pub(crate) struct Element {
 /// How an element carries torque.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Kind {
-    /// Capacity while slipping, `κ`, and the factor of the capacity over slip speed; 1 where that has no points.
+    /// Capacity while slipping, `κ`, and the factor of the capacity over slip speed; 1 where that has no
+    /// points.
     Friction {
         capacity: Course,
         static_ratio: f64,
@@ -139,8 +142,8 @@ impl Model {
         Ok(())
     }
 
-    /// Loads a link with a torque of this size against its motion, which holds it at rest while it can: rolling resistance, a
-    /// grade's friction, a tool in the ground.
+    /// Loads a link with a torque of this size against its motion, which holds it at rest while it can:
+    /// rolling resistance, a grade's friction, a tool in the ground.
     ///
     /// # Errors
     /// As [`friction`](Self::friction).
@@ -148,11 +151,12 @@ impl Model {
         self.friction(name, [link, GROUND], Course::constant(torque)?, 1.0)
     }
 
-    /// Joins two links, or a link and the housing, by friction of a capacity over time and a ratio of static over kinetic friction.
+    /// Joins two links, or a link and the housing, by friction of a capacity over time and a ratio of static
+    /// over kinetic friction.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::Value`] for a capacity below 0 and a ratio that is
-    /// not finite or below 1.
+    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::Value`] for a capacity below 0
+    /// and a ratio that is not finite or below 1.
     pub fn friction(
         &mut self,
         name: &str,
@@ -171,7 +175,8 @@ impl Model {
     /// Gives a shift element of the gearbox a capacity over time.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as [`friction`](Self::friction).
+    /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as
+    /// [`friction`](Self::friction).
     pub fn shift_element(&mut self, name: &str, capacity: Course, static_ratio: f64) -> Result<(), Error> {
         let links = self.shift_links(name)?;
         self.friction(name, [&links[0], &links[1]], capacity, static_ratio)
@@ -185,12 +190,14 @@ impl Model {
         self.join(name, links, Kind::OneWay)
     }
 
-    /// Lets the capacity of a friction element depend on its slip speed: it is multiplied by a factor, linear between points in order of
-    /// speed and level beyond them. The factor at 0 holds for stuck elements, too, beside `κ`.
+    /// Lets the capacity of a friction element depend on its slip speed: it is multiplied by a factor, linear
+    /// between points in order of speed and level beyond them. The factor at 0 holds for stuck elements, too,
+    /// beside `κ`.
     ///
     /// # Errors
-    /// [`Error::Unknown`] of an element that is not there or carries no friction; [`Error::NoPoints`]; [`Error::Order`] of speeds that do not ascend;
-    /// [`Error::Value`] of a number that is not finite or below 0.
+    /// [`Error::Unknown`] of an element that is not there or carries no friction; [`Error::NoPoints`];
+    /// [`Error::Order`] of speeds that do not ascend; [`Error::Value`] of a number that is not finite or
+    /// below 0.
     pub fn friction_over_slip(&mut self, name: &str, points: &[(AngularVelocity, f64)]) -> Result<(), Error> {
         let field = || format!("friction over slip speed of {name}");
         let found = self.elements.iter_mut().find(|one| one.name == name).map(|one| &mut one.kind);
@@ -219,7 +226,8 @@ impl Model {
         Ok(())
     }
 
-    /// The factor of a friction element's capacity at a slip speed of either sign; 1 of one whose friction depends on none, and of other elements.
+    /// The factor of a friction element's capacity at a slip speed of either sign; 1 of one whose friction
+    /// depends on none, and of other elements.
     #[must_use]
     pub fn friction_factor(&self, name: &str, slip: AngularVelocity) -> f64 {
         let speed = slip.si().abs();
@@ -231,7 +239,8 @@ impl Model {
         }
     }
 
-    /// Joins two links by an elastic, damped shaft with backlash: of the gearbox, the housing, or [bodies](Mechanism::with_body) beside it.
+    /// Joins two links by an elastic, damped shaft with backlash: of the gearbox, the housing, or
+    /// [bodies](Mechanism::with_body) beside it.
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
@@ -252,16 +261,19 @@ impl Model {
         Ok(())
     }
 
-    /// Joins two links, or a link and the housing, by a dog clutch that is engaged or open from each of these times on, and open before.
+    /// Joins two links, or a link and the housing, by a dog clutch that is engaged or open from each of these
+    /// times on, and open before.
     ///
-    /// It engages as soon as its slip is at most `limit`, at any slip without one, by an impact: it takes the slip away at once and
-    /// keeps the momentum, `Δq̇ = M⁻¹·Dᵀ·Λ` with the impulses `Λ` of all dog clutches that are engaged and of the one-way clutches that
-    /// would slip backwards. Friction, meshes' losses, shafts and converters have finite torques and no part in it. What kinetic
-    /// energy it takes is in [`Audit::impacts`](crate::Audit::impacts). Once engaged it carries any torque.
+    /// It engages as soon as its slip is at most `limit`, at any slip without one, by an impact: it takes the
+    /// slip away at once and keeps the momentum, `Δq̇ = M⁻¹·Dᵀ·Λ` with the impulses `Λ` of all dog clutches
+    /// that are engaged and of the one-way clutches that would slip backwards. Friction, meshes' losses,
+    /// shafts and converters have finite torques and no part in it. What kinetic energy it takes is in
+    /// [`Audit::impacts`](crate::Audit::impacts). Once engaged it carries any torque.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::NoPoints`] without times; [`Error::Order`] of times that do not
-    /// ascend; [`Error::Value`] of a time that is not finite and of a limit that is not finite or below 0.
+    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::NoPoints`] without times;
+    /// [`Error::Order`] of times that do not ascend; [`Error::Value`] of a time that is not finite and of a
+    /// limit that is not finite or below 0.
     pub fn dog_clutch(
         &mut self,
         name: &str,
@@ -297,7 +309,8 @@ impl Model {
     /// Makes a shift element of the gearbox a dog clutch.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as [`dog_clutch`](Self::dog_clutch).
+    /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as
+    /// [`dog_clutch`](Self::dog_clutch).
     pub fn shift_dog_clutch(
         &mut self,
         name: &str,
@@ -308,9 +321,10 @@ impl Model {
         self.dog_clutch(name, [&links[0], &links[1]], program, limit)
     }
 
-    /// Lets two links, or a link and the housing, drag on each other by a curve over their relative speed. Where the torque at rest is not 0, it is dry
-    /// friction: what stands between the same links then holds so much more, else it sticks by itself. Links that never turn against each other do not
-    /// drag. To be given after elements between the same links.
+    /// Lets two links, or a link and the housing, drag on each other by a curve over their relative speed.
+    /// Where the torque at rest is not 0, it is dry friction: what stands between the same links then holds
+    /// so much more, else it sticks by itself. Links that never turn against each other do not drag. To be
+    /// given after elements between the same links.
     ///
     /// # Errors
     /// [`Error::Unknown`] for a link that is not there.
@@ -365,8 +379,8 @@ impl Model {
         self.drag(name, [&first, &second], curve)
     }
 
-    /// What carries dry friction of this slip, and the sign of its own where this is above 0: friction or a one-way clutch that has it already,
-    /// else an element for it.
+    /// What carries dry friction of this slip, and the sign of its own where this is above 0: friction or a
+    /// one-way clutch that has it already, else an element for it.
     fn carrier(&mut self, name: &str, places: [Place; 2], slip: &[f64]) -> (usize, f64) {
         let size = largest_absolute(slip);
         let sign_of = |one: &Element| {

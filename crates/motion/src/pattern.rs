@@ -5,10 +5,11 @@
 //! D_stuck·q̈ = 0                  one row a stuck element or set
 //! ```
 //!
-//! `t` are the torques of the meshes on their first gears, `C(e)` spreads them over gears and carrier, `λ` are the torques of what is stuck.
-//! The system is square, and its determinant is that of the loaded mass matrix times one that the signs of `e` do not touch: it has
-//! the same sign for all patterns of power directions exactly if the motion is unique for every torque (the column W-property: R. Sznajder and
-//! M. S. Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2).
+//! `t` are the torques of the meshes on their first gears, `C(e)` spreads them over gears and carrier, `λ`
+//! are the torques of what is stuck. The system is square, and its determinant is that of the loaded mass
+//! matrix times one that the signs of `e` do not touch: it has the same sign for all patterns of power
+//! directions exactly if the motion is unique for every torque (the column W-property: R. Sznajder and M. S.
+//! Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2).
 
 use crate::converter::Drive;
 use crate::mechanism::Mechanism;
@@ -20,8 +21,8 @@ use epicyclic_numerics::linear::{Independent, Matrix, Triangles, independent};
 /// What an element or the rolling of a set does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Way {
-    /// It carries no friction: a capacity of 0, a one-way clutch that overruns stands under `Forward`; a set without losses, or one that
-    /// other elements hold as a block.
+    /// It carries no friction: a capacity of 0, a one-way clutch that overruns stands under `Forward`; a set
+    /// without losses, or one that other elements hold as a block.
     Open,
     /// Slip above 0, or about to be.
     Forward,

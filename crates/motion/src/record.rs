@@ -55,7 +55,8 @@ pub(crate) fn drag_states(field: &Field) -> Vec<Option<State>> {
     field.model.drags.iter().map(|drag| drag.carrier.and_then(of)).collect()
 }
 
-/// Torques of elements without drags, and of drags, on their first links. What sticks is the element's up to what it holds.
+/// Torques of elements without drags, and of drags, on their first links. What sticks is the element's up to
+/// what it holds.
 fn shared(field: &Field, t: f64) -> (Vec<f64>, Vec<f64>) {
     let model = field.model;
     let mut drags = field.drags.clone();
@@ -102,9 +103,11 @@ pub struct Sample {
     pub states: Vec<State>,
     /// Heat of each element from the start on.
     pub heats: Vec<Energy>,
-    /// Whether the torques of the stuck elements follow; otherwise they are the even split, see [`Model`](crate::Model).
+    /// Whether the torques of the stuck elements follow; otherwise they are the even split, see
+    /// [`Model`](crate::Model).
     pub is_split_unique: bool,
-    /// Torques on the members of each set from outside it, the carrier last, without what the planets' mass takes.
+    /// Torques on the members of each set from outside it, the carrier last, without what the planets' mass
+    /// takes.
     pub sets: Vec<Vec<Torque>>,
     /// Power into each mesh from its first gear, relative to the carrier.
     pub mesh_powers: Vec<Power>,
@@ -200,7 +203,8 @@ pub enum Change {
         /// What it does.
         to: State,
     },
-    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier, stuck where it is a block.
+    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier,
+    /// stuck where it is a block.
     Set {
         /// Its name.
         name: String,
@@ -264,7 +268,8 @@ pub struct Audit {
     pub converters: Vec<Energy>,
     /// Heat of the damper of each shaft.
     pub damping: Vec<Energy>,
-    /// Kinetic energy that impacts took: of dog clutches; friction elements lock without slip, and theirs is rounding.
+    /// Kinetic energy that impacts took: of dog clutches; friction elements lock without slip, and theirs is
+    /// rounding.
     pub impacts: Energy,
     /// Kinetic energy at the start.
     pub before: Energy,
@@ -277,8 +282,8 @@ pub struct Audit {
 }
 
 impl Audit {
-    /// `stored after − stored before − (work − heat − drags − mesh losses − converters − damping − impacts)`, over the largest of these
-    /// energies; what is stored is kinetic and elastic.
+    /// `stored after − stored before − (work − heat − drags − mesh losses − converters − damping − impacts)`,
+    /// over the largest of these energies; what is stored is kinetic and elastic.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let sum = |of: &[Energy]| of.iter().map(|one| one.si()).sum::<f64>();
@@ -331,7 +336,8 @@ pub struct Run {
     pub converters: Vec<String>,
     /// Names of the drags.
     pub drags: Vec<String>,
-    /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia are one.
+    /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia
+    /// are one.
     pub meshes: Vec<(usize, [String; 2])>,
     /// At the start, at the times asked for, and at the end.
     pub samples: Vec<Sample>,

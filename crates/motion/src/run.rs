@@ -1,11 +1,13 @@
 //! From event to event.
 //!
-//! Between events the pattern of what holds and slips is fixed and the right side smooth. Steps of [`step`](crate::step) go up to the next kink of
-//! a course; a margin that is negative at any stage or at the end of a step is looked for inside it, on the dense output, and the step is then repeated
-//! with the length to the first event, so that the state there has the accuracy of a step and not that of the interpolation.
+//! Between events the pattern of what holds and slips is fixed and the right side smooth. Steps of
+//! [`step`](crate::step) go up to the next kink of a course; a margin that is negative at any stage or at the
+//! end of a step is looked for inside it, on the dense output, and the step is then repeated with the length
+//! to the first event, so that the state there has the accuracy of a step and not that of the interpolation.
 //!
-//! At an event the slips that vanish are set to 0 exactly, by the plastic [impact](impact) that takes least kinetic energy, which here only takes away
-//! rounding, and the motion goes on from this state. Events within `1e-10` of a step are one set, decided together.
+//! At an event the slips that vanish are set to 0 exactly, by the plastic [impact](impact) that takes least
+//! kinetic energy, which here only takes away rounding, and the motion goes on from this state. Events within
+//! `1e-10` of a step are one set, decided together.
 
 mod impact;
 mod locate;
@@ -41,15 +43,17 @@ impl Model {
     /// The motion from time 0 to an end, with samples at these intervals.
     ///
     /// # Errors
-    /// [`Error::Value`] for an end or interval that is not finite and above 0; [`Error::InitialSpeeds`], [`Error::InitialOpen`],
-    /// [`Error::InitialSlip`], [`Error::Unknown`] for a start that is none; [`Error::NotUnique`], [`Error::NoMotion`],
-    /// [`Error::TooManyMeshes`], [`Error::TooManyAtRest`], [`Error::DragSpeed`] for a motion that does not follow; [`Error::Accumulating`],
+    /// [`Error::Value`] for an end or interval that is not finite and above 0; [`Error::InitialSpeeds`],
+    /// [`Error::InitialOpen`], [`Error::InitialSlip`], [`Error::Unknown`] for a start that is none;
+    /// [`Error::NotUnique`], [`Error::NoMotion`], [`Error::TooManyMeshes`], [`Error::TooManyAtRest`],
+    /// [`Error::DragSpeed`] for a motion that does not follow; [`Error::Accumulating`],
     /// [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go on.
     pub fn run(&self, start: &Start, end: Time, sample_every: Option<Time>) -> Result<Run, Error> {
         self.run_watched(start, end, sample_every, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched: told the time of every step, it may end the motion there. What is found up to then is as it would be without.
+    /// The same, watched: told the time of every step, it may end the motion there. What is found up to then
+    /// is as it would be without.
     ///
     /// # Errors
     /// As [`run`](Self::run).

@@ -15,15 +15,16 @@
 //! | `T` | torque that the shaft passes on | N·m |
 //!
 //! # Contact
-//! Flanks only push. Contact begins where the backlash is used up, `δ = 0`, and the torque there jumps to `d·φ̇`. It ends where the
-//! torque has come down to 0, which with damping is before `δ = 0`: from there the flank alone relaxes and spends what
-//! energy it still has in its damper, without torque. Since the torque is 0 exactly while `φ̇ < −c·δ/d`, that energy goes
-//! at `−c·δ·φ̇ > 0`: twist and its rate alone tell the torque, the stored energy is `½·c·δ²` everywhere, and
-//! no heat is ever below 0. The alternative, a massless flank with a position of its own, would have one more state for each flank and the same
-//! torque but for a second contact within its relaxation `d/c`.
+//! Flanks only push. Contact begins where the backlash is used up, `δ = 0`, and the torque there jumps to
+//! `d·φ̇`. It ends where the torque has come down to 0, which with damping is before `δ = 0`: from there the
+//! flank alone relaxes and spends what energy it still has in its damper, without torque. Since the torque is
+//! 0 exactly while `φ̇ < −c·δ/d`, that energy goes at `−c·δ·φ̇ > 0`: twist and its rate alone tell the
+//! torque, the stored energy is `½·c·δ²` everywhere, and no heat is ever below 0. The alternative, a massless
+//! flank with a position of its own, would have one more state for each flank and the same torque but for a
+//! second contact within its relaxation `d/c`.
 //!
-//! Without backlash, `j = 0`, there are no flanks: the shaft pulls and pushes. The limit `j → 0` differs from it by the damping torque
-//! that flanks do not pull with.
+//! Without backlash, `j = 0`, there are no flanks: the shaft pulls and pushes. The limit `j → 0` differs from
+//! it by the damping torque that flanks do not pull with.
 
 use crate::Error;
 use crate::course::finite;
@@ -68,7 +69,8 @@ impl Shaft {
     /// With a damper beside the spring: `torque` where the ends turn against each other at `speed`.
     ///
     /// # Errors
-    /// [`Error::Value`] of a torque that is not finite or below 0, and of a speed that is not finite and above 0.
+    /// [`Error::Value`] of a torque that is not finite or below 0, and of a speed that is not finite and
+    /// above 0.
     pub fn damping(self, torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
         let torque = not_negative("the damping torque of a shaft in N·m".into(), torque.si())?;
         let speed = positive("its speed in rad/s", speed.si())?;
@@ -200,7 +202,8 @@ impl Shaft {
         }
     }
 
-    /// The two margins up to which a shaft goes on as it does, none where there is no such end; see [`next`](Self::next).
+    /// The two margins up to which a shaft goes on as it does, none where there is no such end; see
+    /// [`next`](Self::next).
     pub(crate) fn margins(&self, flank: Flank, twist: f64, rate: f64) -> [Option<f64>; 2] {
         let half = 0.5 * self.backlash;
         let side = flank.side();
@@ -214,7 +217,8 @@ impl Shaft {
         }
     }
 
-    /// What the shaft does after the first or second of its margins has ended, and the twist there where it is known exactly.
+    /// What the shaft does after the first or second of its margins has ended, and the twist there where it
+    /// is known exactly.
     pub(crate) fn next(&self, flank: Flank, is_second: bool, twist: f64) -> (Flank, f64) {
         let half = 0.5 * self.backlash;
         let end = |flank: Flank| flank.side() * half;

@@ -1,16 +1,18 @@
 //! How elements that hold the same share their torque.
 //!
-//! Elements whose slips depend on each other (two brakes on one link, three clutches that make one block) leave the motion unique and the split
-//! of torque open. What is taken is the split that uses the most used of them least,
+//! Elements whose slips depend on each other (two brakes on one link, three clutches that make one block)
+//! leave the motion unique and the split of torque open. What is taken is the split that uses the most used
+//! of them least,
 //!
 //! ```text
 //! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ −M_0 of one-way clutches
 //! ```
 //!
-//! so that they hold as long as any split holds: they slip when τ would exceed 1. Friction elements between the same links share in proportion to their
-//! capacities. A one-way or dog clutch counts with the largest torque or capacity present. Since there are only a few, the corners of this
-//! linear programme are tried all. Splits that have no element in common are found each by itself: else the most used element of one would leave
-//! the others open.
+//! so that they hold as long as any split holds: they slip when τ would exceed 1. Friction elements between
+//! the same links share in proportion to their capacities. A one-way or dog clutch counts with the largest
+//! torque or capacity present. Since there are only a few, the corners of this linear programme are tried
+//! all. Splits that have no element in common are found each by itself: else the most used element of one
+//! would leave the others open.
 
 use crate::tolerance::{PIVOT, RANK, TORQUE};
 use epicyclic_numerics::linear::{Matrix, Triangles};
@@ -64,7 +66,8 @@ pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
 
 /// The same of elements that are all joined by the splits.
 fn even_of_group(shares: &[Share], count: usize, largest: f64) -> Option<Vec<f64>> {
-    // A one-way or dog clutch counts as if it had the largest capacity; one of none as if it had next to none.
+    // A one-way or dog clutch counts as if it had the largest capacity; one of none as if it had next to
+    // none.
     let scale = |share: &Share| share.capacity.unwrap_or(largest).max(TORQUE * largest);
     // Rows a·(y, τ) ≤ b.
     let mut rows: Vec<(Vec<f64>, f64)> = vec![];

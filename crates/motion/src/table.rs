@@ -1,6 +1,7 @@
 //! Tables that are linear between their points and level beyond them, read segment by segment.
 //!
-//! A *segment* is how many points are below: 0 before the first, 1 between the first and the second, and so on.
+//! A *segment* is how many points are below: 0 before the first, 1 between the first and the second, and so
+//! on.
 
 /// Value in a segment, continued beyond its ends.
 pub(crate) fn value(points: &[[f64; 2]], segment: usize, at: f64) -> f64 {

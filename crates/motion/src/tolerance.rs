@@ -53,7 +53,8 @@ pub(crate) const SHORTEST: f64 = 1e-14;
 /// It is looked ahead by this part of the time that is calculated.
 pub(crate) const AHEAD: f64 = 1e-7;
 
-/// Events accumulate where the last [`MOST_TOGETHER`] took less than this part of the time that is calculated.
+/// Events accumulate where the last [`MOST_TOGETHER`] took less than this part of the time that is
+/// calculated.
 pub(crate) const ACCUMULATION: f64 = 1e-9;
 
 /// The same where at least a quarter of them are starts of sets that mesh friction held.

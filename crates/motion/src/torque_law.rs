@@ -11,9 +11,10 @@
 //! | quadratic | `−M_r·ω·abs(ω)/ω_r²` |
 //! | Kloss | `2·M_k·s·s_k/(s² + s_k²)`, `s = 1 − ω/ω_0` |
 //!
-//! The Kloss motor takes `M·ω_0` through its air gap and gives `M·ω`; the rest, `M·(ω_0 − ω)`, heats the rotor and is reported as its inner
-//! loss. Kloss, Arch. Elektrotechnik 5 (1916) 59, with the form `2·M_k/(s/s_k + s_k/s)`, which is the same without its hole at `s = 0`;
-//! stator resistance and all transients of the current are neglected.
+//! The Kloss motor takes `M·ω_0` through its air gap and gives `M·ω`; the rest, `M·(ω_0 − ω)`, heats the
+//! rotor and is reported as its inner loss. Kloss, Arch. Elektrotechnik 5 (1916) 59, with the form
+//! `2·M_k/(s/s_k + s_k/s)`, which is the same without its hole at `s = 0`; stator resistance and all
+//! transients of the current are neglected.
 
 use crate::Error;
 use crate::course::{Course, Piece, finite};
@@ -82,16 +83,19 @@ impl TorqueLaw {
     /// Linear between points in order of speed, level beyond them.
     ///
     /// # Errors
-    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of speeds that do not ascend.
+    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of speeds that
+    /// do not ascend.
     pub fn over_speed(points: &[(AngularVelocity, Torque)]) -> Result<Self, Error> {
         Ok(Self(Law::Speed(speed_table(points)?)))
     }
 
-    /// An engine by two curves over speed, with its throttle closed and full open, and by the throttle over time, from 0 to 1:
-    /// `(1 − α)·M_closed(ω) + α·M_full(ω)`. All are linear between their points and level beyond them.
+    /// An engine by two curves over speed, with its throttle closed and full open, and by the throttle over
+    /// time, from 0 to 1: `(1 − α)·M_closed(ω) + α·M_full(ω)`. All are linear between their points and level
+    /// beyond them.
     ///
     /// # Errors
-    /// As [`over_speed`](Self::over_speed) and [`Course::table`]; [`Error::Value`] of a throttle that is not from 0 to 1.
+    /// As [`over_speed`](Self::over_speed) and [`Course::table`]; [`Error::Value`] of a throttle that is not
+    /// from 0 to 1.
     pub fn map(
         closed: &[(AngularVelocity, Torque)],
         full: &[(AngularVelocity, Torque)],
@@ -117,10 +121,12 @@ impl TorqueLaw {
         Ok(Self(Law::Map { closed: at_all(&closed), full: at_all(&full), throttle }))
     }
 
-    /// `P/ω` from the base speed `P/M_max` on, and `M_max` below it and backwards; both below 0 of a brake that recovers power.
+    /// `P/ω` from the base speed `P/M_max` on, and `M_max` below it and backwards; both below 0 of a brake
+    /// that recovers power.
     ///
     /// # Errors
-    /// [`Error::Value`] of a power or torque that is not finite or is 0, and of two that have different signs.
+    /// [`Error::Value`] of a power or torque that is not finite or is 0, and of two that have different
+    /// signs.
     pub fn constant_power(power: Power, limit: Torque) -> Result<Self, Error> {
         let power = not_zero("the constant power in W", power.si())?;
         let limit = not_zero("the limit torque of a constant power in N·m", limit.si())?;
@@ -137,7 +143,8 @@ impl TorqueLaw {
     /// Against the speed and proportional to it: `torque` at `speed`.
     ///
     /// # Errors
-    /// [`Error::Value`] of a number that is not finite, of a torque below 0, and of a speed that is not above 0.
+    /// [`Error::Value`] of a number that is not finite, of a torque below 0, and of a speed that is not above
+    /// 0.
     pub fn viscous(torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
         let [torque, speed] = resistance(torque, speed)?;
         Ok(Self(Law::Linear { at_rest: 0.0, slope: -torque / speed }))
@@ -152,7 +159,8 @@ impl TorqueLaw {
         Ok(Self(Law::Quadratic { factor: torque / (speed * speed) }))
     }
 
-    /// An induction motor by Kloss' formula: its peak torque, the slip `s_k` there, its synchronous speed `ω_0`.
+    /// An induction motor by Kloss' formula: its peak torque, the slip `s_k` there, its synchronous speed
+    /// `ω_0`.
     ///
     /// # Errors
     /// [`Error::Value`] of a number that is not finite, of a slip that is not above 0, and of `ω_0 = 0`.
@@ -252,7 +260,8 @@ impl Law {
         self.course().map_or(Piece::ZERO, |course| course.piece(t))
     }
 
-    /// Segment of a table over speed: how many points are below this speed, one on a point counted as `is_rising` says.
+    /// Segment of a table over speed: how many points are below this speed, one on a point counted as
+    /// `is_rising` says.
     pub(crate) fn segment(&self, speed: f64, is_rising: bool) -> usize {
         match self {
             Self::Speed(points) | Self::Map { closed: points, .. } => {

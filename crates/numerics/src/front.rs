@@ -1,23 +1,25 @@
 //! Non-dominated designs: the Pareto front.
 //!
-//! A design is its costs, each to be made small. It *dominates* another if it is nowhere worse and somewhere better;
-//! the front holds what nothing dominates. Designs of equal costs do not dominate each other: they stand on the front
-//! together or not at all.
+//! A design is its costs, each to be made small. It *dominates* another if it is nowhere worse and somewhere
+//! better; the front holds what nothing dominates. Designs of equal costs do not dominate each other: they
+//! stand on the front together or not at all.
 //!
-//! Ranks stand for the costs where they decide: small whole numbers that never fall where a cost rises, sixteen of which are compared
-//! at once. A tree over the designs answers "which of them does any design dominate?": it parts them by the median of one
-//! rank after another into groups of sixteen, these into groups of sixteen groups, and so on, and keeps the least and the
-//! greatest of every rank in every group. Each group is asked about with the groups that may hold a dominator of some of its designs.
-//! A group whose least ranks are not all at or below the greatest of the group asked about holds none; a design whose
-//! ranks are all below its least dominates all of it. What is neither stays a candidate, and the groups within are asked
-//! about with those within the candidates, down to the designs, where costs are compared where ranks leave it open. Nothing
-//! is left out by approximation, and the answer does not depend on order or threads.
+//! Ranks stand for the costs where they decide: small whole numbers that never fall where a cost rises,
+//! sixteen of which are compared at once. A tree over the designs answers "which of them does any design
+//! dominate?": it parts them by the median of one rank after another into groups of sixteen, these into
+//! groups of sixteen groups, and so on, and keeps the least and the greatest of every rank in every group.
+//! Each group is asked about with the groups that may hold a dominator of some of its designs. A group whose
+//! least ranks are not all at or below the greatest of the group asked about holds none; a design whose ranks
+//! are all below its least dominates all of it. What is neither stays a candidate, and the groups within are
+//! asked about with those within the candidates, down to the designs, where costs are compared where ranks
+//! leave it open. Nothing is left out by approximation, and the answer does not depend on order or threads.
 //!
-//! A design dominated by another is dominated by one of the front too, so those that are may be left out at any time. Before the
-//! tree is grown that is done with what a few [designs met before](thinned) dominate, and of equal designs in a row one is asked about.
+//! A design dominated by another is dominated by one of the front too, so those that are may be left out at
+//! any time. Before the tree is grown that is done with what a few [designs met before](thinned) dominate,
+//! and of equal designs in a row one is asked about.
 //!
-//! A cost that is not a number compares with nothing: its design neither dominates nor is dominated, and stands on the
-//! front without being asked about.
+//! A cost that is not a number compares with nothing: its design neither dominates nor is dominated, and
+//! stands on the front without being asked about.
 //!
 //! ```
 //! use epicyclic_numerics::front::{front, non_dominated};
@@ -53,8 +55,8 @@ pub fn dominates<const N: usize>(one: &[f64; N], other: &[f64; N]) -> bool {
     nowhere_worse(one, other) && one != other
 }
 
-/// The front in the order of their costs, the cost at the first place deciding, then that at the next; each entry with the
-/// places of the designs that share its costs, ascending.
+/// The front in the order of their costs, the cost at the first place deciding, then that at the next; each
+/// entry with the places of the designs that share its costs, ascending.
 #[must_use]
 pub fn front<const N: usize>(costs: &[[f64; N]], order: [usize; N]) -> Vec<Vec<usize>> {
     let first = order.first().copied();
@@ -117,8 +119,8 @@ fn front_runs<const N: usize>(costs: &[[f64; N]]) -> Vec<Range<u32>> {
     runs
 }
 
-/// Places of designs without most of those that others near them dominate, ascending: each is asked about with a few designs met
-/// before it, to and fro. What dominates one is likely to dominate the next.
+/// Places of designs without most of those that others near them dominate, ascending: each is asked about
+/// with a few designs met before it, to and fro. What dominates one is likely to dominate the next.
 #[must_use]
 pub fn thinned<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     let mut places: Vec<u32> = (0..costs.len() as u32).collect();

@@ -49,7 +49,8 @@ const SIZE_MM: [f64; 2] = [130.0, 90.0];
 type Line = Vec<[f64; 2]>;
 
 impl Contours {
-    /// The scene. A line stands where its value has room on it; values without room are left out with their lines.
+    /// The scene. A line stands where its value has room on it; values without room are left out with their
+    /// lines.
     ///
     /// # Errors
     /// As [`Scene::layer`] and [`Scene::check`]; not for any finite values.
@@ -156,7 +157,8 @@ impl Contours {
     fn lines(&self, value: f64, [across, up]: [&Axis; 2]) -> Vec<Line> {
         let (columns, rows) = (self.columns.len(), self.rows.len());
         let at = |[x, y]: [usize; 2]| self.values.get(x * rows + y).copied().flatten();
-        // Of each corner's edge to the right, upwards and across: where the line crosses it, and the crossings beside that.
+        // Of each corner's edge to the right, upwards and across: where the line crosses it, and the
+        // crossings beside that.
         let mut places = vec![[0.0; 2]; 3 * columns * rows];
         let mut beside: Vec<[Option<usize>; 2]> = vec![[None; 2]; places.len()];
         let mut order = vec![];

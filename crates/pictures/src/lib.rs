@@ -11,8 +11,8 @@
 //! | [`campbell`] | natural frequencies and orders of excitation over the speed |
 //! | [`contours`] | lines of equal value over two axes |
 //!
-//! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
-//! and nothing opens a file.
+//! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here
+//! computes a speed or a curve, and nothing opens a file.
 
 pub mod campbell;
 pub mod contours;

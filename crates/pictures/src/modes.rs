@@ -47,7 +47,8 @@ pub struct Body {
     pub centre: [f64; 2],
     /// Its radius, in the same unit.
     pub radius: f64,
-    /// Displacement `x`, `y` of the centre and `u`, its rotation times the radius, over the largest of the mode.
+    /// Displacement `x`, `y` of the centre and `u`, its rotation times the radius, over the largest of the
+    /// mode.
     pub motion: [f64; 3],
 }
 
@@ -60,7 +61,8 @@ pub struct Mode {
     pub bodies: Vec<Body>,
 }
 
-/// The modes in rows, at rest grey, displaced in colour. A mark on each circle shows its rotation; displacements are enlarged.
+/// The modes in rows, at rest grey, displaced in colour. A mark on each circle shows its rotation;
+/// displacements are enlarged.
 ///
 /// # Errors
 /// As [`Scene::layer`] and [`Scene::check`]; not for any finite values.

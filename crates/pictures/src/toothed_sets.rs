@@ -24,7 +24,8 @@ const DEVIATION: f64 = 1e-3;
 /// Parts of a degree to which a helix angle is told.
 const PART_OF_DEGREE: f64 = 1e4;
 
-/// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a shaper does.
+/// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a
+/// shaper does.
 ///
 /// # Errors
 /// [`Error::Gear`] for gears that the tools do not cut, [`Error::Drawing`] for sets larger than a drawing.

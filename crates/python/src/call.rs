@@ -1,4 +1,5 @@
-//! A call of the command line over a desk that Python furnishes: files in its memory before those of the disk.
+//! A call of the command line over a desk that Python furnishes: files in its memory before those of the
+//! disk.
 
 use crate::work::{self, Shared};
 use epicyclic::desk::captured::{Captured, Told};
@@ -126,7 +127,8 @@ type Answer<'py> =
 
 /// Answers the words of a command line, without the name of the program.
 ///
-/// `files` stand before those of the disk; a file that is written under a name in `kept` is given back instead.
+/// `files` stand before those of the disk; a file that is written under a name in `kept` is given back
+/// instead.
 #[pyfunction]
 #[pyo3(signature = (line, files, kept, progress=None))]
 pub(crate) fn call<'py>(

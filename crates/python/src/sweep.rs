@@ -24,7 +24,8 @@ type Given<'py> = Vec<(String, PyReadonlyArray1<'py, f64>)>;
 /// States, ratios, whether there is one, efficiencies, whether there is one: by variant, then gear.
 type RatioArrays<'py> = (Bound<'py, PyArray1<u8>>, Numbers<'py>, Flags<'py>, Numbers<'py>, Flags<'py>);
 
-/// Speeds and whether they follow, torques, powers, whether any keeps it moving, losses, efficiencies and whether there is one.
+/// Speeds and whether they follow, torques, powers, whether any keeps it moving, losses, efficiencies and
+/// whether there is one.
 type PointArrays<'py> = (
     Numbers<'py>,
     Flags<'py>,

@@ -1,7 +1,7 @@
 //! Work that is long: beside Python's lock, with its progress told and Ctrl-C heard.
 //!
-//! A process that is forked has the memory of its parent and none of its threads. Work there runs in threads of its own: the pool that all
-//! work shares otherwise would never answer.
+//! A process that is forked has the memory of its parent and none of its threads. Work there runs in threads
+//! of its own: the pool that all work shares otherwise would never answer.
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -61,8 +61,8 @@ impl Shared {
 
 /// Does work on a thread of its own, without Python's lock.
 ///
-/// `progress` is called with a line of text whenever there is a new one. An exception of it, or of a signal, asks the
-/// work to end; what does not is left to itself, and its result is dropped.
+/// `progress` is called with a line of text whenever there is a new one. An exception of it, or of a signal,
+/// asks the work to end; what does not is left to itself, and its result is dropped.
 pub(crate) fn done<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,

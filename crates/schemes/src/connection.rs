@@ -1,4 +1,5 @@
-//! The ways to connect the second set: all 36 ways in which set 2 can tie T₁ to D or to B, and why the source has 11.
+//! The ways to connect the second set: all 36 ways in which set 2 can tie T₁ to D or to B, and why the source
+//! has 11.
 //!
 //! Gear 1 brakes T₁ and set 1 alone gives `i₁`. Gear 2 frees T₁, brakes T₂ and lets set 2 tie T₁ to one of
 //! the shafts at the ratio `i_c`. Every state of set 1 obeys `ω_D = i₁·ω_B + (1 − i₁)·ω_T1`, hence
@@ -10,27 +11,29 @@
 //!
 //! # How many there are
 //! Set 1 is used as I, II or III; set 2 ties onto D or onto B; T₁, the shaft and T₂ take the three members of
-//! set 2 in 3! = 6 ways, one for each ratio of table 2.2. That is 3·2·6 = 36, and no two are the same gearbox:
-//! set 1 is the set that holds both D and B, T₁ is the other member of it, so sets and brakes cannot be
-//! exchanged.
+//! set 2 in 3! = 6 ways, one for each ratio of table 2.2. That is 3·2·6 = 36, and no two are the same
+//! gearbox: set 1 is the set that holds both D and B, T₁ is the other member of it, so sets and brakes cannot
+//! be exchanged.
 //!
 //! # Which of them are the eleven
-//! Let `s` be the share of the input power that passes set 1 at the shaft of the loop: `s = i₁/i₂` of connections
-//! onto B, where set 1 gives the power `T_B1·ω_B`; `s = i₂/i₁` of connections onto D, where set 1 takes
-//! `T_D1·ω_D`. The rest, `1 − s`, passes set 2. Power splits between two parallel branches while `0 < s < 1`;
-//! for `s > 1` or `s < 0` one branch carries power back, and [`circulating_power`] gives the amount that circulates.
+//! Let `s` be the share of the input power that passes set 1 at the shaft of the loop: `s = i₁/i₂` of
+//! connections onto B, where set 1 gives the power `T_B1·ω_B`; `s = i₂/i₁` of connections onto D, where set 1
+//! takes `T_D1·ω_D`. The rest, `1 − s`, passes set 2. Power splits between two parallel branches while
+//! `0 < s < 1`; for `s > 1` or `s < 0` one branch carries power back, and [`circulating_power`] gives the
+//! amount that circulates.
 //!
-//! - For `0 < s < 1`, onto B needs `(i₁ − 1)·i_c/i₁ < 0` and onto D `(i₁ − 1)·i_c > 0`. The sign of each of the
-//!   six ratios is fixed, so this does not depend on k: 16 of the 36 never circulate power, 20 always do
+//! - For `0 < s < 1`, onto B needs `(i₁ − 1)·i_c/i₁ < 0` and onto D `(i₁ − 1)·i_c > 0`. The sign of each of
+//!   the six ratios is fixed, so this does not depend on k: 16 of the 36 never circulate power, 20 always do
 //!   (or, where the ratio changes its sign, on both sides of the change).
 //! - Five of the 16 only speed up, `|i₂| < 1` at every k: I and II onto D with `i_c = 1 + k₂` or
 //!   `(1 + k₂)/k₂`, III onto D with `i_c = −k₂`.
 //! - **The other eleven are the source's I-1…III-3**: those that split the power and can slow down.
 //!
-//! The source states neither condition; it says that eleven schemes exist for any pair of ratios. That does not
-//! follow from its rule. Of the 20 that circulate power six keep the sign of `i₁` for all k and can slow down
-//! (five of them do at every k), and lose little while the circulating power is small ([`Use::Slows`](crate::standing::Use::Slows)); four of those whose ratio
-//! changes its sign do so for some k; the others only reverse or speed up.
+//! The source states neither condition; it says that eleven schemes exist for any pair of ratios. That does
+//! not follow from its rule. Of the 20 that circulate power six keep the sign of `i₁` for all k and can slow
+//! down (five of them do at every k), and lose little while the circulating power is small
+//! ([`Use::Slows`](crate::standing::Use::Slows)); four of those whose ratio changes its sign do so for some
+//! k; the others only reverse or speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.36)–(2.38), section 2.4.
@@ -70,8 +73,8 @@ impl Shaft {
     }
 }
 
-/// Superposition in a differential with two members connected: the speed of C over that of the shaft I to which A and Б
-/// are tied.
+/// Superposition in a differential with two members connected: the speed of C over that of the shaft I to
+/// which A and Б are tied.
 ///
 /// ```text
 /// i_CI = i_CI^A + i_CI^Б = i_CA^Б·i_AI + i_CБ^A·i_БI

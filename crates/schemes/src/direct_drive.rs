@@ -20,7 +20,8 @@
 //! does not give direct drive.
 //!
 //! # Source
-//! multispeed-gearboxes, section 3.1: the smallest "blocking moment" among the options for the direct-drive clutch.
+//! multispeed-gearboxes, section 3.1: the smallest "blocking moment" among the options for the direct-drive
+//! clutch.
 
 use crate::structures::{Role, motion};
 use crate::tolerance::TORQUE_GRID;
@@ -46,8 +47,8 @@ pub struct DirectClutch {
     pub slip: [f64; 2],
 }
 
-/// Every option for the direct-drive clutch of a structure whose gears have these ratios, the least torque first; of equal
-/// torques the order of [`DIRECT_CLUTCH_PAIRS`] holds.
+/// Every option for the direct-drive clutch of a structure whose gears have these ratios, the least torque
+/// first; of equal torques the order of [`DIRECT_CLUTCH_PAIRS`] holds.
 #[must_use]
 pub fn direct_clutch_options(ratios: [f64; 2]) -> Vec<DirectClutch> {
     let u = motion(ratios);

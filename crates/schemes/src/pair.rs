@@ -21,9 +21,9 @@
 //! - Connected to D: the same from the torque on B, whose sign is that of power leaving.
 //!
 //! And `x` is constant where `i` keeps its sign: it is the sign of `∂ln|i|/∂ln k`, and by
-//! `i₂ = i₁ + (1 − i₁)·i_c` (connected to B; connected to D the same of reciprocals) `∂i₂/∂k₁` is `(1 − i_c)·i₁′`
-//! and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also **each ratio is
-//! monotonous in each `k`** between its zeros and poles, always in the same direction.
+//! `i₂ = i₁ + (1 − i₁)·i_c` (connected to B; connected to D the same of reciprocals) `∂i₂/∂k₁` is
+//! `(1 − i_c)·i₁′` and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also
+//! **each ratio is monotonous in each `k`** between its zeros and poles, always in the same direction.
 
 use crate::structures::{Role, SetRoles};
 use crate::tolerance::IDLE;
@@ -138,7 +138,8 @@ mod tests {
         at([0, 1].map(|set| effective(k[set], eta0, exponents[set]))) / at(k)
     }
 
-    /// A gear whose ratio is beyond 1/100 to 100, or that is not driven, has no figures to compare: counted, and few.
+    /// A gear whose ratio is beyond 1/100 to 100, or that is not driven, has no figures to compare: counted,
+    /// and few.
     #[test]
     fn every_structure_equals_the_solver() {
         let (compared, skipped) = (Cell::new(0_u32), Cell::new(0_u32));

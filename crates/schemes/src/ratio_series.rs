@@ -1,8 +1,8 @@
 //! Series of ratios for 2 to 4 speeds of a machine, and where direct drive stands among them.
 //!
-//! A gearbox of λ speeds has λ − 1 braked gears and direct drive. Where direct drive serves decides the regime:
-//! *reduction* (the fastest speed), *overdrive* (the slowest; "multiplication" in the source), *combined* (one between). Series list the
-//! fastest output first, so ratios rise.
+//! A gearbox of λ speeds has λ − 1 braked gears and direct drive. Where direct drive serves decides the
+//! regime: *reduction* (the fastest speed), *overdrive* (the slowest; "multiplication" in the source),
+//! *combined* (one between). Series list the fastest output first, so ratios rise.
 //!
 //! # Where this departs from the print
 //! The source takes speeds in a geometric progression and says that this costs nothing in other cases. With
@@ -15,7 +15,8 @@
 //! | combined (2.15), (2.35) | 1/q, 1, q | 1/q, 1, **d/q** |
 //!
 //! and the two agree only for `d = q²`. [`RatioSeries::of_speeds`] gives the right ones for any speeds;
-//! [`PrintedSeries`] keeps the printed. (2.16) is printed with four places and three members, `q²` is missing.
+//! [`PrintedSeries`] keeps the printed. (2.16) is printed with four places and three members, `q²` is
+//! missing.
 //!
 //! # Source
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
@@ -36,8 +37,8 @@ pub enum Regime {
     Combined,
 }
 
-/// Ratios of a gearbox with direct drive among them, in the order of its gears: of a series from speeds the fastest
-/// output first.
+/// Ratios of a gearbox with direct drive among them, in the order of its gears: of a series from speeds the
+/// fastest output first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RatioSeries {
     ratios: Vec<f64>,
@@ -82,8 +83,8 @@ impl RatioSeries {
         Ok(Self { ratios, direct: direct - 1 })
     }
 
-    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over middle; direct
-    /// drive is the fastest.
+    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over middle;
+    /// direct drive is the fastest.
     ///
     /// ```text
     /// v₁ < v₂          d = v₂/v₁                 ratios  1, d
@@ -221,7 +222,8 @@ const fn printed(
 }
 
 impl PrintedSeries {
-    /// (2.11)–(2.21) and (2.33)–(2.35), in their order; (2.10) for four speeds last, which (2.16) repeats with a fault.
+    /// (2.11)–(2.21) and (2.33)–(2.35), in their order; (2.10) for four speeds last, which (2.16) repeats
+    /// with a fault.
     pub const ALL: [Self; 15] = [
         printed("(2.11)", &[[0, 0], [0, 1]], 2, 1),
         printed("(2.12)", &[[0, -1], [0, 0]], 2, 2),

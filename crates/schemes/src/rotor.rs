@@ -116,8 +116,8 @@ pub fn least_speed(
 /// | `τ*` | `chute` | angle of the chute's edge: that of the level boom plus the boom's own elevation |
 /// | `ε_p` | `radius_ratio` | radius of the chute's edge over `R_p` |
 ///
-/// It is free flight: a particle leaves radius `R_p` at `τ₁` with the wheel's speed `ω·R_p` along the tangent and
-/// falls to radius `ε_p·R_p` at `τ*` (a property test flies it).
+/// It is free flight: a particle leaves radius `R_p` at `τ₁` with the wheel's speed `ω·R_p` along the tangent
+/// and falls to radius `ε_p·R_p` at `τ*` (a property test flies it).
 ///
 /// Of the raised and the lowered boom the smaller Ω counts, says the source.
 ///

@@ -1,7 +1,7 @@
 //! Why the document has a structure, or has it not.
 //!
-//! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and
-//! set 2 ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)), of which it
+//! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and set 2
+//! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)), of which it
 //! lists eleven and gives no reason for leaving out the other 25. Of all 111
 //!
 //! | standing | how many | why |
@@ -11,9 +11,9 @@
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
-//! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and that none of it
-//! circulates. Fit for its purpose means: some `k₁`, `k₂` within the range give gears that both slow, in the same
-//! direction of rotation. What gear 2 of the 25 can be used for ([`Use`]) is
+//! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and
+//! that none of it circulates. Fit for its purpose means: some `k₁`, `k₂` within the range give gears that
+//! both slow, in the same direction of rotation. What gear 2 of the 25 can be used for ([`Use`]) is
 //!
 //! | use | how many, k from 1.7 to 7 | of these splitting the power |
 //! |---|---|---|
@@ -81,8 +81,8 @@ pub enum Use {
     Slows,
     /// Its ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
     SlowsAtSome,
-    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout: slowing mixed with speeding, which the source
-    /// calls unfavourable.
+    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout: slowing mixed with speeding, which the
+    /// source calls unfavourable.
     OnlySpeedsUp,
     /// Its ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
     Reverses,

@@ -174,9 +174,9 @@ impl Structure {
         Some((Self { sets }, Renaming { sets: of_sets, brakes: of_brakes }))
     }
 
-    /// Reads a structure in any spelling: `a.b.H+a.b.H` with either set first and either brake as T₁, in capital or
-    /// small letters. D and B are the input and the output, and sun and ring of a set differ in size: exchanging these
-    /// makes another gearbox.
+    /// Reads a structure in any spelling: `a.b.H+a.b.H` with either set first and either brake as T₁, in
+    /// capital or small letters. D and B are the input and the output, and sun and ring of a set differ in
+    /// size: exchanging these makes another gearbox.
     ///
     /// ```
     /// use epicyclic_schemes::structures::Structure;
@@ -189,8 +189,8 @@ impl Structure {
     /// ```
     ///
     /// # Errors
-    /// [`Error::UnknownStructure`] with the nearest canonical spelling, [`Error::NotAStructure`] where the six links are
-    /// named and do not make one.
+    /// [`Error::UnknownStructure`] with the nearest canonical spelling, [`Error::NotAStructure`] where the
+    /// six links are named and do not make one.
     pub fn read(name: &str) -> Result<(Self, Renaming), Error> {
         let unknown = || {
             let all: Vec<String> = Self::all().iter().map(Self::to_string).collect();
@@ -291,9 +291,9 @@ impl Structure {
     }
 }
 
-/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links, with their ring-to-sun
-/// ratios: brakes `K1` and, of two sets, `K2` with gears `1` and `2`; with a direct-drive clutch, `L`, also the gear
-/// `direct`.
+/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links, with their
+/// ring-to-sun ratios: brakes `K1` and, of two sets, `K2` with gears `1` and `2`; with a direct-drive clutch,
+/// `L`, also the gear `direct`.
 ///
 /// # Errors
 /// [`Error::Gearbox`] for `k ≤ 1`, and for a clutch between a link and itself.
@@ -411,7 +411,8 @@ impl ThreeSpeed {
     }
 }
 
-/// The gearbox of three speeds with these sets: gears `1`, `2` and `direct`, the direct-drive clutch between the shafts.
+/// The gearbox of three speeds with these sets: gears `1`, `2` and `direct`, the direct-drive clutch between
+/// the shafts.
 pub(crate) fn three_speed_gearbox(
     name: &str,
     [first, second]: [SetRoles; 2],
@@ -521,8 +522,8 @@ mod tests {
         }
     }
 
-    /// Every way to name the links of each structure is read as that structure, and says what it renames: the same
-    /// gearbox, gear for gear.
+    /// Every way to name the links of each structure is read as that structure, and says what it renames: the
+    /// same gearbox, gear for gear.
     #[test]
     fn any_spelling_is_read() {
         let mut spellings = 0;

@@ -1,6 +1,6 @@
-//! The two- and three-speed schemes: closed forms of ratio and efficiency equal the solver, Kreines' rule and the
-//! balance of powers. The document's own formulas are held against both in the cases of multispeed-gearboxes
-//! (`schemes.printed_formula`), as text that another library evaluates.
+//! The two- and three-speed schemes: closed forms of ratio and efficiency equal the solver, Kreines' rule and
+//! the balance of powers. The document's own formulas are held against both in the cases of
+//! multispeed-gearboxes (`schemes.printed_formula`), as text that another library evaluates.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -138,7 +138,8 @@ fn a_differential_connected_by_a_planetary_set_has_one_ratio() {
     let ideal = found.ideal().unwrap();
     assert!((ideal.power.sets[0].as_ref().unwrap().members[1].abs() - through_ring).abs() < 1e-11);
     assert!(ideal.power.circulating > 1.0);
-    // One loop, from the ring of one set to that of the other and back by the carriers; nothing of it in the suns.
+    // One loop, from the ring of one set to that of the other and back by the carriers; nothing of it in the
+    // suns.
     let loop_power = ideal.power.circulating;
     for set in 0..2 {
         let [sun, ring, carrier] = [0, 1, 2].map(|member| ideal.power.circulating_member(set, member));

@@ -160,8 +160,8 @@ pub struct Candidate {
     pub gears: Vec<GearReport>,
     /// Every option for the direct-drive clutch, the least torque first.
     pub direct_clutches: Vec<DirectClutch>,
-    /// Place in `direct_clutches` of the one chosen: the least torque among those that can be drawn and slip within
-    /// limits; where none does, the least that can be drawn, or the least of all.
+    /// Place in `direct_clutches` of the one chosen: the least torque among those that can be drawn and slip
+    /// within limits; where none does, the least that can be drawn, or the least of all.
     pub direct_clutch: usize,
     /// What the criteria say, each once.
     pub verdicts: Vec<Verdict>,
@@ -212,7 +212,8 @@ impl Candidate {
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
     }
 
-    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one a set, for the ratios wanted of its braked gears.
+    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one a set, for the ratios wanted of its
+    /// braked gears.
     ///
     /// # Errors
     /// [`Error::RingToSunCount`]; what the solver refuses of `k`.
@@ -226,7 +227,8 @@ impl Candidate {
         Self::with_planets(mechanism, k, &[], wanted, requirements, drawing)
     }
 
-    /// The same of tooth numbers, one combination a set: with planets whose teeth need not be those of equal centre distances without shift.
+    /// The same of tooth numbers, one combination a set: with planets whose teeth need not be those of equal
+    /// centre distances without shift.
     ///
     /// # Errors
     /// As [`new`](Self::new).

@@ -1,7 +1,7 @@
 //! Which mechanisms, and which of their direct-drive clutches, can be drawn without self-crossing.
 //!
-//! Brakes, input and output are drawn always; of the options for that clutch only the one chosen is built, so a
-//! mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
+//! Brakes, input and output are drawn always; of the options for that clutch only the one chosen is built, so
+//! a mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
 
 use super::Error;
 use super::mechanism::Mechanism;

@@ -11,7 +11,8 @@ pub struct Entry {
     pub members: Vec<usize>,
 }
 
-/// The Pareto front of some designs by their costs, the best first by an order; `objectives` are those of a design.
+/// The Pareto front of some designs by their costs, the best first by an order; `objectives` are those of a
+/// design.
 pub(crate) fn front<const N: usize>(
     costs: &[[f64; N]],
     order: Order,

@@ -11,9 +11,10 @@
 //! | [`front`] | which designs nothing dominates |
 //! | [`search`] | the same over all tooth numbers of one set or of both: exact front, nothing missed |
 //!
-//! Ring-to-sun ratios follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
-//! they lie outside the range allowed, the point of the range is taken that comes nearest to the ratios,
-//! and the tolerance says whether that is near enough. [`search`] goes on from here to teeth.
+//! Ring-to-sun ratios follow from the ratios, one pair from one pair:
+//! [`structures`](epicyclic_schemes::structures). Where they lie outside the range allowed, the point of the
+//! range is taken that comes nearest to the ratios, and the tolerance says whether that is near enough.
+//! [`search`] goes on from here to teeth.
 //!
 //! ```
 //! use epicyclic_schemes::RatioSeries;
@@ -93,10 +94,12 @@ pub struct Selection {
     pub rejected: Vec<Candidate>,
     /// Mechanisms that cannot give the ratios.
     pub unreachable: Vec<Unreachable>,
-    /// The Pareto front over the accepted, best first by the order; members are places in `accepted`. Candidates whose output reverses
-    /// against direct drive follow the others and are compared among themselves.
+    /// The Pareto front over the accepted, best first by the order; members are places in `accepted`.
+    /// Candidates whose output reverses against direct drive follow the others and are compared among
+    /// themselves.
     pub front: Vec<Entry>,
-    /// Places in `accepted`, best first by the order; candidates whose output reverses against direct drive follow the others.
+    /// Places in `accepted`, best first by the order; candidates whose output reverses against direct drive
+    /// follow the others.
     pub best: Vec<usize>,
 }
 

@@ -80,7 +80,8 @@ impl Space {
 }
 
 impl Mechanism {
-    /// The mechanism of a name: of a scheme (`II-3`), of a structure of two sets (`D.T1.B+T2.B.T1`), of one set (`D.T1.B`).
+    /// The mechanism of a name: of a scheme (`II-3`), of a structure of two sets (`D.T1.B+T2.B.T1`), of one
+    /// set (`D.T1.B`).
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name.parse::<Scheme>() {
@@ -121,7 +122,8 @@ impl Mechanism {
         matches!(self, Self::TwoSets(structure) if structure.is_symmetric())
     }
 
-    /// Ring-to-sun ratios that give these ratios exactly; they may be below what a simple set can have, `k` above 1.
+    /// Ring-to-sun ratios that give these ratios exactly; they may be below what a simple set can have, `k`
+    /// above 1.
     #[must_use]
     pub fn ring_to_sun_ratios(self, wanted: &[f64]) -> Option<Vec<f64>> {
         match (self, wanted) {
@@ -158,8 +160,8 @@ impl Mechanism {
         }
     }
 
-    /// Whether ratios within tolerance of those wanted can be there at all with ring-to-sun ratios of a range, by what each gear
-    /// reaches between the corners; `true` may be in error, `false` is not.
+    /// Whether ratios within tolerance of those wanted can be there at all with ring-to-sun ratios of a
+    /// range, by what each gear reaches between the corners; `true` may be in error, `false` is not.
     pub(crate) fn reaches(self, wanted: &[f64], tolerance: f64, [low, high]: [f64; 2]) -> bool {
         let Self::TwoSets(structure) = self else { return true };
         reach(structure, &(low..=high)).into_iter().zip(wanted).all(|(reach, ratio)| {

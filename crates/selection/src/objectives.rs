@@ -9,16 +9,16 @@
 //! | [`Size`](Objective::Size) | less | the largest ring diameter, [`size`](super::size) |
 //! | [`Circulation`](Objective::Circulation) | less | the largest circulating power of a braked gear, over what enters |
 //!
-//! Nothing is weighed against anything. One design dominates another if it is nowhere worse and
-//! somewhere better; the front holds what nothing dominates. Designs whose objectives are all equal are
-//! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹²: of the size that of its cube, relative; of the distance that of
-//! the ratio whose logarithm it is.
+//! Nothing is weighed against anything. One design dominates another if it is nowhere worse and somewhere
+//! better; the front holds what nothing dominates. Designs whose objectives are all equal are one entry.
+//! "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹²: of the size that of its cube, relative; of the distance that
+//! of the ratio whose logarithm it is.
 //!
 //! The search over teeth knows the first five alone: there circulating power can have a limit.
 //!
-//! A grid alone does not tell what is alike: where a value lies half-way between two points, the last bit decides, and it
-//! depends on the way the value was computed. So the search over teeth places each value as its exact value would be
-//! placed ([`search`](super::search)).
+//! A grid alone does not tell what is alike: where a value lies half-way between two points, the last bit
+//! decides, and it depends on the way the value was computed. So the search over teeth places each value as
+//! its exact value would be placed ([`search`](super::search)).
 
 pub use super::objective::Objective;
 
@@ -99,12 +99,13 @@ pub struct Objectives {
     pub ratio_error: f64,
     /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
     pub size: f64,
-    /// The largest circulating power of a braked gear, over what enters; `None` where it was not asked for, as in a search over teeth.
+    /// The largest circulating power of a braked gear, over what enters; `None` where it was not asked for,
+    /// as in a search over teeth.
     pub circulation: Option<f64>,
 }
 
-/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`]. For the distance stands
-/// `e` to its power, for the size its cube.
+/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`]. For the
+/// distance stands `e` to its power, for the size its cube.
 pub(crate) type AllCosts = [f64; Objective::ALL.len()];
 
 /// The costs that a search over teeth knows: all but the last.

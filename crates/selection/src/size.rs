@@ -14,8 +14,9 @@
 //! | `N`, `K_γ` | planets; mesh load factor: how much more than its share the most loaded mesh carries | 1 |
 //! | `ψ` | face-width ratio `b/d₁` | 1 |
 //!
-//! A planet has `d_g = r·d_a` with `r = z_g/z_a`, by equal centre distances without profile shift `r = (k − 1)/2`. The mesh carries its load at
-//! the working circles, `w·d_a` and `w·d_g`; `d_b` and `b = ψ·d₁` are by the reference circles, which are `m·z`. So with `T_a = τ·T_in` the ring has
+//! A planet has `d_g = r·d_a` with `r = z_g/z_a`, by equal centre distances without profile shift
+//! `r = (k − 1)/2`. The mesh carries its load at the working circles, `w·d_a` and `w·d_g`; `d_b` and
+//! `b = ψ·d₁` are by the reference circles, which are `m·z`. So with `T_a = τ·T_in` the ring has
 //!
 //! ```text
 //! d_b³ = k³·(1 + 1/r)/(w²·min(1, r))·τ·(K_γ/N) · 2·T_in/(ψ·K)
@@ -26,9 +27,9 @@
 //! number of planets, not on the teeth beyond these. In direct drive the sets stand still within
 //! themselves, and their teeth, loaded but not rolling, do not count.
 //!
-//! Left out: the working pressure angle, which `K` does not have, and which lowers the contact stress of meshes with a large sum of shifts
-//! further; the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
-//! module within a diameter; shafts, bearings and shift elements.
+//! Left out: the working pressure angle, which `K` does not have, and which lowers the contact stress of
+//! meshes with a large sum of shifts further; the planet–ring mesh, whose flanks are conformal and carry
+//! more; bending, which settles the module within a diameter; shafts, bearings and shift elements.
 
 use super::Error;
 use crate::quantity::Rated;
@@ -163,7 +164,8 @@ mod tests {
         }
     }
 
-    /// As above, at the working circles of planets that are larger and smaller than the room between sun and ring.
+    /// As above, at the working circles of planets that are larger and smaller than the room between sun and
+    /// ring.
     #[test]
     fn planets_of_sets_with_an_offset_count_with_their_own_teeth() {
         let teeth = |count| ToothCount::new(count).unwrap();

@@ -1,4 +1,5 @@
-//! Work on many items: on all threads with the feature `parallel`, else on one. Results come in the order of the items.
+//! Work on many items: on all threads with the feature `parallel`, else on one. Results come in the order of
+//! the items.
 
 /// The answer to each item.
 #[cfg(feature = "parallel")]

@@ -1,5 +1,5 @@
-//! The search over the teeth of one set finds exactly what brute force finds: every combination of teeth in every way to use the set through
-//! the solver of any gearbox, every pair of designs compared.
+//! The search over the teeth of one set finds exactly what brute force finds: every combination of teeth in
+//! every way to use the set through the solver of any gearbox, every pair of designs compared.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 

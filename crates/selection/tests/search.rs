@@ -98,7 +98,8 @@ fn the_excavator_wheel_with_profile_shift() {
     search.bounds = Bounds { sun: 12..=20, ring: 30..=48, planets: 3..=4, ..Bounds::default() };
     search.requirements.limits.planet_speed = 2.5;
     search.structures = Structure::catalogue();
-    // Sets without an offset are closed as well: of those with few teeth some are undercut whatever the shifts.
+    // Sets without an offset are closed as well: of those with few teeth some are undercut whatever the
+    // shifts.
     let mut levels = vec![];
     for offsets in [0..=0, -2..=2] {
         search.shift = Some(ProfileShift { offsets: offsets.clone(), closing: Closing::default() });
@@ -348,8 +349,8 @@ fn invalid_requirements_are_refused() {
     assert!(none.front().unwrap().entries().is_empty());
 }
 
-/// In both gears the efficiency and in gear 1 all else comes from set 1 alone; that of k = 20/9 lies half-way between two
-/// points of the grid of objectives, where the last bit of a double decides.
+/// In both gears the efficiency and in gear 1 all else comes from set 1 alone; that of k = 20/9 lies half-way
+/// between two points of the grid of objectives, where the last bit of a double decides.
 #[test]
 fn what_set_2_does_not_change_is_equal_beside_every_set_2() {
     let mut requirements = Requirements::new(

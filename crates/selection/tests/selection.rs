@@ -177,7 +177,8 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
     assert_eq!(first(Objective::Size), "D.B.T1+B.T2.T1");
 }
 
-/// Whatever the order of the objectives: a design that reverses follows all others and surpasses none of them.
+/// Whatever the order of the objectives: a design that reverses follows all others and surpasses none of
+/// them.
 #[test]
 fn designs_that_reverse_are_ranked_last() {
     for ratios in [&[1.466, 2.566][..], &[1.6, 2.54], &[3.9375], &[2.5, 1.5]] {

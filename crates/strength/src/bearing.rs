@@ -93,7 +93,8 @@ const MOST: f64 = 50.0;
 /// `a_ISO` of a radial bearing.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for `κ` below 0.1 or `e_C` outside 0 to 1; [`Error::NotPositive`] for a load, [`Error::Negative`] for a fatigue limit.
+/// [`Error::OutOfRange`] for `κ` below 0.1 or `e_C` outside 0 to 1; [`Error::NotPositive`] for a load,
+/// [`Error::Negative`] for a fatigue limit.
 ///
 /// # Example
 /// ```
@@ -175,7 +176,8 @@ pub struct BearingStep {
 /// ```
 ///
 /// # Errors
-/// [`Error::Shares`]; [`Error::NotPositive`] for an `a_ISO`, [`Error::Negative`] for a share; those of [`basic_rating_life`].
+/// [`Error::Shares`]; [`Error::NotPositive`] for an `a_ISO`, [`Error::Negative`] for a share; those of
+/// [`basic_rating_life`].
 pub fn life_over_duty(
     rolling: Rolling,
     load_rating: Force,

@@ -15,10 +15,10 @@
 //! R_zH = R_z1·(10/ρ_red)^0.33·(R_z1/R_z2)^0.66/(ν_40·v/1500)^0.33, from 3 to 16 µm; 1 the hard gear, 2 the soft one
 //! ```
 //!
-//! The constants change at `σ_Hlim` = 850 and 1200 N/mm²; of two limits the smaller counts. `HB` is taken from 130 to 470.
-//! `M_1` and `M_2` are calculated from the radii of curvature, and so hold for the active tips where a root ends contact before a tip does.
-//! `Z_W` is of a soft gear in mesh with a surface-hardened one, else 1: the standard's formula for two through-hardened gears
-//! is not included. `Z_X` = 1.
+//! The constants change at `σ_Hlim` = 850 and 1200 N/mm²; of two limits the smaller counts. `HB` is taken
+//! from 130 to 470. `M_1` and `M_2` are calculated from the radii of curvature, and so hold for the active
+//! tips where a root ends contact before a tip does. `Z_W` is of a soft gear in mesh with a surface-hardened
+//! one, else 1: the standard's formula for two through-hardened gears is not included. `Z_X` = 1.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -103,7 +103,8 @@ pub fn single_contact_factors(pair: &Pair, overlap: f64) -> Result<[f64; 2], Err
     Ok([z_b, z_d])
 }
 
-/// Reduced radius of curvature at the pitch point, modules: `ρ_1·ρ_2/(ρ_1 + ρ_2)`, `ρ_2` of an internal gear below 0.
+/// Reduced radius of curvature at the pitch point, modules: `ρ_1·ρ_2/(ρ_1 + ρ_2)`, `ρ_2` of an internal gear
+/// below 0.
 #[must_use]
 pub fn reduced_radius(pair: &Pair) -> f64 {
     let [first, second] =
@@ -148,8 +149,8 @@ pub fn roughness_factor(limit: f64, roughness: [f64; 2], reduced_radius: f64) ->
     libm::pow(3.0 / relative, exponent)
 }
 
-/// `Z_W` of a gear: of a soft one in mesh with a surface-hardened one, else 1. Roughness of itself and of its mate, µm; `ρ_red`, mm;
-/// `ν_40`, mm²/s; `v`, m/s.
+/// `Z_W` of a gear: of a soft one in mesh with a surface-hardened one, else 1. Roughness of itself and of its
+/// mate, µm; `ρ_red`, mm; `ν_40`, mm²/s; `v`, m/s.
 ///
 /// # Errors
 /// [`Error::MissingFactor`] of a soft gear without hardness.

@@ -219,8 +219,8 @@ impl Error {
         }
     }
 
-    /// Whether it ends the calculation of one flank, root or mesh and leaves the others: outside what the standard holds for, or without a
-    /// factor.
+    /// Whether it ends the calculation of one flank, root or mesh and leaves the others: outside what the
+    /// standard holds for, or without a factor.
     #[must_use]
     pub const fn is_of_part(&self) -> bool {
         self.is_beyond_standard() || matches!(self, Self::MissingFactor { .. })

@@ -1,7 +1,7 @@
 //! Stress limits over the number of load cycles: life factors, S-N lines.
 //!
-//! A line is straight between its points in double logarithmic scales, level before the first; beyond the last, at 10¹⁰ cycles, a
-//! smaller stress does no damage.
+//! A line is straight between its points in double logarithmic scales, level before the first; beyond the
+//! last, at 10¹⁰ cycles, a smaller stress does no damage.
 //!
 //! | factor | class | points: cycles, factor |
 //! |---|---|---|
@@ -14,11 +14,13 @@
 //! | | GG, GGG (ferr.), NT, NV (nitr.) | 10³ 1.6; 3·10⁶ 1; 10¹⁰ 0.85 |
 //! | | NV (nitrocar.) | 10³ 1.1; 3·10⁶ 1; 10¹⁰ 0.85 |
 //!
-//! At 10¹⁰ cycles the standard allows up to 1 where material, lubrication and experience are the best: that value is given.
+//! At 10¹⁰ cycles the standard allows up to 1 where material, lubrication and experience are the best: that
+//! value is given.
 //!
 //! # Source
-//! ISO 6336-2:2006, clause 11 (table 2); ISO 6336-3:2006, clause 12 (table 1). The factors of the NREL reference wind gearbox
-//! (0.857, 0.905, 0.901; 0.854, 0.886, 0.883) follow from these points to all printed digits, as those of ISO/TR 6336-30.
+//! ISO 6336-2:2006, clause 11 (table 2); ISO 6336-3:2006, clause 12 (table 1). The factors of the NREL
+//! reference wind gearbox (0.857, 0.905, 0.901; 0.854, 0.886, 0.883) follow from these points to all printed
+//! digits, as those of ISO/TR 6336-30.
 
 use crate::material::Class;
 
@@ -93,8 +95,8 @@ impl Line {
         self.points[self.reference].0
     }
 
-    /// The same line with its static point times one value, all others times another: a line of stresses. No point is above the one before it: what holds many
-    /// cycles holds few.
+    /// The same line with its static point times one value, all others times another: a line of stresses. No
+    /// point is above the one before it: what holds many cycles holds few.
     #[must_use]
     pub fn times(mut self, statically: f64, endurance: f64) -> Self {
         let mut most = f64::INFINITY;
@@ -119,7 +121,8 @@ impl Line {
         })
     }
 
-    /// The cycles after which a stress does its whole damage: 0 above the static limit, ∞ below the limit at the end of the line.
+    /// The cycles after which a stress does its whole damage: 0 above the static limit, ∞ below the limit at
+    /// the end of the line.
     ///
     /// On a level piece it is the later end.
     #[must_use]

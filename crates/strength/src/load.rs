@@ -1,7 +1,8 @@
 //! Load factors: what raises the tangential force of a tooth above its nominal value.
 //!
-//! `K_A` and `K_Hβ` are given. `K_γ` is given or follows from the number of planets and whether a member floats ([`load_sharing`]). `K_v`, `K_Hα` and `K_Fα` are given or
-//! follow by method B from deviations, stiffness and masses; `K_Fβ` is given or follows from `K_Hβ`.
+//! `K_A` and `K_Hβ` are given. `K_γ` is given or follows from the number of planets and whether a member
+//! floats ([`load_sharing`]). `K_v`, `K_Hα` and `K_Fα` are given or follow by method B from deviations,
+//! stiffness and masses; `K_Fβ` is given or follows from `K_Hβ`.
 //!
 //! ```text
 //! K_Fβ = K_Hβ^N_F, N_F = 1/(1 + h/b + (h/b)²)     h the larger tooth height, h/b at most 1/3
@@ -30,13 +31,16 @@
 //! | `C_a` | tip relief | µm |
 //! | `C_R` | gear blank factor, 1 of solid discs | 1 |
 //!
-//! In `q'` gear 1 is the pinion, the gear with fewer teeth, whichever drives; of equal numbers of teeth `q'` is the mean of both ways.
+//! In `q'` gear 1 is the pinion, the gear with fewer teeth, whichever drives; of equal numbers of teeth `q'`
+//! is the mean of both ways.
 //!
-//! `K_v` by method B is not offered below 100 N/mm, where the standard reduces the stiffness: there it is given.
+//! `K_v` by method B is not offered below 100 N/mm, where the standard reduces the stiffness: there it is
+//! given.
 //!
 //! # Source
-//! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`: [`load_sharing`]. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red` 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061,
-//! `K_Fβ` 1.94/1.14.
+//! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`:
+//! [`load_sharing`]. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red`
+//! 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061, `K_Fβ` 1.94/1.14.
 
 use crate::checks::{not_negative, positive};
 use crate::factor::{Document, Factor, Reference};
@@ -50,7 +54,8 @@ use std::cmp::Ordering;
 use std::f64::consts::PI;
 use uom::si::f64::{Length, SurfaceTension};
 
-/// Whether a member of a planetary set floats: sun, ring or carrier without a bearing of its own, or on flexible supports.
+/// Whether a member of a planetary set floats: sun, ring or carrier without a bearing of its own, or on
+/// flexible supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Floating {
     /// Not stated; one member is assumed to float.
@@ -77,8 +82,9 @@ const RIGID: f64 = 1.15;
 /// |---|---|---|---|---|---|---|
 /// | one member floats | 1 | 1.10 | 1.25 | 1.35 | 1.44 | 1.47 |
 ///
-/// Without a floating member the values from two planets on are 1.15 times these. The source begins at three planets; two take its first
-/// value, since a member that floats settles between two planets as between three.
+/// Without a floating member the values from two planets on are 1.15 times these. The source begins at three
+/// planets; two take its first value, since a member that floats settles between two planets as between
+/// three.
 ///
 /// # Errors
 /// [`Error::NotPositive`] without planets; [`Error::MissingFactor`] for more than 7, where the table ends.

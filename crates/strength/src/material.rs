@@ -1,7 +1,7 @@
 //! Materials of gears: class, stress limits, elasticity.
 //!
-//! The class says which of the standard's life, notch, surface and size factors hold. Stress limits `σ_Hlim`, `σ_Flim` are
-//! given by whoever knows the material, or taken from the small table [`listed`].
+//! The class says which of the standard's life, notch, surface and size factors hold. Stress limits `σ_Hlim`,
+//! `σ_Flim` are given by whoever knows the material, or taken from the small table [`listed`].
 //!
 //! | class | in ISO 6336 |
 //! |---|---|
@@ -53,8 +53,9 @@ pub struct Material {
     pub root_limit: Pressure,
     /// Brinell hardness of the flank, for `Z_W` of a soft gear in mesh with a hard one.
     pub hardness: Option<f64>,
-    /// The strength that the notch factor of the class asks for: yield strength `σ_S` of St, 0.2 % proof stress `σ_0.2` of V, GTS and
-    /// GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Not needed of other classes.
+    /// The strength that the notch factor of the class asks for: yield strength `σ_S` of St, 0.2 % proof
+    /// stress `σ_0.2` of V, GTS and GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Not
+    /// needed of other classes.
     pub strength: Option<Pressure>,
     /// Young's modulus `E`.
     pub youngs_modulus: Pressure,

@@ -15,7 +15,8 @@
 //! Each flank of a planet meets once in a revolution: one with the sun, the other with the ring.
 //!
 //! # Axial forces
-//! Helical teeth also push along the axis, sun and ring on a planet against each other at both ends of a diameter: the planet tilts.
+//! Helical teeth also push along the axis, sun and ring on a planet against each other at both ends of a
+//! diameter: the planet tilts.
 //!
 //! ```text
 //! F_a = F_t·tan β        M = (F_a1·d_w1 + F_a2·d_w2)/2
@@ -35,7 +36,8 @@ use epicyclic_gears::involute::Pair;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 
-/// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without their signs.
+/// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without
+/// their signs.
 ///
 /// # Errors
 /// [`Error::NotPositive`] without planets.
@@ -87,8 +89,8 @@ pub struct AxialForces {
     pub tilting_moment: Torque,
 }
 
-/// Axial forces of the meshes of a planet with sun and ring, and the moment of both; 0 of spur teeth. `module` is the normal one, the tangential forces are those of
-/// each mesh at the reference cylinders.
+/// Axial forces of the meshes of a planet with sun and ring, and the moment of both; 0 of spur teeth.
+/// `module` is the normal one, the tangential forces are those of each mesh at the reference cylinders.
 #[must_use]
 pub fn axial_forces(
     [sun_mesh, ring_mesh]: [&Pair; 2],

@@ -1,4 +1,5 @@
-//! The strength of a mesh under one load: stresses, limits, safeties, and every factor with where it comes from.
+//! The strength of a mesh under one load: stresses, limits, safeties, and every factor with where it comes
+//! from.
 //!
 //! ```text
 //! F_t = 2·T/d_1
@@ -16,16 +17,18 @@
 //! | `L` | [`Load::life`] | required life | h |
 //! | | [`Load::contacts`] | how often a flank is loaded in a revolution relative to the carrier: of a sun, as often as there are planets | 1 |
 //!
-//! Torque and speed are sizes, without sign: a mesh is calculated for one flank. Of the sun–planet meshes of `p` planets `T` is the sun's torque over `p`;
-//! of a planet–ring mesh it is the planet's share, the ring's torque over `p` times `z_p/z_r`.
+//! Torque and speed are sizes, without sign: a mesh is calculated for one flank. Of the sun–planet meshes of
+//! `p` planets `T` is the sun's torque over `p`; of a planet–ring mesh it is the planet's share, the ring's
+//! torque over `p` times `z_p/z_r`.
 //!
-//! Below the cycles of the endurance limit the limit falls from the static one in a straight line of double logarithmic scales. For static strength
-//! `Z_L`, `Z_v`, `Z_R`, `Y_RrelT` and `Y_X` are 1, so is `Z_W` where it is not given (its static formula was not available; it is above 1), and `Y_M` is
-//! that of endurance. The `Z_NT` and `Y_NT` told are then what is left of the limit over the other factors.
+//! Below the cycles of the endurance limit the limit falls from the static one in a straight line of double
+//! logarithmic scales. For static strength `Z_L`, `Z_v`, `Z_R`, `Y_RrelT` and `Y_X` are 1, so is `Z_W` where
+//! it is not given (its static formula was not available; it is above 1), and `Y_M` is that of endurance. The
+//! `Z_NT` and `Y_NT` told are then what is left of the limit over the other factors.
 //!
 //! # Source
-//! ISO 6336-2:2006, clause 5; ISO 6336-3:2006, clause 5; the factors as in [`contact`](crate::contact), [`factors`](crate::root::factors),
-//! [`load`](crate::load), [`life`](crate::life).
+//! ISO 6336-2:2006, clause 5; ISO 6336-3:2006, clause 5; the factors as in [`contact`](crate::contact),
+//! [`factors`](crate::root::factors), [`load`](crate::load), [`life`](crate::life).
 
 use crate::checks::positive;
 use crate::factor::{Edition, Factor, Side, Symbol};
@@ -103,7 +106,8 @@ pub struct MeshRating {
 }
 
 impl MeshRating {
-    /// The factors of the whole mesh and those of one gear, in the order of the calculation; of a flank or root that is not rated none.
+    /// The factors of the whole mesh and those of one gear, in the order of the calculation; of a flank or
+    /// root that is not rated none.
     pub fn chain(&self, side: Side) -> impl Iterator<Item = Factor> + '_ {
         let load = &self.load_factors;
         let gear = &self.gears[side as usize];
@@ -151,8 +155,8 @@ impl Governing {
 }
 
 impl MeshRating {
-    /// The safety that is least over what is required of it, of those that could be rated; of equal ones the first gear's, and the
-    /// flank's. `None` where nothing could be rated.
+    /// The safety that is least over what is required of it, of those that could be rated; of equal ones the
+    /// first gear's, and the flank's. `None` where nothing could be rated.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a required safety.
@@ -183,11 +187,13 @@ impl MeshRating {
 
 /// The strength of a mesh under a load.
 ///
-/// A flank or root that the standard does not hold for, or that lacks a factor, keeps its [`Error`] in the rating; the others are rated.
+/// A flank or root that the standard does not hold for, or that lacks a factor, keeps its [`Error`] in the
+/// rating; the others are rated.
 ///
 /// # Errors
-/// [`Error::NotPositive`] and the like for a quantity that is none; [`Error::OutOfRange`] for a mesh outside what the standard holds for;
-/// [`Error::MissingFactor`] for a factor of the mesh that is neither given nor can be calculated, [`Error::GivenFactor`] for one given that is no number above 0.
+/// [`Error::NotPositive`] and the like for a quantity that is none; [`Error::OutOfRange`] for a mesh outside
+/// what the standard holds for; [`Error::MissingFactor`] for a factor of the mesh that is neither given nor
+/// can be calculated, [`Error::GivenFactor`] for one given that is no number above 0.
 ///
 /// # Example
 /// See `examples/spur_pair.rs`, and `spec-cases/wind-gearbox` for the stage of a wind gearbox.
@@ -271,11 +277,12 @@ pub struct OverloadRating {
     pub gears: [Overload; 2],
 }
 
-/// Safeties of both gears against the greatest torque of their life, static: `K_A` and `K_v` are 1, since the torque contains them. Given `Z_NT` and `Y_NT`
-/// are of the duty's cycles and not used here.
+/// Safeties of both gears against the greatest torque of their life, static: `K_A` and `K_v` are 1, since the
+/// torque contains them. Given `Z_NT` and `Y_NT` are of the duty's cycles and not used here.
 ///
 /// # Errors
-/// Those of [`rate`]. [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
+/// Those of [`rate`]. [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays
+/// in the rating.
 pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<OverloadRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
     let force = prepared.force(positive(Quantity::Torque, torque.si(), "N·m")?);

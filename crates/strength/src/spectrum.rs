@@ -13,8 +13,9 @@
 //! | `U` | [`Worn::damage`] | damage; 1 is the end of life | 1 |
 //! | `S` | [`Worn::safety`] | factor of all stresses with which the damage is 1 | 1 |
 //!
-//! Each step has its own load factors and its own `Z_v`; `K_A` is 1 where the duty contains the overloads, and is given as always. A stress above the static limit
-//! ends the life at once; one below the limit at 10¹⁰ cycles does no damage. A step without torque or speed does none.
+//! Each step has its own load factors and its own `Z_v`; `K_A` is 1 where the duty contains the overloads,
+//! and is given as always. A stress above the static limit ends the life at once; one below the limit at 10¹⁰
+//! cycles does no damage. A step without torque or speed does none.
 //!
 //! # Source
 //! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
@@ -101,12 +102,13 @@ pub fn check_shares(shares: impl IntoIterator<Item = f64>) -> Result<(), Error> 
     whole(sum)
 }
 
-/// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load). Given `Z_NT` and `Y_NT` are of one number of cycles and not
-/// used here.
+/// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load). Given
+/// `Z_NT` and `Y_NT` are of one number of cycles and not used here.
 ///
 /// # Errors
-/// [`Error::Shares`] where the shares do not sum to 1, [`Error::Negative`] for a share, torque or speed below 0, [`Error::IdleDuty`] without a step that does
-/// anything; those of [`rate`](crate::rating::rate). [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
+/// [`Error::Shares`] where the shares do not sum to 1, [`Error::Negative`] for a share, torque or speed below
+/// 0, [`Error::IdleDuty`] without a step that does anything; those of [`rate`](crate::rating::rate).
+/// [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known stays in the rating.
 pub fn rate_duty(
     mesh: &Mesh,
     duty: &[Step],
@@ -174,7 +176,8 @@ fn worn(cycles: &[Cycle], life_h: f64) -> Worn {
 /// Halvings after which the bracket is as narrow as numbers are.
 const HALVINGS: u32 = 60;
 
-/// The greatest factor with a damage of at most 1. The damage never falls with the factor, so bisection finds it.
+/// The greatest factor with a damage of at most 1. The damage never falls with the factor, so bisection finds
+/// it.
 fn safety(cycles: &[Cycle]) -> f64 {
     // With the factor at which the first stress reaches its static limit, the damage is ∞ just above.
     let factor_at = |limit: fn(&Line) -> f64| {
@@ -206,7 +209,8 @@ mod tests {
         root_line(Class::CaseHardened, 0.85).times(900.0, 800.0)
     }
 
-    /// The second way: time runs in short pieces, each with the stress of its place in a duty that is gone through again and again.
+    /// The second way: time runs in short pieces, each with the stress of its place in a duty that is gone
+    /// through again and again.
     fn life_by_running(cycles: &[Cycle], life_h: f64) -> f64 {
         let total: f64 = cycles.iter().map(|cycle| cycle.cycles).sum();
         let rounds = 20_000.0;

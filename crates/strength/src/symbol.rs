@@ -37,7 +37,8 @@ epicyclic_gears::words! {
 }
 
 impl Symbol {
-    /// The symbol that a text names; Greek letters may be spelled, and signs between letters left out: `K_Hβ`, `K_H_beta`, `KHbeta`.
+    /// The symbol that a text names; Greek letters may be spelled, and signs between letters left out:
+    /// `K_Hβ`, `K_H_beta`, `KHbeta`.
     ///
     /// ```
     /// use epicyclic_strength::factor::Symbol;
@@ -53,7 +54,8 @@ impl Symbol {
         Self::ALL.iter().find(of).copied()
     }
 
-    /// Whether its factor is at least 1, as all load factors are but `K_A`: that may be lower where the nominal torque is the greatest.
+    /// Whether its factor is at least 1, as all load factors are but `K_A`: that may be lower where the
+    /// nominal torque is the greatest.
     #[must_use]
     pub const fn is_at_least_one(self) -> bool {
         matches!(

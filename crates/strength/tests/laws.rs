@@ -90,7 +90,8 @@ fn safeties(rating: &MeshRating) -> [f64; 4] {
 }
 
 proptest! {
-    /// With all load factors given, stress grows with the root of the torque on the flank, with the torque itself at the root.
+    /// With all load factors given, stress grows with the root of the torque on the flank, with the torque
+    /// itself at the root.
     #[test]
     fn safeties_fall_with_the_torque(
         z1 in 17..40_u32, z2 in 30..80_u32, ring in any::<bool>(), helix in 0.0..20.0_f64, n_m in 50.0..2000.0_f64, times in 1.1..4.0_f64,
@@ -115,7 +116,8 @@ proptest! {
         }
     }
 
-    /// The second way to the contact stress: Hertz's pressure of two cylinders, at the pitch point and at the inner points of single contact.
+    /// The second way to the contact stress: Hertz's pressure of two cylinders, at the pitch point and at the
+    /// inner points of single contact.
     #[test]
     fn contact_is_the_pressure_of_two_cylinders(z1 in 17..40_u32, z2 in 30..80_u32, ring in any::<bool>(), n_m in 50.0..2000.0_f64) {
         let mesh = mesh(z1, z2, ring, 0.0);
@@ -281,7 +283,8 @@ proptest! {
     }
 }
 
-/// Over the speed the standard's ranges follow each other; where the range between resonance and the speeds above begins and ends nothing jumps.
+/// Over the speed the standard's ranges follow each other; where the range between resonance and the speeds
+/// above begins and ends nothing jumps.
 #[test]
 fn the_ranges_of_the_dynamic_factor_join() {
     let mesh = mesh(20, 50, false, 0.0);
@@ -339,7 +342,8 @@ fn the_governing_safety_is_the_least_over_what_is_required() {
     refused(rating.governing(0.0, 1.0), "required safety is 0; it must be finite and above 0");
 }
 
-/// ISO 6336-1, 9.3.2, by hand: 30 and 18 teeth without shift, dedendum 1.25. The pinion of the formula is the gear with fewer teeth.
+/// ISO 6336-1, 9.3.2, by hand: 30 and 18 teeth without shift, dedendum 1.25. The pinion of the formula is the
+/// gear with fewer teeth.
 #[test]
 fn the_stiffness_of_a_pair_is_that_of_its_smaller_gear_as_pinion() {
     let q = 0.04723 + 0.15551 / 18.0 + 0.25791 / 30.0;
@@ -373,7 +377,8 @@ fn editions_differ_by_the_helix_factor_alone() {
 fn an_overload_is_held_against_the_static_limit() {
     let mesh = mesh(20, 50, false, 0.0);
     let [first, _] = overload(&mesh, torque(2000.0), &method()).unwrap().gears;
-    // By hand from a short life: 10 h at 1 rpm are 600 cycles, within both static limits; without K_A and K_v.
+    // By hand from a short life: 10 h at 1 rpm are 600 cycles, within both static limits; without K_A and
+    // K_v.
     let short = rate(&mesh, &load(2000.0, 1.0, 10.0), &method()).unwrap();
     let [flank, _, tooth, _] = safeties(&short);
     assert!((first.contact.unwrap() / flank / (1.25_f64 * 1.1).sqrt() - 1.0).abs() < 1e-9);
@@ -436,7 +441,8 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     );
 }
 
-/// What the standard does not hold for, or a factor that is missing, leaves one flank or root without a rating and changes no other.
+/// What the standard does not hold for, or a factor that is missing, leaves one flank or root without a
+/// rating and changes no other.
 #[test]
 fn a_part_that_cannot_be_rated_leaves_the_others() {
     let good = mesh(20, 50, false, 0.0);
@@ -551,7 +557,8 @@ fn an_unknown_static_factor_is_an_input() {
     assert!(safeties(&short(Method { given, ..method() }))[2] > safeties(&long)[2]);
 }
 
-/// The forces of both meshes on a planet as vectors: normal to helical flanks at the working cylinders, one diameter apart.
+/// The forces of both meshes on a planet as vectors: normal to helical flanks at the working cylinders, one
+/// diameter apart.
 #[test]
 fn axial_forces_are_those_of_normal_forces_on_helical_flanks() {
     use epicyclic_strength::planets::axial_forces;

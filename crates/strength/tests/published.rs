@@ -107,7 +107,8 @@ fn wind_load() -> [Load; 2] {
     loads
 }
 
-/// Deviations of grade 6, bores and blank factor as in the same calculation; tip relief is none of the design.
+/// Deviations of grade 6, bores and blank factor as in the same calculation; tip relief is none of the
+/// design.
 fn wind_dynamics() -> [Dynamics; 2] {
     let dynamics = |arrangement, pitch: [f64; 2], profile: [f64; 2], rims| Dynamics {
         arrangement,

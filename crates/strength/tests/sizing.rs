@@ -263,7 +263,8 @@ fn is_near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-12 * one.abs().max(1.0)
 }
 
-/// The trial writes centre distances in another way, and shifts that are searched for follow the last bit of one by more than that.
+/// The trial writes centre distances in another way, and shifts that are searched for follow the last bit of
+/// one by more than that.
 fn is_as_tried(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-8 * one.abs().max(1.0)
 }

@@ -113,8 +113,8 @@ fn parts(bench: &mut Criterion) {
     });
 }
 
-/// Which sets of five elements have as many functions as there are gears, and each gear in reach of one somewhere: the search of the
-/// structure, and every set of elements by itself.
+/// Which sets of five elements have as many functions as there are gears, and each gear in reach of one
+/// somewhere: the search of the structure, and every set of elements by itself.
 fn coverage(bench: &mut Criterion, structure: &Structure) {
     let wish = wish(&EIGHT_SPEED, 4, 5);
     let grid = Grid::new(&wish.k);

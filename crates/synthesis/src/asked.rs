@@ -1,6 +1,8 @@
-//! What was asked of a search, as text: two searches ask the same where the texts are equal, and then they find the same.
+//! What was asked of a search, as text: two searches ask the same where the texts are equal, and then they
+//! find the same.
 //!
-//! Numbers have as many digits as tell them from every other, so that equal texts are equal numbers, bit by bit.
+//! Numbers have as many digits as tell them from every other, so that equal texts are equal numbers, bit by
+//! bit.
 
 use crate::class::Class;
 use crate::rules::Rules;

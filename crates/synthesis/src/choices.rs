@@ -23,9 +23,11 @@ impl Choices {
         elements.iter().zip(&self.terms).map(|(element, terms)| terms[*element]).sum()
     }
 
-    /// Calls `visit` with each element of a choice, and the number of the others among the choices of one less.
+    /// Calls `visit` with each element of a choice, and the number of the others among the choices of one
+    /// less.
     pub(crate) fn for_each_without_one(&self, choice: u64, mut visit: impl FnMut(usize, usize)) {
-        // Without its last element a choice has the terms that it had; those after one left out move down by a place.
+        // Without its last element a choice has the terms that it had; those after one left out move down by
+        // a place.
         let mut others: usize =
             places(choice).skip(1).zip(&self.terms).map(|(next, terms)| terms[next]).sum();
         for (place, element) in places(choice).enumerate() {
@@ -46,7 +48,8 @@ impl Choices {
         choose(elements, self.terms.len() - 1)
     }
 
-    /// Calls `visit` with the number of each choice of one less: without a call a choice where three are engaged.
+    /// Calls `visit` with the number of each choice of one less: without a call a choice where three are
+    /// engaged.
     pub(crate) fn for_each_of_one_less(&self, elements: u64, visit: &mut impl FnMut(usize)) {
         if let [first, second, _] = self.terms.as_slice() {
             for high in places(elements) {
@@ -59,8 +62,8 @@ impl Choices {
         go(&self.terms[..self.terms.len() - 1], elements, 0, 0, &mut |number, _| visit(number));
     }
 
-    /// Calls `visit` with the number of each choice of some elements: without a call a choice where three are engaged, as
-    /// in most gearboxes.
+    /// Calls `visit` with the number of each choice of some elements: without a call a choice where three are
+    /// engaged, as in most gearboxes.
     #[inline]
     pub(crate) fn for_each_number(&self, elements: u64, mut visit: impl FnMut(usize)) {
         let [first, second, third] = self.terms.as_slice() else {

@@ -32,8 +32,8 @@ impl Class {
     /// The class of structures of so many sets and moving links.
     ///
     /// # Errors
-    /// [`Error::Sets`] outside 1…[`MOST_SETS`]; [`Error::Links`] below `sets + 2`, where no shift element is left to
-    /// engage, or above what `kind` can have: `2·sets + 1` joined links in [`Kind::Core`],
+    /// [`Error::Sets`] outside 1…[`MOST_SETS`]; [`Error::Links`] below `sets + 2`, where no shift element is
+    /// left to engage, or above what `kind` can have: `2·sets + 1` joined links in [`Kind::Core`],
     /// `3·sets + 2` in [`Kind::AllSparse`], [`MOST_LINKS`] in both.
     pub fn new(kind: Kind, sets: usize, links: usize) -> Result<Self, Error> {
         if !(1..=MOST_SETS).contains(&sets) {

@@ -1,12 +1,12 @@
 //! How many structures a class has, by two ways that find none of them.
 //!
-//! *Mass formula.* The words of a structure, one for each order of its sets that no automorphism makes equal to
-//! another, are `n!/|Aut|`. So `Σ n!/|Aut|` over the structures is the number of all words, and these are counted
-//! without asking which are equal.
+//! *Mass formula.* The words of a structure, one for each order of its sets that no automorphism makes equal
+//! to another, are `n!/|Aut|`. So `Σ n!/|Aut|` over the structures is the number of all words, and these are
+//! counted without asking which are equal.
 //!
-//! *Burnside's lemma.* Orders of the sets and names of the other links, `n!·(L − 2)!` pairs `(σ, π)`, act on labelled
-//! structures. The structures are as many as a pair leaves labelled structures unchanged in the mean. Pairs with equal
-//! cycle lengths leave equally many.
+//! *Burnside's lemma.* Orders of the sets and names of the other links, `n!·(L − 2)!` pairs `(σ, π)`, act on
+//! labelled structures. The structures are as many as a pair leaves labelled structures unchanged in the
+//! mean. Pairs with equal cycle lengths leave equally many.
 
 use crate::class::Class;
 use crate::enumerate;
@@ -37,7 +37,8 @@ pub fn enumerated(class: Class) -> Counts {
     counts
 }
 
-/// How many structures, counted one by one; nothing where `ended`, which is asked now and then, ends the counting.
+/// How many structures, counted one by one; nothing where `ended`, which is asked now and then, ends the
+/// counting.
 #[must_use]
 pub fn structures(class: Class, ended: &dyn Fn() -> bool) -> Option<usize> {
     let (mut count, watch) = (0, Watch::new(ended));
@@ -70,12 +71,12 @@ pub fn by_burnside(class: Class) -> u64 {
     unchanged / (factorial(class.sets()) * factorial(others))
 }
 
-/// Labelled structures that an order of the sets with cycles of these lengths, and a renaming with cycles of those,
-/// leave unchanged.
+/// Labelled structures that an order of the sets with cycles of these lengths, and a renaming with cycles of
+/// those, leave unchanged.
 fn fixed(class: Class, set_cycles: &[usize], name_cycles: &[usize]) -> u64 {
     if set_cycles.iter().all(|length| *length == 1) {
-        // Every member keeps its link, and every other link is on a member: no other may be renamed. The words number
-        // the other links as they occur; labelled, each order of their names is another.
+        // Every member keeps its link, and every other link is on a member: no other may be renamed. The
+        // words number the other links as they occur; labelled, each order of their names is another.
         let identity = name_cycles.iter().all(|length| *length == 1);
         return if identity { words(class) * factorial(name_cycles.len()) } else { 0 };
     }

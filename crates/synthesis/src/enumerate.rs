@@ -1,7 +1,7 @@
 //! All structures of a class, each once, in the order of their canonical words.
 //!
-//! Words grow set by set. The first sets of a canonical word are canonical themselves: an order of them with a
-//! smaller word would make the whole word smaller. So a prefix that is not canonical is left at once, and
+//! Words grow set by set. The first sets of a canonical word are canonical themselves: an order of them with
+//! a smaller word would make the whole word smaller. So a prefix that is not canonical is left at once, and
 //! nothing has to be remembered to find each structure once.
 
 use crate::class::Class;
@@ -35,14 +35,15 @@ pub fn for_each(class: Class, visit: &mut impl FnMut(&[Members])) {
     });
 }
 
-/// Calls `visit` with each canonical beginning of the words of a class, the whole words among them, in their order; a break ends it.
-/// Long stretches of a class have beginnings alone, so that a search that is to end is heard there, too.
+/// Calls `visit` with each canonical beginning of the words of a class, the whole words among them, in their
+/// order; a break ends it. Long stretches of a class have beginnings alone, so that a search that is to end
+/// is heard there, too.
 pub fn walk(class: Class, visit: &mut impl FnMut(&[Members]) -> ControlFlow<()>) -> ControlFlow<()> {
     go(class, true, &mut Vec::new(), (0, FIRST_OTHER), visit)
 }
 
-/// Calls `visit` with every word: every structure in every order of its sets, the other links numbered as they first
-/// occur. Orders that an automorphism makes equal are one word.
+/// Calls `visit` with every word: every structure in every order of its sets, the other links numbered as
+/// they first occur. Orders that an automorphism makes equal are one word.
 pub fn for_each_word(class: Class, visit: &mut impl FnMut(&[Members])) {
     let mut whole = |sets: &[Members]| {
         if sets.len() == class.sets() {
@@ -53,9 +54,10 @@ pub fn for_each_word(class: Class, visit: &mut impl FnMut(&[Members])) {
     let _ = go(class, false, &mut Vec::new(), (0, FIRST_OTHER), &mut whole);
 }
 
-/// A structure of a class by chance, `below(n)` being a number below `n`, each as probable: set by set one of the sets that may follow. The
-/// number that comes with it is the product of how many could follow each time, of which the mean over many draws is the number of
-/// structures; a beginning that nothing can follow counts as 0 and has no structure.
+/// A structure of a class by chance, `below(n)` being a number below `n`, each as probable: set by set one of
+/// the sets that may follow. The number that comes with it is the product of how many could follow each time,
+/// of which the mean over many draws is the number of structures; a beginning that nothing can follow counts
+/// as 0 and has no structure.
 ///
 /// # Source
 /// D. E. Knuth, Estimating the efficiency of backtrack programs, Mathematics of Computation 29 (1975).

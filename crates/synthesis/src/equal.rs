@@ -1,17 +1,18 @@
 //! Sets with equal ring-to-sun ratios.
 //!
 //! # Formula
-//! Where the `k` of `m` sets are one number `t`, a polynomial of the first degree in each `k` is of degree `m` in `t`. Its mean over all
-//! exchanges of these sets, the *polar form*
+//! Where the `k` of `m` sets are one number `t`, a polynomial of the first degree in each `k` is of degree
+//! `m` in `t`. Its mean over all exchanges of these sets, the *polar form*
 //!
 //! ```text
 //! P̄(k_1 … k_m) = 1/m! · Σ_π P(k_π1 … k_πm)         P̄(t … t) = P(t … t)
 //! ```
 //!
-//! has the same values there and is of the first degree in each `k` as well. So over a range of `t`, the same for each of these sets, its
-//! extremes are at the corners: with `j` of the `m` at the upper end they are the coefficients of `P(t … t)` by Bernstein, whose
-//! hull holds all its values. All that is said of boxes and corners holds with the polar forms in place of the polynomials,
-//! in boxes whose sets with equal `k` have one range.
+//! has the same values there and is of the first degree in each `k` as well. So over a range of `t`, the same
+//! for each of these sets, its extremes are at the corners: with `j` of the `m` at the upper end they are the
+//! coefficients of `P(t … t)` by Bernstein, whose hull holds all its values. All that is said of boxes and
+//! corners holds with the polar forms in place of the polynomials, in boxes whose sets with equal `k` have
+//! one range.
 
 use crate::class::MOST_SETS;
 use crate::parts::{Grid, Parts};
@@ -34,8 +35,8 @@ impl Equal {
     /// No sets: each `k` is free.
     pub const NONE: Self = Self(0);
 
-    /// Every choice of so many sets of one kind, where the last so many of all are double-planet sets; of one set or none nothing is
-    /// asked.
+    /// Every choice of so many sets of one kind, where the last so many of all are double-planet sets; of one
+    /// set or none nothing is asked.
     #[must_use]
     pub fn choices(count: usize, sets: usize, double_planets: usize) -> Vec<Self> {
         if count <= 1 {
@@ -116,7 +117,8 @@ impl Equal {
         coefficients.copy_from_slice(&means);
     }
 
-    /// Whether two ratios are one wherever these `k` are equal: `P₁·Q₂ − P₂·Q₁` has no term left once equal `k` are one.
+    /// Whether two ratios are one wherever these `k` are equal: `P₁·Q₂ − P₂·Q₁` has no term left once equal
+    /// `k` are one.
     pub(crate) fn makes_equal(self, one: Ratio, other: Ratio) -> bool {
         let mut terms: BTreeMap<[u32; MOST_SETS], i32> = BTreeMap::new();
         let mut add = |above: Polynomial, below: Polynomial, sign: i32| {
@@ -152,8 +154,8 @@ impl Equal {
         })
     }
 
-    /// The parts of a range that hold points with these `k` equal: those where all these sets, whose ranges are the same, have the same
-    /// part of it. A point between two parts is in one of them.
+    /// The parts of a range that hold points with these `k` equal: those where all these sets, whose ranges
+    /// are the same, have the same part of it. A point between two parts is in one of them.
     pub(crate) fn parts(self, grid: &Grid) -> Parts {
         let strides = grid.strides();
         let cut = |part: usize, set: usize| part / strides[set].0 % strides[set].1;

@@ -77,7 +77,8 @@ pub enum Error {
         /// What is wrong with it.
         why: String,
     },
-    /// A solution that its own ratios or the solver contradict: a part of a search that was changed, or a fault of this library.
+    /// A solution that its own ratios or the solver contradict: a part of a search that was changed, or a
+    /// fault of this library.
     #[error("{structure}: {why}")]
     Contradiction {
         /// The structure.

@@ -1,21 +1,24 @@
 //! How long a search will take, from a sample of its structures.
 //!
 //! # Formula
-//! A search learns functions as it goes, so its first structures take longer than the later ones. A sample, spread evenly over the
-//! structures, is searched twice by one search; the second time it knows all functions that occur. With `m` structures of `N`, and
-//! the times `c` and `w` of the two passes, one thread takes about
+//! A search learns functions as it goes, so its first structures take longer than the later ones. A sample,
+//! spread evenly over the structures, is searched twice by one search; the second time it knows all functions
+//! that occur. With `m` structures of `N`, and the times `c` and `w` of the two passes, one thread takes
+//! about
 //!
 //! ```text
 //! t = w·N/m + (c − w)·√(N/m)
 //! ```
 //!
-//! The second term supposes that functions become known as the words of a text do: their number grows with the root of its
-//! length. It is a guess, but for a share of the class that is not small against the sample, it is the lesser term. Shares that work
-//! apart each learn for themselves, so `n` of them take longer than the whole: in one of them stand `N/n` structures.
+//! The second term supposes that functions become known as the words of a text do: their number grows with
+//! the root of its length. It is a guess, but for a share of the class that is not small against the sample,
+//! it is the lesser term. Shares that work apart each learn for themselves, so `n` of them take longer than
+//! the whole: in one of them stand `N/n` structures.
 //!
-//! The structures of five and six sets take long to count. Where they take longer than a budget, their number is estimated by draws:
-//! a draw goes from set to set, each time to one of those that may follow, and the product of how many could follow is in the mean the
-//! number of structures. The sample is then of the structures drawn, each as often as its product says.
+//! The structures of five and six sets take long to count. Where they take longer than a budget, their number
+//! is estimated by draws: a draw goes from set to set, each time to one of those that may follow, and the
+//! product of how many could follow is in the mean the number of structures. The sample is then of the
+//! structures drawn, each as often as its product says.
 
 use crate::choices::choose;
 use crate::class::Class;
@@ -44,7 +47,8 @@ impl Size {
         self.drawn.is_empty()
     }
 
-    /// So many structures of those drawn, one of each choice of double-planet sets, each as often as its product says, but never twice.
+    /// So many structures of those drawn, one of each choice of double-planet sets, each as often as its
+    /// product says, but never twice.
     fn spread(&self, count: usize, double_planets: usize) -> Vec<Structure> {
         let all: f64 = self.drawn.iter().map(|(weight, _)| weight).sum();
         let (mut reached, mut wanted) = (0.0, 0.5);
@@ -62,8 +66,8 @@ impl Size {
     }
 }
 
-/// How many structures a class has: counted where that takes at most `budget_s` seconds of `clock`, in s, else estimated by draws for as long.
-/// Nothing where `ended` ends it, which is asked now and then.
+/// How many structures a class has: counted where that takes at most `budget_s` seconds of `clock`, in s,
+/// else estimated by draws for as long. Nothing where `ended` ends it, which is asked now and then.
 pub fn size(class: Class, budget_s: f64, clock: &dyn Fn() -> f64, ended: &dyn Fn() -> bool) -> Option<Size> {
     let begun = clock();
     if let Some(structures) = count::structures(class, &|| ended() || clock() - begun > budget_s) {
@@ -141,13 +145,15 @@ impl Sample {
     /// Into how many shares the search is divided so that each takes one thread so many seconds.
     #[must_use]
     pub fn shares(&self, seconds: f64) -> f64 {
-        // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a share.
+        // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a
+        // share.
         let (again, learning) = (self.again_s, self.learning());
         let root = 2.0 * seconds / (learning + (learning * learning + 4.0 * again * seconds).sqrt());
         self.times() / (root * root)
     }
 
-    /// About how many bytes a search on so many threads holds: the structures, and on each thread what it learned.
+    /// About how many bytes a search on so many threads holds: the structures, and on each thread what it
+    /// learned.
     #[must_use]
     pub fn bytes(&self, threads: usize) -> f64 {
         /// The members of a structure stand in a block of their own.
@@ -164,9 +170,9 @@ const FEWEST: usize = 8;
 /// How many times its budget a sample may take to have so many.
 const PATIENCE: f64 = 20.0;
 
-/// A sample of the search through a share of a class of this size: as many structures as `budget_s` seconds of `clock`, in s, allow, or 8
-/// where that many are searched in twenty times as long, and at least one. It takes up to twice as long; where `ended`, which is asked now
-/// and then, ends it, the sample is cut.
+/// A sample of the search through a share of a class of this size: as many structures as `budget_s` seconds
+/// of `clock`, in s, allow, or 8 where that many are searched in twenty times as long, and at least one. It
+/// takes up to twice as long; where `ended`, which is asked now and then, ends it, the sample is cut.
 ///
 /// # Errors
 /// As [`search`](crate::run::search).
@@ -238,8 +244,8 @@ fn of<W: Word>(
     Sample { sampled, first_s, again_s, learned: search.bytes(), is_cut, ..sample }
 }
 
-/// All places below a number, each once, in an order of which the first so many are spread evenly for any so many: by the rest of their
-/// multiples of the golden section.
+/// All places below a number, each once, in an order of which the first so many are spread evenly for any so
+/// many: by the rest of their multiples of the golden section.
 fn spread(count: usize) -> Vec<usize> {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let rest = |place: usize| (place as f64 * SECTION).fract();
@@ -305,7 +311,8 @@ mod tests {
         {
             let class = Class::new(kind, sets, links).unwrap();
             let counted = count::structures(class, &|| false).unwrap();
-            // Time stands still after a first moment: the count is over its budget, and the draws end by their number.
+            // Time stands still after a first moment: the count is over its budget, and the draws end by
+            // their number.
             let moments = Cell::new(0);
             let clock = || {
                 moments.set(moments.get() + 1);

@@ -1,7 +1,7 @@
 //! Products of vectors that change sign when two factors change places, for determinants grown row by row.
 //!
-//! A product of `m` vectors of a space of `F` dimensions has a coordinate for each `m` of the `F` axes: the minor of the
-//! rows there. Coordinates stand in the order of the axes' bits.
+//! A product of `m` vectors of a space of `F` dimensions has a coordinate for each `m` of the `F` axes: the
+//! minor of the rows there. Coordinates stand in the order of the axes' bits.
 
 use crate::ternary::{Ternary, Word};
 
@@ -10,9 +10,11 @@ use crate::ternary::{Ternary, Word};
 pub struct Space {
     /// For each degree, for each coordinate of it, its axes as bits.
     axes: Vec<Vec<u32>>,
-    /// For each degree from 1, for each coordinate: coordinate of the degree below, axis, and whether the sign changes.
+    /// For each degree from 1, for each coordinate: coordinate of the degree below, axis, and whether the
+    /// sign changes.
     growth: Vec<Vec<Vec<(usize, usize, bool)>>>,
-    /// For each pair of axes: the coordinate of degree `F − 2` with the other axes, and whether the sign changes.
+    /// For each pair of axes: the coordinate of degree `F − 2` with the other axes, and whether the sign
+    /// changes.
     pairs: Vec<(usize, usize, usize, bool)>,
 }
 
@@ -64,8 +66,8 @@ impl Space {
         self.axes[degree].len()
     }
 
-    /// The pairs of axes of a product of two vectors, each with the coordinate of a product of `F − 2` vectors that
-    /// it completes and whether the sign changes.
+    /// The pairs of axes of a product of two vectors, each with the coordinate of a product of `F − 2`
+    /// vectors that it completes and whether the sign changes.
     pub(crate) fn pairs(&self) -> &[(usize, usize, usize, bool)] {
         &self.pairs
     }

@@ -1,12 +1,14 @@
 //! Families of solutions: those whose gears have equal formulas.
 //!
-//! Two solutions are of one family where their gears are the same of those wanted and, after an exchange of sets, have equal
-//! formulas one by one. Sets are exchanged only with sets of their own kind with the same range of `k`: so the members have the same
-//! ratios at every `k`, the same best `k` and the same ranges, each up to the exchange. They differ in what goes on within: efficiency,
-//! torques, slips, speeds, and whether they can be drawn. A solution has the functions that it is told with.
+//! Two solutions are of one family where their gears are the same of those wanted and, after an exchange of
+//! sets, have equal formulas one by one. Sets are exchanged only with sets of their own kind with the same
+//! range of `k`: so the members have the same ratios at every `k`, the same best `k` and the same ranges,
+//! each up to the exchange. They differ in what goes on within: efficiency, torques, slips, speeds, and
+//! whether they can be drawn. A solution has the functions that it is told with.
 //!
 //! # How it is computed
-//! Of the formulas under all exchanges the least, by their words, stands for the family: two families are equal where these are.
+//! Of the formulas under all exchanges the least, by their words, stands for the family: two families are
+//! equal where these are.
 
 use crate::permutation::Exchange;
 use crate::structure::for_each_order;
@@ -54,7 +56,8 @@ impl Family {
     }
 }
 
-/// The numbers of the families of some solutions, from 0 in the order in which they first occur, and how many members each has.
+/// The numbers of the families of some solutions, from 0 in the order in which they first occur, and how many
+/// members each has.
 #[must_use]
 pub fn number<'a>(families: impl IntoIterator<Item = &'a Family>) -> (Vec<usize>, Vec<usize>) {
     let mut known: FxHashMap<&Family, usize> = FxHashMap::default();

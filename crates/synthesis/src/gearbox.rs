@@ -17,7 +17,8 @@ pub fn element_name(element: Element) -> String {
     }
 }
 
-/// Names of the elements of a gearbox, side by side: its brakes are `B1`, `B2`, …, its clutches `C1`, `C2`, …, each in their order.
+/// Names of the elements of a gearbox, side by side: its brakes are `B1`, `B2`, …, its clutches `C1`, `C2`,
+/// …, each in their order.
 #[must_use]
 pub fn own_names(elements: &[Element]) -> Vec<String> {
     let [mut brakes, mut clutches] = [0, 0];
@@ -44,9 +45,10 @@ pub fn element_of_name(name: &str) -> Option<Element> {
     .filter(|[one, other]| one < other)
 }
 
-/// The gearbox with these elements and this efficiency of a simple set's two meshes together, by the gears that each engages some of
-/// them (by their places). The three meshes of a double-planet set lose as much each: `η^(3/2)` together. Sets that share planets at
-/// these `k` ([`Sharing`]) are one compound set, whose meshes lose as much each, too.
+/// The gearbox with these elements and this efficiency of a simple set's two meshes together, by the gears
+/// that each engages some of them (by their places). The three meshes of a double-planet set lose as much
+/// each: `η^(3/2)` together. Sets that share planets at these `k` ([`Sharing`]) are one compound set, whose
+/// meshes lose as much each, too.
 ///
 /// # Errors
 /// Those of the solver: `k` not above 1, a gear that engages no element or one that is not there.

@@ -25,8 +25,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 pub struct Judged {
     /// Best `k`, ranges, greatest deviation.
     pub refined: Refined,
-    /// For each gear the elements that it engages, by their places: of the choices with its ratio those with the fewest
-    /// exchanges between neighbouring gears.
+    /// For each gear the elements that it engages, by their places: of the choices with its ratio those with
+    /// the fewest exchanges between neighbouring gears.
     pub engaged: Vec<Vec<usize>>,
     /// How many shifts between neighbouring forward gears exchange more than one element.
     pub multiple_shifts: usize,
@@ -38,12 +38,13 @@ pub struct Judged {
     pub slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of a double-planet set
-    /// what they exceed whatever their teeth ([`planet_speed`]).
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of
+    /// a double-planet set what they exceed whatever their teeth ([`planet_speed`]).
     pub planet_speed: f64,
     /// Which sets share planets at the best `k`.
     pub sharing: Sharing,
-    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish; sets that share planets are one.
+    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish; sets that
+    /// share planets are one.
     pub gearbox: Gearbox,
 }
 
@@ -60,7 +61,8 @@ impl Judged {
         self.least_efficiency(true).unwrap_or(1.0)
     }
 
-    /// The least efficiency of a reverse gear, 0 where a gear has none; nothing where there is no reverse gear.
+    /// The least efficiency of a reverse gear, 0 where a gear has none; nothing where there is no reverse
+    /// gear.
     #[must_use]
     pub fn reverse_efficiency(&self) -> Option<f64> {
         self.least_efficiency(false)
@@ -71,7 +73,8 @@ impl Judged {
         gears.map(|gear| self.efficiencies[gear].unwrap_or(0.0)).reduce(f64::min)
     }
 
-    /// The mean efficiency of the forward gears, weighted by their shares of time, each gear's in the order of the wish, over their sum.
+    /// The mean efficiency of the forward gears, weighted by their shares of time, each gear's in the order
+    /// of the wish, over their sum.
     ///
     /// ```text
     /// η = Σ s_g·η_g / Σ s_g
@@ -89,8 +92,9 @@ impl Judged {
     }
 }
 
-/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`. After each `judged` is told
-/// how many are; from a break on nothing is judged, and there is nothing in the place of what is left.
+/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`.
+/// After each `judged` is told how many are; from a break on nothing is judged, and there is nothing in the
+/// place of what is left.
 ///
 /// # Errors
 /// Those of [`judge`].
@@ -121,9 +125,9 @@ pub fn judge_all(
 /// Judges a solution of a wish; the solver has to confirm each ratio.
 ///
 /// # Errors
-/// [`Error::Contradiction`] where a gear's ratio at the solution's `k` is beyond its bounds, shifts that have to be single are not, or the
-/// solver's ratio of a gear is another than the formula's; else those of the solver. None are known for solutions of a search with `k`
-/// above 1.
+/// [`Error::Contradiction`] where a gear's ratio at the solution's `k` is beyond its bounds, shifts that have
+/// to be single are not, or the solver's ratio of a gear is another than the formula's; else those of the
+/// solver. None are known for solutions of a search with `k` above 1.
 pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Result<Judged, Error> {
     let solution = &found.solution;
     let contradiction = |why| Error::Contradiction { structure: found.structure.to_string(), why };
@@ -182,15 +186,17 @@ pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Res
     })
 }
 
-/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a double-planet set, or of a compound
-/// one, are not known, what its planets exceed: of a compound set for each sun and ring with one planet or two between them.
+/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a
+/// double-planet set, or of a compound one, are not known, what its planets exceed: of a compound set for
+/// each sun and ring with one planet or two between them.
 ///
 /// ```text
 /// ∣ω_g − ω_H∣ = ∣ω_s − ω_H∣·z_s/z_g > 2·∣ω_s − ω_H∣/(k − 1)        of both planets of a double-planet set
 /// ```
 ///
-/// Both planets of such a set have fewer than `(z_r − z_s)/2` teeth: more would reach into the sun or the ring
-/// ([`epicyclic_gears::double_planet`]). So they turn faster than the planets of a simple set of the same `k`.
+/// Both planets of such a set have fewer than `(z_r − z_s)/2` teeth: more would reach into the sun or the
+/// ring ([`epicyclic_gears::double_planet`]). So they turn faster than the planets of a simple set of the
+/// same `k`.
 #[must_use]
 pub fn planet_speed(analysis: &Analysis<'_>) -> f64 {
     let mut greatest: f64 = 0.0;
@@ -210,7 +216,8 @@ pub fn planet_speed(analysis: &Analysis<'_>) -> f64 {
     greatest
 }
 
-/// Suns and rings of a set whose planets' teeth are not known, by their places, with one planet or two between them.
+/// Suns and rings of a set whose planets' teeth are not known, by their places, with one planet or two
+/// between them.
 fn suns_and_rings(set: &PlanetSet) -> Vec<[usize; 2]> {
     if set.short().is_some() {
         return if set.kind() == Some(SetKind::DoublePlanet) { vec![[0, 1]] } else { vec![] };
@@ -224,8 +231,8 @@ fn suns_and_rings(set: &PlanetSet) -> Vec<[usize; 2]> {
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.
 ///
-/// Forward gears stand in falling order of their ratios, and keep the single shifts of the wish; backward gears take what shares
-/// most with the first forward gear.
+/// Forward gears stand in falling order of their ratios, and keep the single shifts of the wish; backward
+/// gears take what shares most with the first forward gear.
 fn exchanges(found: &Found, wish: &Wish) -> Option<(Vec<Vec<usize>>, usize)> {
     let gears = &found.solution.gears;
     let forward = forward(&wish.gears);

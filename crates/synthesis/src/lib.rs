@@ -26,13 +26,15 @@
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
-//! Every set of shift elements with which each wanted ratio is had within its bounds, at real ring-to-sun ratios within their
-//! range, of every structure of the class. Sets in which some `k` moves no wanted ratio are *reducible*: counted, not told.
-//! Shift elements that lock the same are one; of solutions that an automorphism of the structure makes equal one is told. Bounds
-//! are widened by 10⁻⁹, so that rounding loses nothing; what is neither found nor excluded is *undecided* and counted.
+//! Every set of shift elements with which each wanted ratio is had within its bounds, at real ring-to-sun
+//! ratios within their range, of every structure of the class. Sets in which some `k` moves no wanted ratio
+//! are *reducible*: counted, not told. Shift elements that lock the same are one; of solutions that an
+//! automorphism of the structure makes equal one is told. Bounds are widened by 10⁻⁹, so that rounding loses
+//! nothing; what is neither found nor excluded is *undecided* and counted.
 //!
 //! # Source
-//! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
+//! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets
+//! and four links.
 
 pub mod asked;
 mod choices;

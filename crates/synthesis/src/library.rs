@@ -1,8 +1,8 @@
 //! The functions that elements engage, each worked out once: its formula, and which gears it reaches where.
 //!
-//! A function with its `k` in another order reaches what the first does with the parts of the range in that order, where the `k` so
-//! exchanged have the same range. So the bounds are calculated for one of each such family alone: in a class of four sets
-//! for one in twenty.
+//! A function with its `k` in another order reaches what the first does with the parts of the range in that
+//! order, where the `k` so exchanged have the same range. So the bounds are calculated for one of each such
+//! family alone: in a class of four sets for one in twenty.
 
 use crate::motion::Speeds;
 use crate::parts::{Bounds, Grid, Parts};

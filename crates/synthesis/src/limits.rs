@@ -1,16 +1,16 @@
 //! Limits that a solution keeps or misses at its best ring-to-sun ratios.
 //!
 //! # What complete means here
-//! Steps, slips and speeds depend on the `k`. They are judged where the greatest deviation of the ratios is least
-//! ([`refine`](crate::refine)), with the elements that are told. A solution that misses a limit there is left out and counted;
-//! at other `k` within its ranges, or with other elements, it might keep it.
+//! Steps, slips and speeds depend on the `k`. They are judged where the greatest deviation of the ratios is
+//! least ([`refine`](crate::refine)), with the elements that are told. A solution that misses a limit there
+//! is left out and counted; at other `k` within its ranges, or with other elements, it might keep it.
 //!
 //! # Formulas
-//! The step from a forward gear to the next is `i_g/i_{g+1}`, above 1. Slips and speeds are multiples of the input's speed:
-//! `∣ω_u − ω_v∣/ω_1` of an open element, `∣ω∣/ω_1` of a link, `∣ω_g − ω_H∣/ω_1` of a planet on its carrier, each the greatest
-//! over all gears. Of the planets of a double-planet set, which depend on
-//! their teeth, it is what they exceed whatever these ([`planet_speed`](crate::judge::planet_speed)): what misses the limit misses it
-//! with any teeth, and what keeps it may miss it with some.
+//! The step from a forward gear to the next is `i_g/i_{g+1}`, above 1. Slips and speeds are multiples of the
+//! input's speed: `∣ω_u − ω_v∣/ω_1` of an open element, `∣ω∣/ω_1` of a link, `∣ω_g − ω_H∣/ω_1` of a planet on
+//! its carrier, each the greatest over all gears. Of the planets of a double-planet set, which depend on
+//! their teeth, it is what they exceed whatever these ([`planet_speed`](crate::judge::planet_speed)): what
+//! misses the limit misses it with any teeth, and what keeps it may miss it with some.
 
 use crate::Error;
 use crate::judge::Judged;
@@ -49,7 +49,8 @@ pub enum Limit {
 }
 
 impl Limits {
-    /// Refuses steps that no ratios within their bounds have: a search would go from class to class and keep nothing.
+    /// Refuses steps that no ratios within their bounds have: a search would go from class to class and keep
+    /// nothing.
     ///
     /// # Errors
     /// [`Error::Steps`], [`Error::RisingSteps`].

@@ -1,21 +1,23 @@
 //! Linear programmes of a few variables, each between −1 and 1, with bounds that hold whatever the rounding.
 //!
-//! The greatest `c·x` with `x` in the cube and `b_i + a_i·x ≥ 0` is sought by the dual simplex method from the cube's corner that
-//! `c` asks for. Any weights `λ_i ≥ 0` bound it:
+//! The greatest `c·x` with `x` in the cube and `b_i + a_i·x ≥ 0` is sought by the dual simplex method from
+//! the cube's corner that `c` asks for. Any weights `λ_i ≥ 0` bound it:
 //!
 //! ```text
 //! c·x ≤ Σ λ_i·b_i + Σ_j |c_j + Σ_i λ_i·a_ij|
 //! ```
 //!
-//! The method gives the weights with which this is least; the bound is calculated from them and the rows as given, so an error of the
-//! method can only make it wider. A bound below every `c·x` of the cube proves that there is no point.
+//! The method gives the weights with which this is least; the bound is calculated from them and the rows as
+//! given, so an error of the method can only make it wider. A bound below every `c·x` of the cube proves that
+//! there is no point.
 
 use crate::tolerance::SLACK;
 
 /// The most variables: the ring-to-sun ratios of six sets, and one more.
 pub(crate) const MOST: usize = 7;
 
-/// How often the method goes on at most. It takes a step or two for each variable; a bound is had wherever it stops.
+/// How often the method goes on at most. It takes a step or two for each variable; a bound is had wherever it
+/// stops.
 const STEPS: usize = 48;
 
 /// An inequality `b + a·x ≥ 0`.

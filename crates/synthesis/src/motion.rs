@@ -1,22 +1,23 @@
 //! The motion of a structure under every set of engaged elements.
 //!
 //! # Formula
-//! A set ties its links by `(ω_s − ω_H) + k·(ω_r − ω_H) = 0`, an engaged element two links by `ω_u − ω_v = 0`. With the
-//! `n` sets and `e = F − 1` elements as rows, the speed of link `v` is, up to a factor common to all links, the
-//! determinant of these rows and one more that holds a 1 at `v`:
+//! A set ties its links by `(ω_s − ω_H) + k·(ω_r − ω_H) = 0`, an engaged element two links by
+//! `ω_u − ω_v = 0`. With the `n` sets and `e = F − 1` elements as rows, the speed of link `v` is, up to a
+//! factor common to all links, the determinant of these rows and one more that holds a 1 at `v`:
 //!
 //! ```text
 //! ω_v ∝ det(sets, elements, v) = Σ_S (Π_{i∈S} k_i)·D_v(S)        i = ω_1/ω_2
 //! ```
 //!
-//! In `D_v(S)` a set of `S` has the row of its edge ring–carrier, any other that of sun–carrier: the incidence matrix of
-//! a graph, so `D_v(S)` is 1 or −1 where the edges form a tree with the housing, else 0.
+//! In `D_v(S)` a set of `S` has the row of its edge ring–carrier, any other that of sun–carrier: the
+//! incidence matrix of a graph, so `D_v(S)` is 1 or −1 where the edges form a tree with the housing, else 0.
 //!
 //! # How it is computed
-//! The edges of the sets alone leave `F` groups of links apart from the housing's (or have a circle, then `D_v(S) = 0`
-//! for all elements). Modulo the rows of the sets a link is the axis of its group, an element the difference of two
-//! axes, and `D_v(S)` a determinant of `F` rows, times a sign of `S`. All `S` are calculated at once, as bits of
-//! [`Ternary`] words, and products of the first elements are shared by all sets of elements that begin so.
+//! The edges of the sets alone leave `F` groups of links apart from the housing's (or have a circle, then
+//! `D_v(S) = 0` for all elements). Modulo the rows of the sets a link is the axis of its group, an element
+//! the difference of two axes, and `D_v(S)` a determinant of `F` rows, times a sign of `S`. All `S` are
+//! calculated at once, as bits of [`Ternary`] words, and products of the first elements are shared by all
+//! sets of elements that begin so.
 
 use crate::exterior::Space;
 use crate::structure::{HOUSING, INPUT, Link, Members, OUTPUT, Structure};
@@ -134,7 +135,8 @@ impl<W: Word> Motion<W> {
         }));
     }
 
-    /// Whether two elements lock the same: where one is engaged, the other turns without slip, whatever the `k`.
+    /// Whether two elements lock the same: where one is engaged, the other turns without slip, whatever the
+    /// `k`.
     ///
     /// Then the rows of the sets, of these two and of any others have determinant 0: their product is 0.
     #[must_use]
@@ -144,8 +146,8 @@ impl<W: Word> Motion<W> {
         pairs.all(|&(_, first, second, _)| Space::minor(one, other, first, second).is_zero())
     }
 
-    /// Calls `visit` with each choice of `F − 1` elements, as their places but the last in rising order, and the speeds that
-    /// each last element after them gives.
+    /// Calls `visit` with each choice of `F − 1` elements, as their places but the last in rising order, and
+    /// the speeds that each last element after them gives.
     pub fn for_each_gear(&mut self, visit: &mut impl FnMut(&[usize], &[Speeds<W>])) {
         let one = Ternary { plus: !W::default(), minus: W::default() };
         self.products[0][0] = one;
@@ -212,8 +214,8 @@ impl<W: Word> Motion<W> {
     }
 }
 
-/// For each link the group that the edges of the sets put it in, `None` for that of the housing, and whether the
-/// determinant of these edges and one link of each group is −1; nothing where the edges have a circle.
+/// For each link the group that the edges of the sets put it in, `None` for that of the housing, and whether
+/// the determinant of these edges and one link of each group is −1; nothing where the edges have a circle.
 fn groups(sets: &[Members], links: usize, chosen: usize) -> Option<(Vec<Option<usize>>, bool)> {
     let edges: Vec<[usize; 2]> = sets
         .iter()
@@ -237,7 +239,8 @@ fn groups(sets: &[Members], links: usize, chosen: usize) -> Option<(Vec<Option<u
     Some((groups, is_negative(&edges, &stand, links)))
 }
 
-/// Whether the determinant of the edges' rows and the standing links' unit rows is −1, the housing's column left out.
+/// Whether the determinant of the edges' rows and the standing links' unit rows is −1, the housing's column
+/// left out.
 fn is_negative(edges: &[[usize; 2]], stand: &[usize], links: usize) -> bool {
     let mut rows: Vec<Vec<i8>> = edges
         .iter()

@@ -1,12 +1,14 @@
 //! The range of the ring-to-sun ratios in parts, and which parts hold a ratio that is wanted.
 //!
-//! The range of each `k` is cut into equal ratios, at most 256 parts altogether. A set of parts is four words.
+//! The range of each `k` is cut into equal ratios, at most 256 parts altogether. A set of parts is four
+//! words.
 //!
 //! # Why nothing is lost
-//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Where `P − g·Q` has the same
-//! sign at all corners for the lower and the upper bound `g` of a gear, the ratio `P/Q` is outside these bounds in
-//! the whole part, also where `Q` changes its sign: `(P − g₁·Q)·(P − g₂·Q) > 0`. Where `Q` keeps its sign, this says that
-//! the extremes of `P/Q` are at corners.
+//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Where
+//! `P − g·Q` has the same sign at all corners for the lower and the upper bound `g` of a gear, the ratio
+//! `P/Q` is outside these bounds in the whole part, also where `Q` changes its sign:
+//! `(P − g₁·Q)·(P − g₂·Q) > 0`. Where `Q` keeps its sign, this says that the extremes of `P/Q` are at
+//! corners.
 
 use crate::ratio::{Polynomial, Ratio};
 use crate::tolerance::WIDENING;
@@ -124,7 +126,8 @@ impl Bounds {
         Self { least: self.least - part * self.least.abs(), most: self.most + part * self.most.abs() }
     }
 
-    /// Whether a box may hold a point with a ratio within the bounds, by the values of its `P` and `Q` at the corners.
+    /// Whether a box may hold a point with a ratio within the bounds, by the values of its `P` and `Q` at the
+    /// corners.
     #[inline]
     pub(crate) fn is_reached(self, above: &[f64], below: &[f64]) -> bool {
         let (mut larger, mut smaller) = (true, true);
@@ -241,7 +244,8 @@ impl Grid {
         for edges in self.edges.iter().rev() {
             let lower = values.len() / upper / 2;
             let mut next = vec![0.0; lower * edges.len() * upper];
-            // For each of the `upper` corners already made: the coefficients without this `k`, then those with it.
+            // For each of the `upper` corners already made: the coefficients without this `k`, then those
+            // with it.
             for (corner, halves) in values.chunks_exact(2 * lower).enumerate() {
                 let (constant, slope) = halves.split_at(lower);
                 for (cut, k) in edges.iter().enumerate() {
@@ -316,7 +320,8 @@ impl Grid {
     }
 }
 
-/// Values of a polynomial, given by its coefficients, at the corners of a box; bit `j` of a corner is the upper bound of `k_j`.
+/// Values of a polynomial, given by its coefficients, at the corners of a box; bit `j` of a corner is the
+/// upper bound of `k_j`.
 pub(crate) fn corner_values(coefficients: &[f64], cuboid: &[[f64; 2]], values: &mut Vec<f64>) {
     values.clear();
     values.extend_from_slice(coefficients);

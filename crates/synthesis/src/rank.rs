@@ -1,4 +1,5 @@
-//! What a solution is worth: figures by the solver at its best ring-to-sun ratios, the Pareto front, the best by an order.
+//! What a solution is worth: figures by the solver at its best ring-to-sun ratios, the Pareto front, the best
+//! by an order.
 //!
 //! | objective | better | meaning |
 //! |---|---|---|
@@ -13,13 +14,13 @@
 //! | [`Deviation`](Objective::Deviation) | less | the greatest deviation of a ratio, by half its bounds' width |
 //! | [`Reverse`](Objective::Reverse) | more | the least η of a reverse gear, 0 where the losses hold one, 1 where there is none |
 //!
-//! The drag measure has no torque of an open shift element in it, which depends on its size, oil and clearances: it compares
-//! gearboxes of the same shift elements. With fewer than two steps between forward gears there is no progression, and all are
-//! alike in it.
+//! The drag measure has no torque of an open shift element in it, which depends on its size, oil and
+//! clearances: it compares gearboxes of the same shift elements. With fewer than two steps between forward
+//! gears there is no progression, and all are alike in it.
 //!
-//! Nothing is weighed against anything. A solution dominates another if it is nowhere worse and somewhere better; the front
-//! holds what nothing dominates. Objectives are compared in steps of 10⁻⁵, since the best `k` are found to 10⁻⁴ of the
-//! deviation.
+//! Nothing is weighed against anything. A solution dominates another if it is nowhere worse and somewhere
+//! better; the front holds what nothing dominates. Objectives are compared in steps of 10⁻⁵, since the best
+//! `k` are found to 10⁻⁴ of the deviation.
 
 use crate::judge::{Judged, planet_speed};
 use crate::tolerance::ALIKE;
@@ -132,7 +133,8 @@ pub struct GearRating {
     pub shift_element_torque: f64,
     /// The greatest torque of a member of a set over the input's, with losses.
     pub member_torque: f64,
-    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 where it is engaged, nothing where a speed does not follow.
+    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 where it is engaged, nothing where a
+    /// speed does not follow.
     pub slips: Vec<Option<f64>>,
     /// The sum of the slips of the open shift elements.
     pub drag: f64,
@@ -294,7 +296,8 @@ mod tests {
 
     #[test]
     fn figures_of_a_four_speed_are_those_by_hand() {
-        // 4L60-E, sets 1-a-2 and b-2-c: in the first gear the brake c and the clutch a-c hold the ring of the first set.
+        // 4L60-E, sets 1-a-2 and b-2-c: in the first gear the brake c and the clutch a-c hold the ring of the
+        // first set.
         let all = rated();
         let is_it = |(structure, elements, ..): &&Named| {
             structure == "1-a-2 b-2-c" && *elements == ["b", "c", "1-b", "1-c", "a-c"]
@@ -309,7 +312,8 @@ mod tests {
         assert!((first.drag - slips.iter().sum::<f64>()).abs() < 1e-9, "{first:?}");
         assert_eq!(first.circulation, 0.0);
         assert!(first.link_speed >= 1.0);
-        // Reverse: clutch 1-b, brake c: the sun b of set 2 drives, its ring is the output: T_carrier = 1 + k₂ without losses.
+        // Reverse: clutch 1-b, brake c: the sun b of set 2 drives, its ring is the output: T_carrier = 1 + k₂
+        // without losses.
         let reverse = &rating.gears[4];
         assert!((reverse.member_torque / (1.0 + k2) - 1.0).abs() < 0.04, "{reverse:?}");
     }

@@ -1,8 +1,9 @@
-//! Ratios as formulas: quotients of two polynomials in the ring-to-sun ratios, factored, common factors cancelled.
+//! Ratios as formulas: quotients of two polynomials in the ring-to-sun ratios, factored, common factors
+//! cancelled.
 //!
-//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. So it splits over a set `U` of
-//! them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's first row and column are the
-//! factors. With coefficients −1, 0 and 1 those of the factors are such, too.
+//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. So it splits over a
+//! set `U` of them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's
+//! first row and column are the factors. With coefficients −1, 0 and 1 those of the factors are such, too.
 
 use crate::motion::Speeds;
 use crate::ternary::{Ternary, Word};
@@ -82,7 +83,8 @@ impl Polynomial {
         (inner.times_other(outer) == self).then_some((inner, outer))
     }
 
-    /// Factors that split no further, each with a first coefficient of 1, and whether their product has the other sign.
+    /// Factors that split no further, each with a first coefficient of 1, and whether their product has the
+    /// other sign.
     ///
     /// The polynomial 0 has none, nor have 1 and −1.
     #[must_use]
@@ -90,7 +92,8 @@ impl Polynomial {
         let (mut rest, mut negative) = self.positive();
         let mut factors = Vec::new();
         while rest.variables() != 0 {
-            // The least set of variables with the lowest over which the rest splits gives a factor that splits no further.
+            // The least set of variables with the lowest over which the rest splits gives a factor that
+            // splits no further.
             let all = rest.variables();
             let lowest = all & all.wrapping_neg();
             let mut within: Vec<usize> =

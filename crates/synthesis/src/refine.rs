@@ -1,10 +1,11 @@
 //! The best ring-to-sun ratios of a solution, and the range that each may have.
 //!
-//! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least, and where the others leave a choice
-//! the next greatest, and so on. The range of a `k` ends at the
-//! outermost points with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or one
-//! farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost, fill whole surfaces, the proof
-//! would take long; so it is sought half as closely after every 1024 ranges (`region`).
+//! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least, and where
+//! the others leave a choice the next greatest, and so on. The range of a `k` ends at the outermost points
+//! with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or
+//! one farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost,
+//! fill whole surfaces, the proof would take long; so it is sought half as closely after every 1024 ranges
+//! (`region`).
 
 use crate::equal::Equal;
 use crate::parts::{Bounds, Cuboid};
@@ -17,13 +18,16 @@ use crate::tolerance::NEAR;
 pub struct Refined {
     /// The ring-to-sun ratios with the least greatest deviation.
     pub k: Vec<f64>,
-    /// The greatest deviation there, as a part of the bounds' half width: 0 in the middle of all bounds, 1 at one.
+    /// The greatest deviation there, as a part of the bounds' half width: 0 in the middle of all bounds, 1 at
+    /// one.
     pub deviation: f64,
-    /// The range of each `k` in which points with all gears are found, the others moving along; outermost to 10⁻⁶ as a rule.
+    /// The range of each `k` in which points with all gears are found, the others moving along; outermost to
+    /// 10⁻⁶ as a rule.
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// Refines a point that has all gears by these ratios. Of some gears, by their places, any ratio within the bounds is as good. Where some `k` are equal in it, they stay so.
+/// Refines a point that has all gears by these ratios. Of some gears, by their places, any ratio within the
+/// bounds is as good. Where some `k` are equal in it, they stay so.
 #[must_use]
 pub fn refine(
     ratios: &[Ratio],

@@ -1,25 +1,28 @@
-//! The points at which given functions are within the bounds of their gears: contracted, covered by small ranges, and searched
-//! for their outermost points.
+//! The points at which given functions are within the bounds of their gears: contracted, covered by small
+//! ranges, and searched for their outermost points.
 //!
 //! # Formula
-//! With `c` the middle and `h` half the width of a gear's bounds, its ratio deviates by at most the part `t` of `h` where
+//! With `c` the middle and `h` half the width of a gear's bounds, its ratio deviates by at most the part `t`
+//! of `h` where
 //!
 //! ```text
 //! s·(P − (c − t·h)·Q) ≥ 0   and   s·((c + t·h)·Q − P) ≥ 0        s the sign of Q
 //! ```
 //!
-//! Both are of the first degree in each `k` and in `t`. So over a range of them, with `x_j` from −1 to 1 across it, they are
-//! `Σ_S w_S·Π_{j∈S} x_j`, and what exceeds the linear part, `|S| ≥ 2`, is itself of the first degree in each `x_j`: its
-//! greatest value is at a corner. With that value added the linear parts are inequalities that every point keeps. They
-//! are wrong by the square of the range's width; a linear programme over them bounds each `k`, and `t`.
+//! Both are of the first degree in each `k` and in `t`. So over a range of them, with `x_j` from −1 to 1
+//! across it, they are `Σ_S w_S·Π_{j∈S} x_j`, and what exceeds the linear part, `|S| ≥ 2`, is itself of the
+//! first degree in each `x_j`: its greatest value is at a corner. With that value added the linear parts are
+//! inequalities that every point keeps. They are wrong by the square of the range's width; a linear programme
+//! over them bounds each `k`, and `t`.
 //!
-//! Where some `k` are equal, polynomials are their [polar forms](crate::equal), and the sum of what those `k` have in an inequality stands
-//! at the first of them.
+//! Where some `k` are equal, polynomials are their [polar forms](crate::equal), and the sum of what those `k`
+//! have in an inequality stands at the first of them.
 //!
 //! # Complete
-//! A range is given up where the programme, or the signs at the corners, prove that it holds no point with more than was
-//! found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points fill a surface, ranges along all of
-//! it promise hardly more than was found; then the search for them ends sooner ([`Region::least_deviation`]).
+//! A range is given up where the programme, or the signs at the corners, prove that it holds no point with
+//! more than was found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points
+//! fill a surface, ranges along all of it promise hardly more than was found; then the search for them ends
+//! sooner ([`Region::least_deviation`]).
 
 use crate::equal::Equal;
 use crate::linear::{MOST, Optimum, Programme, Row};
@@ -38,7 +41,8 @@ type Range = [[f64; 2]; MOST];
 /// What is left of a range's widths at most for contracting it once more.
 const WORTH_MORE: f64 = 0.8;
 
-/// The part of half the width of a gear's bounds by which the linear inequalities of a covering range may be wrong.
+/// The part of half the width of a gear's bounds by which the linear inequalities of a covering range may be
+/// wrong.
 const STRAIGHT: f64 = 0.5;
 
 /// The most ranges of a cover, as long as no function's output stands still in them.
@@ -84,7 +88,8 @@ pub(crate) struct Region {
     edges: Vec<Edge>,
     /// Whether an output may stand still in the range, so that its gear has no inequality.
     stands: bool,
-    /// Whether the inequalities are those of the planes that touch in the middle of the range: they prove nothing, but lead on.
+    /// Whether the inequalities are those of the planes that touch in the middle of the range: they prove
+    /// nothing, but lead on.
     tangent: bool,
     values: [Vec<f64>; 2],
     products: Vec<f64>,
@@ -108,8 +113,8 @@ struct Sought<'a> {
     within: Option<&'a [f64]>,
 }
 
-/// A range, and the most that it can have. Of those with equal promises the one that was halved more often is the greater: it leads
-/// to a point sooner.
+/// A range, and the most that it can have. Of those with equal promises the one that was halved more often is
+/// the greater: it leads to a point sooner.
 struct Promise {
     most: f64,
     halved: u32,
@@ -137,7 +142,8 @@ impl PartialEq for Promise {
 impl Eq for Promise {}
 
 impl Region {
-    /// Of these functions and gears, in turn, of which these are as good anywhere within their bounds, where these `k` are equal.
+    /// Of these functions and gears, in turn, of which these are as good anywhere within their bounds, where
+    /// these `k` are equal.
     pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], free: &[usize], sets: usize, equal: Equal) -> Self {
         let form = |(place, (ratio, gear)): (usize, (&Ratio, &Bounds))| Form {
             coefficients: Function::with_equal(*ratio, sets, equal).coefficients,
@@ -159,8 +165,8 @@ impl Region {
         }
     }
 
-    /// The greatest deviation of a gear that is not settled, by half the width of its bounds; infinite or not a number where an
-    /// output stands still, infinite where a settled one exceeds its own.
+    /// The greatest deviation of a gear that is not settled, by half the width of its bounds; infinite or not
+    /// a number where an output stands still, infinite where a settled one exceeds its own.
     pub(crate) fn deviation(&mut self, k: &[f64]) -> f64 {
         let [above, below] = &mut self.values;
         let mut most: f64 = 0.0;
@@ -177,7 +183,8 @@ impl Region {
         most
     }
 
-    /// Ranges that together hold every point, as long as they are not too many each so small that its inequalities are nearly straight.
+    /// Ranges that together hold every point, as long as they are not too many each so small that its
+    /// inequalities are nearly straight.
     pub(crate) fn cover(&mut self, range_of_k: &Cuboid) -> Vec<Range> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -202,7 +209,8 @@ impl Region {
         cover
     }
 
-    /// The point with the least greatest deviation and this deviation, up to `close`, from a point that is known.
+    /// The point with the least greatest deviation and this deviation, up to `close`, from a point that is
+    /// known.
     pub(crate) fn least_deviation(&mut self, cover: &[Range], known: &[f64], close: f64) -> Outermost {
         let known = Outermost { value: self.deviation(known), k: known.to_vec() };
         let mut cover = cover.to_vec();
@@ -211,8 +219,9 @@ impl Region {
         self.outermost(&cover, &sought, known, close)
     }
 
-    /// Of the points about one with the least greatest deviation that where the deviations of the other gears are least, too: the gears
-    /// that keep the greatest from being less are settled, and the greatest of the others is made least, until none is left.
+    /// Of the points about one with the least greatest deviation that where the deviations of the other gears
+    /// are least, too: the gears that keep the greatest from being less are settled, and the greatest of the
+    /// others is made least, until none is left.
     pub(crate) fn least_of_others(&mut self, range_of_k: &Cuboid, best: &Outermost) -> Vec<f64> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -259,8 +268,8 @@ impl Region {
         self.outermost(cover, &sought, known, close).value
     }
 
-    /// The outermost point of some ranges, up to `close`: where many ranges promise hardly more, up to twice as much after so many
-    /// of them.
+    /// The outermost point of some ranges, up to `close`: where many ranges promise hardly more, up to twice
+    /// as much after so many of them.
     fn outermost(
         &mut self,
         ranges: &[Range],
@@ -371,7 +380,8 @@ impl Region {
         self.tangent = false;
     }
 
-    /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may hold a point.
+    /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may
+    /// hold a point.
     fn contract(&mut self, range: &mut Range) -> bool {
         loop {
             if !self.straighten(range) {
@@ -460,7 +470,8 @@ impl Region {
         true
     }
 
-    /// Adds the linear inequality of one whose values at the corners are given, unless it always holds; whether it can be kept.
+    /// Adds the linear inequality of one whose values at the corners are given, unless it always holds;
+    /// whether it can be kept.
     fn add_row(&mut self, form: usize, unit: f64, widening: f64) -> bool {
         let corners = self.products.len();
         let values = self.products.as_mut_slice();

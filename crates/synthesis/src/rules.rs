@@ -3,12 +3,13 @@
 //! # What complete means here
 //! Each rule acts on all choices that a solution leaves, before one is told:
 //!
-//! - *Brakes and clutches*: elements that lock the same are one element, which may be built as a brake or as a clutch where the
-//!   pairs of links have both. A set of elements is kept if some choice of pairs has numbers within both ranges, and such
-//!   a choice is told. Sets that cannot come to such numbers are not searched.
-//! - *Shifts* and the *direct gear* depend on which function each gear takes and which elements engage it. A set of elements is
-//!   kept if some functions and some choices keep the rule at a common point; where all ratios can be had, but not so, it is
-//!   counted.
+//! - *Brakes and clutches*: elements that lock the same are one element, which may be built as a brake or as
+//!   a clutch where the pairs of links have both. A set of elements is kept if some choice of pairs has
+//!   numbers within both ranges, and such a choice is told. Sets that cannot come to such numbers are not
+//!   searched.
+//! - *Shifts* and the *direct gear* depend on which function each gear takes and which elements engage it. A
+//!   set of elements is kept if some functions and some choices keep the rule at a common point; where all
+//!   ratios can be had, but not so, it is counted.
 
 use crate::error::Error;
 use crate::motion::Element;
@@ -66,7 +67,8 @@ impl Rules {
             .all(|brakes| self.brakes.contains(&brakes) && self.clutches.contains(&(elements - brakes)))
     }
 
-    /// How many of some elements are brakes where the numbers are within both ranges: of the possible the most.
+    /// How many of some elements are brakes where the numbers are within both ranges: of the possible the
+    /// most.
     ///
     /// Of so many elements these can be brakes alone, and these clutches alone.
     pub(crate) fn brakes_of(
@@ -81,8 +83,8 @@ impl Rules {
             .find(|brakes| self.brakes.contains(brakes) && self.clutches.contains(&(elements - brakes)))
     }
 
-    /// Elements with their pairs in an order that puts first what keeps the numbers of brakes and clutches: brakes where
-    /// there is a choice, as long as they may be.
+    /// Elements with their pairs in an order that puts first what keeps the numbers of brakes and clutches:
+    /// brakes where there is a choice, as long as they may be.
     pub(crate) fn order(&self, elements: &mut [Vec<Element>]) {
         let count =
             |which: fn([bool; 2]) -> bool| elements.iter().filter(|pairs| which(may_be(pairs))).count();

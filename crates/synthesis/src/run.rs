@@ -1,4 +1,5 @@
-//! A search through a whole class, or a share of it: on all threads of the pool with the feature `parallel`, else on one.
+//! A search through a whole class, or a share of it: on all threads of the pool with the feature `parallel`,
+//! else on one.
 
 use crate::class::Class;
 use crate::error::Error;
@@ -27,8 +28,8 @@ pub struct Answer {
 
 /// All gearboxes of a class that have the wanted gears.
 ///
-/// `progress` is called by one thread at a time, after some structures; a break ends the search, and what was found so far
-/// is kept. The answer does not depend on the number of threads.
+/// `progress` is called by one thread at a time, after some structures; a break ends the search, and what was
+/// found so far is kept. The answer does not depend on the number of threads.
 ///
 /// ```
 /// use epicyclic_synthesis::parts::Bounds;
@@ -48,8 +49,9 @@ pub struct Answer {
 /// ```
 ///
 /// # Errors
-/// [`Error::Wish`] where nothing can be had: no gears, gears whose bounds overlap, hold 0 or exceed [`MOST_GEARS`](crate::wish::MOST_GEARS), more gears
-/// than choices of elements, fewer elements than a gear engages, or a range of `k` that is empty or not above 0.
+/// [`Error::Wish`] where nothing can be had: no gears, gears whose bounds overlap, hold 0 or exceed
+/// [`MOST_GEARS`](crate::wish::MOST_GEARS), more gears than choices of elements, fewer elements than a gear
+/// engages, or a range of `k` that is empty or not above 0.
 pub fn search(
     class: Class,
     wish: &Wish,
@@ -67,9 +69,9 @@ pub fn search(
 
 /// Goes on with a search from what is done of it: structures that were searched are not searched again.
 ///
-/// `kept` is called by one thread at a time with all that is done, after some structures; a break ends the search. What is found
-/// in a structure depends on the class, the wish and the structure alone, so the work that is complete is the same whether it was
-/// broken off or not, and on any number of threads.
+/// `kept` is called by one thread at a time with all that is done, after some structures; a break ends the
+/// search. What is found in a structure depends on the class, the wish and the structure alone, so the work
+/// that is complete is the same whether it was broken off or not, and on any number of threads.
 ///
 /// # Errors
 /// As [`search`], and [`Error::OtherWork`] where `before` is not work on this share.

@@ -2,18 +2,19 @@
 //!
 //! # Steps
 //! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the library.
-//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the range of `k` at
-//!    once, up to as many elements as may be.
-//! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its own.
+//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the
+//!    range of `k` at once, up to as many elements as may be.
+//! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its
+//!    own.
 //! 4. In each such part a point is sought, or proved not to be there ([`solve`](crate::solve)).
 //!
-//! Where some sets of one kind have to have equal `k`, steps 2 and 3 keep to the parts that hold such points, and step 4 is taken for
-//! each choice of these sets ([`equal`](crate::equal)).
+//! Where some sets of one kind have to have equal `k`, steps 2 and 3 keep to the parts that hold such points,
+//! and step 4 is taken for each choice of these sets ([`equal`](crate::equal)).
 //!
 //! # Why nothing is lost
-//! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in it. Step 2 splits by
-//! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
-//! reach all gears, any further element is tried.
+//! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in
+//! it. Step 2 splits by parts: in a part where the chosen elements do not reach a gear, a solution must have
+//! a further choice that does; where they reach all gears, any further element is tried.
 
 mod decide;
 
@@ -55,7 +56,8 @@ pub struct Gear {
     pub engaged: Vec<Vec<usize>>,
 }
 
-/// A search through structures of one class. What it learns of functions is kept from one structure to the next.
+/// A search through structures of one class. What it learns of functions is kept from one structure to the
+/// next.
 pub struct Search<W> {
     wish: Wish,
     engaged: usize,
@@ -143,7 +145,8 @@ impl<W: Word> Search<W> {
         self.solutions(structure, &Watch::new(&|| false))
     }
 
-    /// The same, unless it is ended before all are found: `ended` is asked now and then. Then nothing of it is counted.
+    /// The same, unless it is ended before all are found: `ended` is asked now and then. Then nothing of it
+    /// is counted.
     pub fn structure_unless(
         &mut self,
         structure: &Structure,
@@ -332,8 +335,8 @@ impl<W: Word> Search<W> {
         self.room.extend([known, added]);
     }
 
-    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of which each choice
-    /// with an element that is not chosen yet can give one.
+    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of
+    /// which each choice with an element that is not chosen yet can give one.
     fn promising(&self, chosen: u64, functions: &[u64]) -> Parts {
         let known = choose(chosen.count_ones() as usize, self.engaged);
         let more = choose(self.wish.elements, self.engaged) - known;
@@ -381,8 +384,8 @@ fn image(chosen: u64, places: &[usize]) -> u64 {
         .fold(0, |all, (_, place)| all | 1 << place)
 }
 
-/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all parts at
-/// once.
+/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all
+/// parts at once.
 fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
     if least == 0 {
         return Parts::ALL;

@@ -39,8 +39,8 @@ impl SetTeeth {
         matches!(self, Self::DoublePlanet(_))
     }
 
-    /// The ratio of the structure's word times the teeth of the sun: `k·z_sun = z_ring`, of a double-planet set
-    /// `k′·z_sun = z_ring − z_sun`.
+    /// The ratio of the structure's word times the teeth of the sun: `k·z_sun = z_ring`, of a double-planet
+    /// set `k′·z_sun = z_ring − z_sun`.
     pub(crate) fn over_sun(&self) -> i64 {
         match self {
             Self::Simple(of) => i64::from(of.ring.get()),

@@ -1,22 +1,24 @@
 //! Sets that share planets: halves of one compound set, such as a Ravigneaux set.
 //!
-//! Two sets with one carrier link and a sun link or a ring link in common can have this sun or ring as one gear, and the planet in mesh
-//! with it as one planet. The mesh of the two then exists once.
+//! Two sets with one carrier link and a sun link or a ring link in common can have this sun or ring as one
+//! gear, and the planet in mesh with it as one planet. The mesh of the two then exists once.
 //!
 //! ```text
 //! planets    simple set  p          double-planet set  g (with the sun), f (with the ring)
 //! a ring in common    p = f    f₁ = f₂        a sun in common    p = g    g₁ = g₂
 //! ```
 //!
-//! Two simple sets would give one planet two centre distances: it would need steps. So would three gears; such sets keep planets of
-//! their own.
+//! Two simple sets would give one planet two centre distances: it would need steps. So would three gears;
+//! such sets keep planets of their own.
 //!
 //! # Room
-//! With common gears of equal teeth the `k` give the proportions of all central gears, and `z_p = (z_b − z_a)/2` the planet of a simple
-//! set. It has to leave room for the rest: the planet of a simple set would run into the sun of a double-planet set with the same
-//! ring unless that sun is the smaller one. The conditions are those of [`epicyclic_gears::double_planet`], with the largest ring at
-//! [`MOST_TEETH`], three planets of each kind and no planet below [`LEAST_TEETH`]: what does not fit there fits with no smaller
-//! ring. Profile shift, and whether all teeth are whole numbers, are left to the tooth numbers.
+//! With common gears of equal teeth the `k` give the proportions of all central gears, and
+//! `z_p = (z_b − z_a)/2` the planet of a simple set. It has to leave room for the rest: the planet of a
+//! simple set would run into the sun of a double-planet set with the same ring unless that sun is the smaller
+//! one. The conditions are those of [`epicyclic_gears::double_planet`], with the largest ring at
+//! [`MOST_TEETH`], three planets of each kind and no planet below [`LEAST_TEETH`]: what does not fit there
+//! fits with no smaller ring. Profile shift, and whether all teeth are whole numbers, are left to the tooth
+//! numbers.
 
 use crate::names::{real_k, solver_name};
 use crate::set_teeth::SetTeeth;
@@ -84,8 +86,8 @@ enum End {
 }
 
 impl Sharing {
-    /// The sets of a structure that share planets at these ring-to-sun ratios, of double-planet sets `k′`. Pairs of sets are joined in
-    /// their order, where planets allow it.
+    /// The sets of a structure that share planets at these ring-to-sun ratios, of double-planet sets `k′`.
+    /// Pairs of sets are joined in their order, where planets allow it.
     #[must_use]
     pub fn of(structure: &Structure, k: &[f64]) -> Self {
         let sets = structure.sets().len();
@@ -267,7 +269,8 @@ impl Compound {
         false
     }
 
-    /// Whether the chosen of some sets, the first ones of a structure, have equal teeth where they have a gear in common.
+    /// Whether the chosen of some sets, the first ones of a structure, have equal teeth where they have a
+    /// gear in common.
     pub(crate) fn agree(&self, chosen: &[&SetTeeth]) -> bool {
         let known = || self.sets.iter().enumerate().filter(|(_, set)| **set < chosen.len());
         known().all(|(place, set)| {
@@ -362,7 +365,8 @@ impl Compound {
         numbers.join("+")
     }
 
-    /// Names of its planets: `long` of those that several sets have, `short` of the others, with numbers where there are several.
+    /// Names of its planets: `long` of those that several sets have, `short` of the others, with numbers
+    /// where there are several.
     fn names(&self) -> Vec<String> {
         let is_shared = |planet: usize| self.planets.iter().filter(|own| own.contains(&planet)).count() > 1;
         let count = self.planet_count();
@@ -378,7 +382,8 @@ impl Compound {
         (0..count).map(name).collect()
     }
 
-    /// The compound set of the solver at these `k`, of double-planet sets `k′`, each of its meshes with this efficiency.
+    /// The compound set of the solver at these `k`, of double-planet sets `k′`, each of its meshes with this
+    /// efficiency.
     #[must_use]
     pub(crate) fn spec(&self, structure: &Structure, k: &[f64], each: MeshEfficiency) -> CompoundSpec {
         let gears = self.proportions(&|set| real_k(structure, set, k[set]));
@@ -409,7 +414,8 @@ impl Compound {
         spec
     }
 
-    /// The compound set of the solver with the teeth of these sets, of all of the structure, in place of proportions.
+    /// The compound set of the solver with the teeth of these sets, of all of the structure, in place of
+    /// proportions.
     #[must_use]
     pub fn put_into(&self, spec: CompoundSpec, teeth: &[SetTeeth]) -> CompoundSpec {
         let mut spec = CompoundSpec { proportional: false, ..spec };

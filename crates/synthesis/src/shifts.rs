@@ -1,11 +1,12 @@
 //! Which elements neighbouring gears exchange.
 //!
-//! A shift is *single* where it opens one element and engages one. A gear may have several choices of elements that give its
-//! function, so that whether a shift is single depends on the choices of both gears.
+//! A shift is *single* where it opens one element and engages one. A gear may have several choices of
+//! elements that give its function, so that whether a shift is single depends on the choices of both gears.
 //!
 //! # How it is computed
-//! Gears are taken in turn, and for each pair of choices of a gear and the one before the least cost of a way there is kept
-//! (dynamic programming). With two choices remembered, a shift that skips a gear can be judged as well.
+//! Gears are taken in turn, and for each pair of choices of a gear and the one before the least cost of a way
+//! there is kept (dynamic programming). With two choices remembered, a shift that skips a gear can be judged
+//! as well.
 
 /// Which shifts between forward gears have to be single.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,9 +32,9 @@ pub(crate) const fn exchanged(one: u64, other: u64) -> u32 {
 /// What it costs to come to two choices, and the choice before both; nothing where no way leads there.
 type Way = Option<(u32, usize)>;
 
-/// For gears in turn, each with choices of elements as bits, the choices with the fewest exchanges beyond the first of each
-/// shift between neighbours; nothing where shifts that have to be single cannot be. Of equal ones the least, from the
-/// last gear on.
+/// For gears in turn, each with choices of elements as bits, the choices with the fewest exchanges beyond the
+/// first of each shift between neighbours; nothing where shifts that have to be single cannot be. Of equal
+/// ones the least, from the last gear on.
 pub(crate) fn fewest(gears: &[&[u64]], single: Shifts) -> Option<Vec<usize>> {
     let Some((first, others)) = gears.split_first() else { return Some(Vec::new()) };
     // For each step, by the choice before and the choice now: the least cost, and the choice before both.

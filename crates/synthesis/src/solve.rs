@@ -1,23 +1,25 @@
 //! Whether a set of elements has all wanted gears at common ring-to-sun ratios.
 //!
 //! # Method
-//! A box of `k` and the functions that its elements can engage. A gear can be had from a function only if the box
-//! reaches its bounds ([`parts`](crate::parts)). Where a gear has one function left, the box shrinks to what this function
-//! allows: each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so along an edge of the box it begins or
-//! ends at one point, and the hull of these points over all parallel edges holds every solution. Where several functions
-//! are left, each is tried. When all gears have theirs, a point is sought from the middle of the box; if none is
-//! found, the box is halved.
+//! A box of `k` and the functions that its elements can engage. A gear can be had from a function only if the
+//! box reaches its bounds ([`parts`](crate::parts)). Where a gear has one function left, the box shrinks to
+//! what this function allows: each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so along an
+//! edge of the box it begins or ends at one point, and the hull of these points over all parallel edges holds
+//! every solution. Where several functions are left, each is tried. When all gears have theirs, a point is
+//! sought from the middle of the box; if none is found, the box is halved.
 //!
-//! Where some `k` have to be equal, boxes have one range for them, and polynomials their [polar forms](crate::equal). Where gears with
-//! overlapping bounds have to fall, a box is given up in which the highest ratio of the one is not above the lowest of the next.
+//! Where some `k` have to be equal, boxes have one range for them, and polynomials their
+//! [polar forms](crate::equal). Where gears with overlapping bounds have to fall, a box is given up in which
+//! the highest ratio of the one is not above the lowest of the next.
 //!
 //! # Complete
-//! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither a solution nor a proof is
-//! *undecided*, and counted.
+//! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither
+//! a solution nor a proof is *undecided*, and counted.
 //!
-//! Bounds of round numbers may leave the gears one common point, or a line of them, where several are at their bounds: `k₂·k₃` up to 3.78
-//! beside `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to the last digit, so a point is taken where they are kept but for
-//! 10⁻⁸ of them. Else all of the line would be halved to the smallest boxes.
+//! Bounds of round numbers may leave the gears one common point, or a line of them, where several are at
+//! their bounds: `k₂·k₃` up to 3.78 beside `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to
+//! the last digit, so a point is taken where they are kept but for 10⁻⁸ of them. Else all of the line would
+//! be halved to the smallest boxes.
 
 use crate::class::MOST_SETS;
 use crate::equal::Equal;
@@ -27,9 +29,9 @@ use crate::tolerance::{ACCEPTED, DAMPING, SMALLEST, WIDENING};
 use crate::watch::Watch;
 use epicyclic_numerics::linear::{Matrix, solution};
 
-/// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
-/// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
-/// bound, with 0.005 thirty times as long as with 0.1.
+/// The relative width below which functions are tried one by one. In wider boxes most gears reach several
+/// functions, and their combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of
+/// the time that it took with no bound, with 0.005 thirty times as long as with 0.1.
 const NARROW: f64 = 0.1;
 
 /// The most Gauss-Newton steps towards a point, of each kind.
@@ -116,7 +118,8 @@ type Left = Vec<(usize, u32)>;
 type Range = [[f64; 2]; MOST_SETS];
 
 impl<'a> Solver<'a> {
-    /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes the functions.
+    /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes
+    /// the functions.
     pub fn new(
         functions: &'a [&'a Function],
         gears: &[Bounds],
@@ -140,8 +143,8 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The same for points where some `k` are equal, for functions [with them](Function::with_equal) and boxes that have one range
-    /// for them.
+    /// The same for points where some `k` are equal, for functions [with them](Function::with_equal) and
+    /// boxes that have one range for them.
     #[must_use]
     pub const fn with_equal(mut self, equal: Equal) -> Self {
         self.equal = equal;
@@ -271,7 +274,8 @@ impl<'a> Solver<'a> {
             .map(|(gear, _)| gear)
     }
 
-    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each have their own.
+    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each
+    /// have their own.
     fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears that one function reaches, at most.
@@ -297,7 +301,8 @@ impl<'a> Solver<'a> {
         self.settle(left)
     }
 
-    /// Takes from functions the gears that are another's alone; nothing where the gears cannot each have their own.
+    /// Takes from functions the gears that are another's alone; nothing where the gears cannot each have
+    /// their own.
     fn settle(&mut self, left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears of one function, and of several.
@@ -356,8 +361,8 @@ impl<'a> Solver<'a> {
         corner_values(&self.functions[function].coefficients[1], cuboid, below);
     }
 
-    /// Whether somewhere in a box each pair of gears may be in falling order: where the highest ratio of the one is not above the
-    /// lowest of the other, it is not.
+    /// Whether somewhere in a box each pair of gears may be in falling order: where the highest ratio of the
+    /// one is not above the lowest of the other, it is not.
     fn may_fall(&mut self, cuboid: &[[f64; 2]], functions: &[usize]) -> bool {
         self.falling.iter().all(|[higher, lower]| {
             let most = self.extremes(cuboid, functions[*higher]).map(|[_, most]| most);
@@ -379,7 +384,8 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing where there are none.
+    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing
+    /// where there are none.
     fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: usize) -> Option<()> {
         let gear = self.widened[gear];
         self.evaluate(cuboid, function);
@@ -426,8 +432,9 @@ impl<'a> Solver<'a> {
         Some(())
     }
 
-    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few Gauss-Newton steps from the middle lead
-    /// there: first towards the middles of all bounds, and from near the bounds towards those that are missed.
+    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few
+    /// Gauss-Newton steps from the middle lead there: first towards the middles of all bounds, and from near
+    /// the bounds towards those that are missed.
     fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
         for to_bounds in [false, true] {
@@ -453,8 +460,8 @@ impl<'a> Solver<'a> {
         None
     }
 
-    /// The step that least squares of the deviations, each by half the width of its bounds, ask for; `to_bounds` of what exceeds the bounds
-    /// alone.
+    /// The step that least squares of the deviations, each by half the width of its bounds, ask for;
+    /// `to_bounds` of what exceeds the bounds alone.
     fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
         let sets = k.len();
         let mut normal = Matrix::zeros(sets, sets + 1);
@@ -494,7 +501,8 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// [`extremes_of`] with a number of corners that is known beforehand, so that several are worked out at a time.
+/// [`extremes_of`] with a number of corners that is known beforehand, so that several are worked out at a
+/// time.
 fn extremes<const CORNERS: usize>(above: &[f64; CORNERS], below: &[f64; CORNERS]) -> ([bool; 2], [f64; 2]) {
     extremes_of(above.iter().zip(below))
 }
@@ -525,7 +533,8 @@ fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
     widths.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
+/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting
+/// paths).
 pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
     /// Whether a gear can be had for a function, those that have one already moving to others.
     fn augment(function: usize, reaches: &[u32], owners: &mut [usize; 32], visited: &mut u32) -> bool {

@@ -1,20 +1,21 @@
 //! Structures: how the members of simple sets are tied.
 //!
-//! A structure is a list of sets, each the links of its sun, ring and carrier. Link 0 is the housing, 1 the input,
-//! 2 the output; the others are named `a`, `b`, `c` …. Two structures are equal where they differ in the order of
-//! the sets and in the names of the other links alone. Of the equal ones the least word counts, where the
-//! other links are numbered as they first occur: the *canonical word*.
+//! A structure is a list of sets, each the links of its sun, ring and carrier. Link 0 is the housing, 1 the
+//! input, 2 the output; the others are named `a`, `b`, `c` …. Two structures are equal where they differ in
+//! the order of the sets and in the names of the other links alone. Of the equal ones the least word counts,
+//! where the other links are numbered as they first occur: the *canonical word*.
 //!
 //! # Double-planet sets
-//! Some sets may be double-planet sets. For speeds such a set is a simple one with ring and carrier exchanged:
+//! Some sets may be double-planet sets. For speeds such a set is a simple one with ring and carrier
+//! exchanged:
 //!
 //! ```text
 //! (ω_s − ω_H) − k·(ω_r − ω_H) = 0   is   ω_s + k′·ω_H − (1 + k′)·ω_r = 0   with k′ = k − 1
 //! ```
 //!
-//! So the word has its sun, *carrier* and *ring*, in this order, and its `k′`. Double-planet sets stand after the simple ones; the
-//! canonical word is the least of those that keep this. Written, a structure shows sun, ring and carrier of the real set and a
-//! star: `0-1-c x-2-h y-2-h*`.
+//! So the word has its sun, *carrier* and *ring*, in this order, and its `k′`. Double-planet sets stand after
+//! the simple ones; the canonical word is the least of those that keep this. Written, a structure shows sun,
+//! ring and carrier of the real set and a star: `0-1-c x-2-h y-2-h*`.
 
 use crate::Error;
 use std::fmt;
@@ -63,8 +64,8 @@ impl Structure {
     /// The structure of these sets with so many moving links, in its canonical word.
     ///
     /// # Errors
-    /// [`Error::NotAStructure`] where a link is beyond `links` or on no member, a set has a link twice, or some sets touch
-    /// too few links.
+    /// [`Error::NotAStructure`] where a link is beyond `links` or on no member, a set has a link twice, or
+    /// some sets touch too few links.
     pub fn new(sets: &[Members], links: usize) -> Result<Self, Error> {
         Self::canonical(sets, links).map(|(structure, _)| structure)
     }
@@ -79,7 +80,8 @@ impl Structure {
         Ok((Self { sets, links, double: 0 }, order))
     }
 
-    /// The same where some of the sets are double-planet sets: links of sun, ring and carrier of each real set, and whether it is one.
+    /// The same where some of the sets are double-planet sets: links of sun, ring and carrier of each real
+    /// set, and whether it is one.
     ///
     /// # Errors
     /// As [`Structure::new`].
@@ -190,7 +192,8 @@ impl Structure {
         found
     }
 
-    /// How the other links are renamed by an order of the sets that gives the same word: `new = renaming[old]`.
+    /// How the other links are renamed by an order of the sets that gives the same word:
+    /// `new = renaming[old]`.
     #[must_use]
     pub fn renaming(&self, order: &[usize]) -> Vec<Link> {
         let mut names: Vec<Link> = (0..=u8::try_from(self.links).unwrap_or(u8::MAX)).collect();
@@ -219,12 +222,14 @@ pub(crate) fn mask(members: &Members) -> u32 {
     members.iter().fold(0, |all, link| all | 1 << link)
 }
 
-/// The members of a set; of a double-planet set with ring and carrier exchanged, as the word has them, or the real one.
+/// The members of a set; of a double-planet set with ring and carrier exchanged, as the word has them, or the
+/// real one.
 const fn exchanged([sun, ring, carrier]: Members, is_double_planet: bool) -> Members {
     if is_double_planet { [sun, carrier, ring] } else { [sun, ring, carrier] }
 }
 
-/// The least word over the orders in which double-planet sets stand after the others, and the first order that gives it.
+/// The least word over the orders in which double-planet sets stand after the others, and the first order
+/// that gives it.
 fn least_word(sets: &[Members], is_double_planet: &dyn Fn(usize) -> bool) -> (Vec<Members>, Vec<usize>) {
     let mut least: Option<(Vec<Members>, Vec<usize>)> = None;
     for_each_order(sets.len(), &mut |order| {
@@ -271,8 +276,8 @@ impl Names {
     }
 }
 
-/// The least word over all orders of the sets, and the order that gives it: set by set the least continuation, where
-/// several are equal all of them.
+/// The least word over all orders of the sets, and the order that gives it: set by set the least
+/// continuation, where several are equal all of them.
 pub(crate) fn canonical_word(sets: &[Members]) -> (Vec<Members>, Vec<usize>) {
     struct Search<'s> {
         sets: &'s [Members],
@@ -352,16 +357,16 @@ impl fmt::Display for Structure {
 impl FromStr for Structure {
     type Err = Error;
 
-    /// Reads `a-b-c a-d-1 d-f-g f-c-2*`: sun, ring and carrier of each set, a star behind a double-planet set; 0 the housing, 1 the
-    /// input, 2 the output, any letters for the others. Its links are those named.
+    /// Reads `a-b-c a-d-1 d-f-g f-c-2*`: sun, ring and carrier of each set, a star behind a double-planet
+    /// set; 0 the housing, 1 the input, 2 the output, any letters for the others. Its links are those named.
     fn from_str(text: &str) -> Result<Self, Error> {
         Self::read(text).map(|(structure, _)| structure)
     }
 }
 
 impl Structure {
-    /// Reads a structure, and gives for each link of the canonical word the letter that the text has for it. Input and
-    /// output count as links also where no member stands on them.
+    /// Reads a structure, and gives for each link of the canonical word the letter that the text has for it.
+    /// Input and output count as links also where no member stands on them.
     ///
     /// # Errors
     /// [`Error::NotAStructure`].

@@ -1,8 +1,8 @@
-//! The functions of one structure, numbered anew, so that a set of them is a few words: which choices of elements have them, and which
-//! gears they reach where.
+//! The functions of one structure, numbered anew, so that a set of them is a few words: which choices of
+//! elements have them, and which gears they reach where.
 //!
-//! A structure of four sets with eight links has about 2300 choices of three elements, but a hundred functions that reach a
-//! gear.
+//! A structure of four sets with eight links has about 2300 choices of three elements, but a hundred
+//! functions that reach a gear.
 
 use crate::choices::{Choices, choose};
 use crate::library::{Library, Number, USELESS};

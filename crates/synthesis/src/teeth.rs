@@ -1,19 +1,22 @@
 //! Tooth numbers around a solution: every choice within limits that keeps each gear within its bounds.
 //!
 //! # Steps
-//! 1. The tooth numbers of a simple set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre distances, assembly,
-//!    clearance between planets. Sets that differ in the number of planets alone are one, with the most planets. Those of a
-//!    double-planet set are those of [`epicyclic_gears::double_planet`]: of the pairs of planets that fit a sun and a ring the one that
-//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend on it. Simple sets with
-//!    profile shift ([`Choice::shifted`]) are those that [`epicyclic_gears::involute::search`] closes; of the planets that fit a sun and a ring
-//!    one is taken, since ratios do not depend on it either.
-//! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets. Their box is shrunk by the
-//!    signs of `P − gQ` at its corners, which hold everywhere in it, and a box without a point ends the branch.
-//! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns' teeth, also with
-//!    `k′ = (z_ring − z_sun)/z_sun` of double-planet sets.
+//! 1. The tooth numbers of a simple set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre
+//!    distances, assembly, clearance between planets. Sets that differ in the number of planets alone are
+//!    one, with the most planets. Those of a double-planet set are those of
+//!    [`epicyclic_gears::double_planet`]: of the pairs of planets that fit a sun and a ring the one that
+//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend
+//!    on it. Simple sets with profile shift ([`Choice::shifted`]) are those that
+//!    [`epicyclic_gears::involute::search`] closes; of the planets that fit a sun and a ring one is taken,
+//!    since ratios do not depend on it either.
+//! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets.
+//!    Their box is shrunk by the signs of `P − gQ` at its corners, which hold everywhere in it, and a box
+//!    without a point ends the branch.
+//! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns'
+//!    teeth, also with `k′ = (z_ring − z_sun)/z_sun` of double-planet sets.
 //!
-//! So nothing is lost: step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹, and step 3 takes a ratio that
-//! is off its bound by the rounding of one division.
+//! So nothing is lost: step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹, and step 3
+//! takes a ratio that is off its bound by the rounding of one division.
 
 use crate::Error;
 use crate::parts::{Bounds, Cuboid};
@@ -82,7 +85,8 @@ impl Alike {
 pub struct Gears<'a> {
     /// The bounds of each gear's ratio.
     pub bounds: &'a [Bounds],
-    /// Gears side by side, as of a [`Wish`](crate::wish::Wish): their ratios fall, and any within the bounds is as good.
+    /// Gears side by side, as of a [`Wish`](crate::wish::Wish): their ratios fall, and any within the bounds
+    /// is as good.
     pub side_by_side: &'a [Vec<usize>],
 }
 
@@ -111,7 +115,8 @@ pub struct Design {
     pub sets: Vec<SetTeeth>,
     /// The ratio of each gear.
     pub ratios: Vec<Fraction>,
-    /// The greatest deviation of a ratio, by half its bounds' width; that of gears side by side does not count.
+    /// The greatest deviation of a ratio, by half its bounds' width; that of gears side by side does not
+    /// count.
     pub deviation: f64,
 }
 
@@ -180,8 +185,9 @@ impl Choice {
         Ok(Self { left_out, ..Self::sorted(sets) })
     }
 
-    /// All of simple sets with profile shift within bounds, each pair of sun and ring once: of the planets with which it closes those with the
-    /// least offset of the ring, of two with equal ones the smaller, and as many as there is room for.
+    /// All of simple sets with profile shift within bounds, each pair of sun and ring once: of the planets
+    /// with which it closes those with the least offset of the ring, of two with equal ones the smaller, and
+    /// as many as there is room for.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds, offsets and limits that nothing can keep.
@@ -206,7 +212,8 @@ impl Choice {
         Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
     }
 
-    /// All of double-planet sets within bounds, each pair of sun and ring once. The bounds of the ratio are those of the real `k`.
+    /// All of double-planet sets within bounds, each pair of sun and ring once. The bounds of the ratio are
+    /// those of the real `k`.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
@@ -242,10 +249,11 @@ impl Choice {
     }
 }
 
-/// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side by side, the best `most` of
-/// them told. Each set has its range of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from. Sets that share planets
-/// have equal teeth where they have a gear in common, and planets that fit all of them. What is found is not complete where `ended`, which
-/// is asked now and then, ends the trial.
+/// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side
+/// by side, the best `most` of them told. Each set has its range of `k`, of a double-planet set of `k′`, and
+/// its tooth numbers to choose from. Sets that share planets have equal teeth where they have a gear in
+/// common, and planets that fit all of them. What is found is not complete where `ended`, which is asked now
+/// and then, ends the trial.
 ///
 /// # Panics
 /// Where there are not as many choices as ranges.
@@ -426,8 +434,8 @@ fn corners(polynomial: &[f64], cuboid: &[[f64; 2]]) -> Vec<f64> {
     values
 }
 
-/// Shrinks a box to where all gears can be within their bounds, while that shortens a side by a tenth; false where they
-/// cannot anywhere.
+/// Shrinks a box to where all gears can be within their bounds, while that shortens a side by a tenth; false
+/// where they cannot anywhere.
 fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) -> bool {
     loop {
         let mut shortened = false;
@@ -467,7 +475,8 @@ fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) ->
     }
 }
 
-/// Where along the edges of one side, from 0 to 1, a polynomial with these values at the corners is anywhere at least 0.
+/// Where along the edges of one side, from 0 to 1, a polynomial with these values at the corners is anywhere
+/// at least 0.
 fn where_positive(values: &[f64], set: usize) -> [f64; 2] {
     let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
     for corner in (0..values.len()).filter(|corner| corner >> set & 1 == 0) {

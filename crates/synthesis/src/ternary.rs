@@ -1,11 +1,12 @@
 //! Polynomials whose coefficients are −1, 0 and 1, all coefficients in two words.
 //!
-//! A ratio of a gearbox of simple sets is a quotient of two polynomials in the ring-to-sun ratios `k₁ … kₙ`, each of
-//! at most the first degree in each `kᵢ`. Their coefficients are signed counts of spanning trees of which there is one
-//! or none, so they are −1, 0 or 1. Bit `S` of a word stands for the product of the `kᵢ` whose bit is in `S`.
+//! A ratio of a gearbox of simple sets is a quotient of two polynomials in the ring-to-sun ratios `k₁ … kₙ`,
+//! each of at most the first degree in each `kᵢ`. Their coefficients are signed counts of spanning trees of
+//! which there is one or none, so they are −1, 0 or 1. Bit `S` of a word stands for the product of the `kᵢ`
+//! whose bit is in `S`.
 //!
-//! Coefficients are added and multiplied modulo 3, all `2ⁿ` at once by a few operations on whole words. Where the
-//! result is known to be −1, 0 or 1, this is exact, whatever the terms between were.
+//! Coefficients are added and multiplied modulo 3, all `2ⁿ` at once by a few operations on whole words. Where
+//! the result is known to be −1, 0 or 1, this is exact, whatever the terms between were.
 
 use std::ops::{BitAnd, BitOr, BitXor, Not};
 

@@ -1,4 +1,5 @@
-//! Limits of a gearbox that is of use. A search goes on to larger classes while what it has found keeps none of them.
+//! Limits of a gearbox that is of use. A search goes on to larger classes while what it has found keeps none
+//! of them.
 
 use crate::judge::Judged;
 use crate::rank::Rating;

@@ -27,8 +27,8 @@ pub struct Wish {
     pub double_planets: usize,
     /// At least so many sets of one kind have equal `k`; 0 and 1 ask for nothing.
     pub equal_k: usize,
-    /// Gears side by side, by their places, each list the highest ratio first: their bounds may overlap, and their ratios fall. Of these
-    /// any ratio within the bounds is as good.
+    /// Gears side by side, by their places, each list the highest ratio first: their bounds may overlap, and
+    /// their ratios fall. Of these any ratio within the bounds is as good.
     pub side_by_side: Vec<Vec<usize>>,
     /// What else a gearbox has to keep.
     pub rules: Rules,

@@ -31,8 +31,8 @@ pub struct Progress {
     pub found: usize,
 }
 
-/// Which structures of a class are searched: of `of` shares the one with this number, from 0. The structures are dealt out in
-/// turn in the order of their canonical words.
+/// Which structures of a class are searched: of `of` shares the one with this number, from 0. The structures
+/// are dealt out in turn in the order of their canonical words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Share {
     /// The number of the share.
@@ -45,9 +45,9 @@ impl Share {
     /// The whole class.
     pub const WHOLE: Self = Self { number: 0, of: 1 };
 
-    /// Its structures in the order of their canonical words, and how many the class has. Where some sets are double-planet sets, each
-    /// structure comes once with every choice of them, and these are dealt out. Nothing where `ended`, which is asked now and then, ends
-    /// the search for them.
+    /// Its structures in the order of their canonical words, and how many the class has. Where some sets are
+    /// double-planet sets, each structure comes once with every choice of them, and these are dealt out.
+    /// Nothing where `ended`, which is asked now and then, ends the search for them.
     #[must_use]
     pub fn structures(
         self,
@@ -118,22 +118,26 @@ pub struct Work {
     pub class_size: usize,
     /// Structures of the share.
     pub structures: usize,
-    /// Places in the share of those that were searched: ranges in rising order that neither touch nor overlap.
+    /// Places in the share of those that were searched: ranges in rising order that neither touch nor
+    /// overlap.
     pub done: Vec<Range<usize>>,
-    /// What was found, with the place of its structure in the share; in the order of places and elements once the search ends.
+    /// What was found, with the place of its structure in the share; in the order of places and elements once
+    /// the search ends.
     pub found: Vec<(usize, Found)>,
     /// Counts.
     pub tally: Tally,
 }
 
 impl Work {
-    /// Whether all structures of the share were searched. No class is empty, so a search that has not begun is not complete.
+    /// Whether all structures of the share were searched. No class is empty, so a search that has not begun
+    /// is not complete.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.class_size > 0 && self.done_count() == self.structures
     }
 
-    /// Whether what is done is ranges as it says, within the share, and what was found is of structures that were searched.
+    /// Whether what is done is ranges as it says, within the share, and what was found is of structures that
+    /// were searched.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)

@@ -1,5 +1,6 @@
-//! The atlas: every structure of two and three sets in the classes of [`classes`], every set of engaged elements that gives it a ratio,
-//! and every ratio as a function, without a list of ratios that is wanted. Three tables:
+//! The atlas: every structure of two and three sets in the classes of [`classes`], every set of engaged
+//! elements that gives it a ratio, and every ratio as a function, without a list of ratios that is wanted.
+//! Three tables:
 //!
 //! | `structures` | type | holds |
 //! |---|---|---|
@@ -57,8 +58,8 @@ pub struct Table {
     pub rows: usize,
 }
 
-/// The classes of the atlas: of two sets all sparse ones, and of three sets those with five links and, with six and seven, those
-/// of class core. Class core of fewer links is part of all sparse.
+/// The classes of the atlas: of two sets all sparse ones, and of three sets those with five links and, with
+/// six and seven, those of class core. Class core of fewer links is part of all sparse.
 ///
 /// # Errors
 /// None: all of them are classes.
@@ -75,7 +76,8 @@ pub fn classes() -> Result<[Class; 5], epicyclic_synthesis::Error> {
 /// The atlas of some classes of at most three sets, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// [`Error::Cancelled`]; [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can cause.
+/// [`Error::Cancelled`]; [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can
+/// cause.
 pub fn atlas(
     classes: &[Class],
     version: &str,

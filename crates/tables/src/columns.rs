@@ -1,4 +1,5 @@
-//! Tables of named columns as Parquet, and back. The bytes depend on the content alone: no time, no name of a machine.
+//! Tables of named columns as Parquet, and back. The bytes depend on the content alone: no time, no name of a
+//! machine.
 
 use crate::error::Error;
 use bytes::Bytes;
@@ -93,7 +94,8 @@ impl Column {
     }
 }
 
-/// Levels of definition and of repetition: an empty list has one entry that is not defined, the others one for each value.
+/// Levels of definition and of repetition: an empty list has one entry that is not defined, the others one
+/// for each value.
 fn levels<T>(lists: &[Vec<T>]) -> (Vec<i16>, Vec<i16>) {
     let entries = |list: &Vec<T>| list.len().max(1);
     let defined = lists.iter().flat_map(|list| vec![i16::from(!list.is_empty()); entries(list)]);

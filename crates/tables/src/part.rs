@@ -12,8 +12,9 @@
 //! | `coefficients` | list of int64 | the same as bits, four words a gear: where a coefficient of the numerator is 1, where −1, and so of the denominator |
 //! | `engaged` | list of text | the elements that each gear engages, every choice: `b 1-c or b a-c` |
 //!
-//! The file's metadata holds a checksum of the whole file (`epicyclic.checksum`), the version of the program, the share, and for each search what was asked, exactly, which structures
-//! were searched, and the counts. Work that is not complete is written alike, and gone on with from there.
+//! The file's metadata holds a checksum of the whole file (`epicyclic.checksum`), the version of the program,
+//! the share, and for each search what was asked, exactly, which structures were searched, and the counts.
+//! Work that is not complete is written alike, and gone on with from there.
 
 use crate::columns::{Column, Read, write};
 use crate::error::Error;
@@ -93,8 +94,9 @@ impl Part {
     /// From Parquet.
     ///
     /// # Errors
-    /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before anything of it is read;
-    /// [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with such a checksum.
+    /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before
+    /// anything of it is read; [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with
+    /// such a checksum.
     pub fn from_parquet(bytes: Vec<u8>) -> Result<Self, Error> {
         seal::check(&bytes)?;
         let table = Read::new(bytes)?;

@@ -1,7 +1,8 @@
-//! The checksum of a file, in the file itself: the CRC-32 of all its bytes with zeros in the place of the checksum's digits.
+//! The checksum of a file, in the file itself: the CRC-32 of all its bytes with zeros in the place of the
+//! checksum's digits.
 //!
-//! It stands among the metadata, as `crc32:` and eight hexadecimal digits, and is compared before anything is made of the file: so no
-//! reader meets a damaged one, wherever the damage is.
+//! It stands among the metadata, as `crc32:` and eight hexadecimal digits, and is compared before anything is
+//! made of the file: so no reader meets a damaged one, wherever the damage is.
 
 use crate::error::Error;
 

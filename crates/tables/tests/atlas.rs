@@ -66,7 +66,8 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
         let there: HashSet<&Structure> = words.iter().collect();
         assert!(enumerate::all(class).iter().all(|structure| there.contains(structure)));
     }
-    // Rows by the solver, structure by structure, of every 500th: each choice of elements drives the output or is no row.
+    // Rows by the solver, structure by structure, of every 500th: each choice of elements drives the output
+    // or is no row.
     let mut by_structure: HashMap<i32, HashMap<i64, i32>> = HashMap::new();
     for row in rows(&atlas.gears) {
         let (structure, engaged) = (row.get_int(0).expect("a number"), row.get_long(1).expect("bits"));
@@ -117,8 +118,8 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
     assert!(compared > 1000, "{compared}");
 }
 
-/// A gearbox in service: its sets with its own names of links, each set's `k`, and for each gear its engaged elements and the ratio as it is
-/// published.
+/// A gearbox in service: its sets with its own names of links, each set's `k`, and for each gear its engaged
+/// elements and the ratio as it is published.
 struct Real {
     name: &'static str,
     sets: &'static str,
@@ -126,7 +127,8 @@ struct Real {
     gears: &'static [(&'static str, f64)],
 }
 
-/// Sets sun-ring-carrier; of a double-planet set ring and carrier exchanged and `k − 1`, which has the same speeds.
+/// Sets sun-ring-carrier; of a double-planet set ring and carrier exchanged and `k − 1`, which has the same
+/// speeds.
 const REAL: [Real; 4] = [
     Real {
         // Simpson: PA (s-r-2), PB (s-2-c).

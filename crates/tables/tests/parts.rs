@@ -15,7 +15,8 @@ use std::ops::ControlFlow;
 
 const VERSION: &str = "0.0.1";
 
-/// The four-speed of two sets, whose solutions have elements that lock the same and gears with several choices.
+/// The four-speed of two sets, whose solutions have elements that lock the same and gears with several
+/// choices.
 fn question() -> (Class, Wish) {
     let gears = [3.059, 1.625, 1.0, 0.696, -2.294];
     let around = |ratio: f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() };

@@ -228,8 +228,8 @@ impl<'g> Analysis<'g> {
 
     /// Torques and powers with losses, driven from the input.
     ///
-    /// With an efficiency at or below 0 the gear is [self-locking](State::SelfLocking), and these are the torques
-    /// at which it just moves when the output helps.
+    /// With an efficiency at or below 0 the gear is [self-locking](State::SelfLocking), and these are the
+    /// torques at which it just moves when the output helps.
     #[must_use]
     pub fn driving(&self) -> Option<&LoadCase> {
         self.driving.get_or_init(|| self.loaded(Direction::Drive)).as_ref()

@@ -9,7 +9,8 @@ use epicyclic_numerics::roots::bisected;
 pub(crate) trait Lossy<Signs> {
     /// Torques and powers.
     type Found;
-    /// Torques with losses at `share` of their full size, under these signs; `None` where they run to infinity.
+    /// Torques with losses at `share` of their full size, under these signs; `None` where they run to
+    /// infinity.
     fn at(&self, signs: &Signs, share: f64) -> Option<Self::Found>;
     /// Rolling power of each segment, and the largest power inside.
     fn powers<'f>(&self, found: &'f Self::Found) -> (&'f [f64], f64);

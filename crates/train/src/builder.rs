@@ -118,8 +118,8 @@ impl GearboxBuilder {
         self
     }
 
-    /// Adds a one-way clutch: it keeps the first link from turning slower than the second, `ω_1 < ω_2`, and lets
-    /// it turn faster. A gear that relies on it names it among its engaged shift elements.
+    /// Adds a one-way clutch: it keeps the first link from turning slower than the second, `ω_1 < ω_2`, and
+    /// lets it turn faster. A gear that relies on it names it among its engaged shift elements.
     #[must_use]
     pub fn one_way_clutch(mut self, id: &str, first: &str, second: &str) -> Self {
         self.shift_elements.push((id.into(), [first.into(), second.into()], true));
@@ -217,10 +217,10 @@ impl GearboxBuilder {
     /// Checks the description and returns the gearbox.
     ///
     /// # Errors
-    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set that
-    /// are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements that join a
-    /// link with itself, permanent connections in a loop, terminals at the housing, more than is solved. What teeth
-    /// do not fit is asked of [`Gearbox::tooth_checks`].
+    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set
+    /// that are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements
+    /// that join a link with itself, permanent connections in a loop, terminals at the housing, more than is
+    /// solved. What teeth do not fit is asked of [`Gearbox::tooth_checks`].
     pub fn build(self) -> Result<Gearbox, Error> {
         for (what, count, limit) in [
             (Named::Set, self.sets.len(), MOST_SETS),
@@ -356,8 +356,9 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
         return Err(Error::PlanetCount { set: id, given });
     }
     planet_angles::check(&set)?;
-    // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the housing. Joined by a
-    // *shift element* they are the ordinary direct drive. Central gears that turn alike anyway lose nothing by being one piece.
+    // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the
+    // housing. Joined by a *shift element* they are the ordinary direct drive. Central gears that turn alike
+    // anyway lose nothing by being one piece.
     let members = set.members();
     for i in 0..members.len() {
         for j in i + 1..members.len() {
@@ -512,8 +513,9 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
     })
 }
 
-/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link. Where no teeth are known, a simple set
-/// and a double-planet set with a ring in common are such: the halves of a Ravigneaux set.
+/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link. Where
+/// no teeth are known, a simple set and a double-planet set with a ring in common are such: the halves of a
+/// Ravigneaux set.
 fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
     let mut found = vec![];
     let sets = gearbox.sets();

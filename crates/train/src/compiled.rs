@@ -23,8 +23,8 @@ pub struct Values {
     /// Basic ratios, set by set: one of a set with two central gears, `m − 1` of one with `m`, each from its
     /// gear of reference to another.
     pub ratios: Vec<BasicRatio>,
-    /// Efficiencies, set by set: that of the whole set where it has two central gears; of a compound set one for
-    /// each segment of meshes that carry power in the same direction.
+    /// Efficiencies, set by set: that of the whole set where it has two central gears; of a compound set one
+    /// for each segment of meshes that carry power in the same direction.
     pub efficiencies: Vec<MeshEfficiency>,
 }
 
@@ -148,7 +148,8 @@ impl CompiledGear {
         }
     }
 
-    /// Places of the active equations, one a set with two central gears: those that settle speeds and torques.
+    /// Places of the active equations, one a set with two central gears: those that settle speeds and
+    /// torques.
     #[must_use]
     pub fn active(&self) -> &[usize] {
         &self.equations
@@ -157,8 +158,8 @@ impl CompiledGear {
     /// Solves for these ratios and losses.
     ///
     /// # Errors
-    /// [`Error::ValueCount`] unless there are as many as the gearbox has; [`Error::NotDriven`] where these ratios
-    /// make the gear degenerate.
+    /// [`Error::ValueCount`] unless there are as many as the gearbox has; [`Error::NotDriven`] where these
+    /// ratios make the gear degenerate.
     pub fn solve(&self, values: &Values, direction: Direction, solution: &mut Solution) -> Result<(), Error> {
         let Values { ratios, efficiencies } = values;
         for (what, given, expected) in [

@@ -1,7 +1,7 @@
 //! Description of a compound planet set: any central gears, any planets, any tree of meshes.
 //!
-//! Ravigneaux, Wolfrom, stepped planets beside idlers, ring to ring through meshing planets, planets whose own
-//! rotation is taken out: what shares planets is one set, since each of its meshes exists once.
+//! Ravigneaux, Wolfrom, stepped planets beside idlers, ring to ring through meshing planets, planets whose
+//! own rotation is taken out: what shares planets is one set, since each of its meshes exists once.
 //!
 //! ```
 //! use epicyclic_gears::efficiency::MeshEfficiency;
@@ -91,7 +91,8 @@ pub struct CentralSpec {
     pub link: String,
     /// What it is.
     pub kind: CentralKind,
-    /// Its teeth, of a [proportional](CompoundSpec::proportional) set a number proportional to them; 0 of a planet shaft.
+    /// Its teeth, of a [proportional](CompoundSpec::proportional) set a number proportional to them; 0 of a
+    /// planet shaft.
     pub teeth: f64,
     /// The planet that a planet shaft turns with.
     pub planet: Option<String>,
@@ -102,8 +103,8 @@ pub struct CentralSpec {
 pub struct PlanetSpec {
     /// Its name; its gears are `name`, or `name.1`, `name.2`… where it has several.
     pub name: String,
-    /// Teeth of its gears; empty of a planet with one gear whose teeth are not known: an idler changes no ratio of
-    /// the others.
+    /// Teeth of its gears; empty of a planet with one gear whose teeth are not known: an idler changes no
+    /// ratio of the others.
     pub teeth: Vec<u32>,
 }
 
@@ -133,8 +134,8 @@ pub struct CompoundSpec {
     pub planet_count: Option<u32>,
     /// Where they stand on the carrier.
     pub spacing: Spacing,
-    /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above 0, those of planets are
-    /// left out.
+    /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above
+    /// 0, those of planets are left out.
     pub proportional: bool,
 }
 
@@ -220,8 +221,8 @@ impl CompoundSpec {
         self
     }
 
-    /// Adds a mesh between two gears: a central gear by its name, a planet's gear by `planet`, or by `planet.1`,
-    /// `planet.2`… where the planet has several.
+    /// Adds a mesh between two gears: a central gear by its name, a planet's gear by `planet`, or by
+    /// `planet.1`, `planet.2`… where the planet has several.
     #[must_use]
     pub fn mesh(mut self, first: &str, second: &str, efficiency: MeshEfficiency) -> Self {
         self.meshes.push(MeshSpec { between: [first.into(), second.into()], efficiency });

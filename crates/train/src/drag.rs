@@ -1,6 +1,7 @@
 //! Losses that do not depend on the load: drag torques of seals, bearings, churning and open shift elements.
 //!
-//! A drag stands between two links and opposes their relative motion. Its torque is given as a curve over the relative speed.
+//! A drag stands between two links and opposes their relative motion. Its torque is given as a curve over the
+//! relative speed.
 //!
 //! ```text
 //! M = M(|ω_1 − ω_2|)            linear between the points of the curve
@@ -15,9 +16,10 @@
 //! | `T_1`, `T_2` | torques on the links | N·m |
 //! | `P` | power lost | W |
 //!
-//! Speeds follow from the gear alone, so the drags at a speed are known torques; they stand beside input and output in the
-//! balances of the links, and load the meshes. Which way power runs through each mesh, and so what it loses, takes them into
-//! account. A drag between links that turn alike does nothing. That of a shift element acts while it is not engaged.
+//! Speeds follow from the gear alone, so the drags at a speed are known torques; they stand beside input and
+//! output in the balances of the links, and load the meshes. Which way power runs through each mesh, and so
+//! what it loses, takes them into account. A drag between links that turn alike does nothing. That of a shift
+//! element acts while it is not engaged.
 
 use crate::error::DragFault;
 use crate::power_flow::MeshPower;
@@ -49,8 +51,8 @@ impl DragCurve {
     /// A curve through points.
     ///
     /// # Errors
-    /// [`DragFault::NoPoints`]; [`DragFault::Speed`] for a speed below 0 or not finite, [`DragFault::Torque`] for such a torque,
-    /// [`DragFault::NotAscending`].
+    /// [`DragFault::NoPoints`]; [`DragFault::Speed`] for a speed below 0 or not finite, [`DragFault::Torque`]
+    /// for such a torque, [`DragFault::NotAscending`].
     ///
     /// # Example
     /// ```
@@ -132,8 +134,9 @@ pub struct Drag {
     pub links: [LinkId; 2],
     /// The torque over the relative speed.
     pub curve: DragCurve,
-    /// The shift element that it is of, by its place in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements): it acts while
-    /// that is not engaged. Any other drag acts always.
+    /// The shift element that it is of, by its place in
+    /// [`Gearbox::shift_elements`](crate::Gearbox::shift_elements): it acts while that is not engaged. Any
+    /// other drag acts always.
     pub shift_element: Option<usize>,
 }
 
@@ -197,10 +200,11 @@ pub struct WithDrags {
     pub output: Torque,
     /// The drags, in their order.
     pub drags: Vec<DragAtWork>,
-    /// Power through each mesh of each set in W; none of a set one of whose speeds does not follow, which then carries no torque.
+    /// Power through each mesh of each set in W; none of a set one of whose speeds does not follow, which
+    /// then carries no torque.
     pub meshes: Vec<Option<Vec<MeshPower>>>,
-    /// One-way clutches that the gear relies on and that let go, since a torque below 0 is asked of them: no such operation exists.
-    /// Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
+    /// One-way clutches that the gear relies on and that let go, since a torque below 0 is asked of them: no
+    /// such operation exists. Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     pub released: Vec<usize>,
     /// The largest power inside: the measure for balances.
     pub largest: Power,
@@ -240,14 +244,15 @@ impl WithDrags {
         Power::from_si(self.drags.iter().map(|drag| drag.loss.si()).sum())
     }
 
-    /// What the balance of energy leaves: powers that enter less all losses, each from its own torque, force or speed. Rounding
-    /// alone, below 1e-9 of [`largest`](Self::largest).
+    /// What the balance of energy leaves: powers that enter less all losses, each from its own torque, force
+    /// or speed. Rounding alone, below 1e-9 of [`largest`](Self::largest).
     #[must_use]
     pub fn imbalance(&self) -> Power {
         self.input_power() + self.output_power() - self.mesh_loss() - self.drag_loss()
     }
 
-    /// Power that leaves over power that enters, from input to output or back; `None` where all that enters is lost, or none does.
+    /// Power that leaves over power that enters, from input to output or back; `None` where all that enters
+    /// is lost, or none does.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
         let (input, output) = (self.input_power().si(), self.output_power().si());
@@ -298,9 +303,9 @@ impl Analysis<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotDriven`] in any other state, [`Error::OperatingPoint`] for a speed or load that is not finite; [`Error::Drag`] for a
-    /// relative speed outside a curve or that does not follow; [`Error::Inputs`] where losses hold the gear or sets share a torque that nothing
-    /// settles.
+    /// [`Error::NotDriven`] in any other state, [`Error::OperatingPoint`] for a speed or load that is not
+    /// finite; [`Error::Drag`] for a relative speed outside a curve or that does not follow;
+    /// [`Error::Inputs`] where losses hold the gear or sets share a torque that nothing settles.
     pub fn with_drags(
         &self,
         input_speed: AngularVelocity,
@@ -347,7 +352,8 @@ impl Analysis<'_> {
         torques.extend(on_node.iter().map(|(link, _, own)| (*link, Torque::from_si(*own))));
         let state = self.gearbox.with_inputs(&self.gear, &[(ends[0], input_speed)], &torques)?;
         let found = state.load.ok_or_else(not_driven)?;
-        // Its terminals have the input first, its output second; where they are one link, the second stands for both.
+        // Its terminals have the input first, its output second; where they are one link, the second stands
+        // for both.
         let of_terminal = |end: LinkId| {
             let one = found.terminals.iter().find(|terminal| terminal.link == end);
             one.map_or(0.0, |terminal| terminal.torque.si())

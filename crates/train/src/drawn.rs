@@ -1,7 +1,7 @@
 //! Sets as drawings take them: three members side by side.
 //!
-//! A set with two central gears is drawn as it is. One with more is drawn as several, from its gear of reference to
-//! each other central gear: they share that gear's link, the carrier's, and planets.
+//! A set with two central gears is drawn as it is. One with more is drawn as several, from its gear of
+//! reference to each other central gear: they share that gear's link, the carrier's, and planets.
 
 pub use crate::drawn_set::DrawnSet;
 

@@ -15,8 +15,8 @@ use epicyclic_numerics::values::largest_absolute;
 /// A self-consistent pattern of signs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pattern {
-    /// Direction of the rolling power of each segment of each set, away from its gear of reference: 1 from sun to
-    /// ring of a set with two central gears, −1 from ring to sun, 0 none.
+    /// Direction of the rolling power of each segment of each set, away from its gear of reference: 1 from
+    /// sun to ring of a set with two central gears, −1 from ring to sun, 0 none.
     pub signs: Vec<Vec<i8>>,
     /// Efficiency it would have.
     pub efficiency: f64,

@@ -6,16 +6,16 @@
 //! 1. [`Bounded`]: `f64` with a bound on its error, carried through every operation. A number larger than its
 //!    bound is certainly not zero; a zero that no rounding touched certainly is one. Where every decision is
 //!    certain, the verdict is proved, and this is the fast and the usual way.
-//! 2. [`Fraction`]: where a number is as small as its bound, or a speed has lost digits, and all ratios are tooth
-//!    counts or decimals, the elimination is done again without rounding, in 128 bits.
+//! 2. [`Fraction`]: where a number is as small as its bound, or a speed has lost digits, and all ratios are
+//!    tooth counts or decimals, the elimination is done again without rounding, in 128 bits.
 //! 3. [`Traced`]: where these do not hold the numbers, or some ratio has more digits than anybody writes. The
-//!    elimination has no rounding at all, in as many bits as it takes, and each number carries its exact derivatives
-//!    by these ratios.
+//!    elimination has no rounding at all, in as many bits as it takes, and each number carries its exact
+//!    derivatives by these ratios.
 //!
 //! # Ratios with many digits
-//! A ratio of more than 12 digits, `k = 0.43333333333333335`, was computed and rounded. It is taken as the rational that
-//! the `f64` is. A number `v` of the elimination that these ratios leave above zero counts as zero only where a change of the
-//! ratios by a few roundings makes it zero,
+//! A ratio of more than 12 digits, `k = 0.43333333333333335`, was computed and rounded. It is taken as the
+//! rational that the `f64` is. A number `v` of the elimination that these ratios leave above zero counts as
+//! zero only where a change of the ratios by a few roundings makes it zero,
 //!
 //! ```text
 //! 0 < |v| ≤ 4·ε·Σ |k_j·∂v/∂k_j|      ε = 2⁻⁵²
@@ -222,8 +222,8 @@ fn reduced(numer: i128, denom: i128) -> Option<Fraction> {
 
 /// Digits that a number written by a person may have; one with more was computed.
 ///
-/// Of computed numbers one in ten is, by chance, the nearest to a decimal of 15 digits, such as 125/27; one in ten
-/// thousand to one of 12.
+/// Of computed numbers one in ten is, by chance, the nearest to a decimal of 15 digits, such as 125/27; one
+/// in ten thousand to one of 12.
 const WRITTEN_DIGITS: usize = 12;
 
 /// The decimal that a number was written as, `2.15` as 43/20; `None` of a number with more than 12 digits.
@@ -260,8 +260,8 @@ pub(crate) struct Echelon<S> {
 }
 
 impl<S: Scalar> Echelon<S> {
-    /// Reduces equations that stand one after the other; the unknowns in `late` become pivots only where no other can, in their order.
-    /// `None` where a number is in doubt or outgrows its kind.
+    /// Reduces equations that stand one after the other; the unknowns in `late` become pivots only where no
+    /// other can, in their order. `None` where a number is in doubt or outgrows its kind.
     pub(crate) fn new(mut entries: Vec<S>, columns: usize, late: &[usize]) -> Option<Self> {
         let count = entries.len().checked_div(columns).unwrap_or(0);
         let mut origin: Vec<usize> = (0..count).collect();

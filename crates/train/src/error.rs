@@ -65,7 +65,8 @@ impl fmt::Display for Terminal {
     }
 }
 
-/// What names a link, a shift element or a gear in a description or a request; displays as ``input of gear `1` ``.
+/// What names a link, a shift element or a gear in a description or a request; displays as ``input of gear
+/// `1` ``.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {

@@ -14,22 +14,22 @@
 //! | any other of two central gears | as in [`SetKind`](crate::set::SetKind) | as there | `k`, of a pair on fixed axes `u` |
 //! | compound | each central gear, the gear of reference | `±k` | `k = ∣ω_1 − ω_H∣/∣ω_2 − ω_H∣` |
 //!
-//! The gear of reference is the first ring, or the first central gear where there is no ring. What `k` is in teeth
-//! follows from the meshes between the two gears; those that occur on both sides cancel. Symbols are numbered as the
-//! equations of the gearbox are: without compound sets `k₁` belongs to set 1.
+//! The gear of reference is the first ring, or the first central gear where there is no ring. What `k` is in
+//! teeth follows from the meshes between the two gears; those that occur on both sides cancel. Symbols are
+//! numbered as the equations of the gearbox are: without compound sets `k₁` belongs to set 1.
 //!
 //! # Method
-//! Links that engaged shift elements or permanent connections make one piece are one node; so are those of a set that
-//! turns as a block, and the two gears of a basic ratio of exactly 1.
-//! Of the other equations those count that the output's speed needs. Both speeds are determinants, and each `k` stands
-//! in one equation: so numerator and denominator of
+//! Links that engaged shift elements or permanent connections make one piece are one node; so are those of a
+//! set that turns as a block, and the two gears of a basic ratio of exactly 1. Of the other equations those
+//! count that the output's speed needs. Both speeds are determinants, and each `k` stands in one equation: so
+//! numerator and denominator of
 //!
 //! ```text
 //! i = ω_in/ω_out = det C/det C_out
 //! ```
 //!
-//! are polynomials of the first degree in every `k`. They split into factors that share no `k`, and common factors
-//! cancel ([`polynomial`]).
+//! are polynomials of the first degree in every `k`. They split into factors that share no `k`, and common
+//! factors cancel ([`polynomial`]).
 //!
 //! # What is left out
 //! Losses: this is the ratio of speeds.
@@ -124,7 +124,8 @@ impl Formula {
         &self.ratio
     }
 
-    /// The symbols of the equations that the output's speed needs, by the places of the equations in the gearbox.
+    /// The symbols of the equations that the output's speed needs, by the places of the equations in the
+    /// gearbox.
     #[must_use]
     pub fn symbols(&self) -> &[Symbol] {
         &self.symbols
@@ -136,8 +137,8 @@ impl Formula {
         (0..self.symbols.len()).filter(move |symbol| all >> symbol & 1 == 1)
     }
 
-    /// Sets whose equations follow from those of the others in this gear, so that the formula does without them; it
-    /// then holds at numbers of teeth for which they follow.
+    /// Sets whose equations follow from those of the others in this gear, so that the formula does without
+    /// them; it then holds at numbers of teeth for which they follow.
     #[must_use]
     pub fn spare(&self) -> &[usize] {
         &self.spare

@@ -25,8 +25,8 @@ impl ShiftElement {
         &self.id
     }
 
-    /// The links it joins when engaged. Its torque acts so on the first and opposite on the second; the housing,
-    /// if it is one of them, is the second, unless the element is a one-way clutch.
+    /// The links it joins when engaged. Its torque acts so on the first and opposite on the second; the
+    /// housing, if it is one of them, is the second, unless the element is a one-way clutch.
     #[must_use]
     pub fn links(&self) -> [LinkId; 2] {
         self.links
@@ -38,8 +38,8 @@ impl ShiftElement {
         self.links.contains(&LinkId::GROUND)
     }
 
-    /// Whether it is a one-way clutch: it keeps its first link from turning slower than its second, and lets it
-    /// turn faster.
+    /// Whether it is a one-way clutch: it keeps its first link from turning slower than its second, and lets
+    /// it turn faster.
     #[must_use]
     pub fn is_one_way(&self) -> bool {
         self.one_way

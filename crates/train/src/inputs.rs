@@ -1,10 +1,10 @@
 //! Gears with several inputs: power splits, summing gears, differentials.
 //!
-//! A gear whose state is [underdetermined](crate::State::Underdetermined) keeps `F` freedoms, more than one. As many
-//! speeds, given for independent links, settle all others. Torques act from outside at the *terminals*: input and
-//! output of the gear, and every link for which a speed or a torque is given; where the torques given would be too
-//! many for these, also the open ends, links with a single member of a single set. Of `τ` terminals the torques of
-//! `τ − F` settle the rest:
+//! A gear whose state is [underdetermined](crate::State::Underdetermined) keeps `F` freedoms, more than one.
+//! As many speeds, given for independent links, settle all others. Torques act from outside at the
+//! *terminals*: input and output of the gear, and every link for which a speed or a torque is given; where
+//! the torques given would be too many for these, also the open ends, links with a single member of a single
+//! set. Of `τ` terminals the torques of `τ − F` settle the rest:
 //!
 //! ```text
 //! C·ω = 0                 N equations of the sets, N + F speeds, F given
@@ -158,7 +158,8 @@ fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usiz
 }
 
 impl Gearbox {
-    /// The state of a gear whose freedoms these speeds settle, under these torques; no torques for the speeds alone.
+    /// The state of a gear whose freedoms these speeds settle, under these torques; no torques for the speeds
+    /// alone.
     ///
     /// ```
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
@@ -190,9 +191,9 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a torque
-    /// that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for what is no number;
-    /// [`Error::ForeignGear`] for a gear of another gearbox.
+    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a
+    /// torque that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for
+    /// what is no number; [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn with_inputs(
         &self,
         gear: &Gear,

@@ -12,12 +12,12 @@
 //! `PLAIN` gears have one segment an equation: all sets have two central gears.
 //!
 //! # The branch
-//! The signs that count are those continuous with `η → 1`: the ideal torques give them. Where the
-//! loaded torques confirm all signs, that is the answer. Where they do not, a set so nearly idle that
-//! the losses of the others reverse its power has been met: the losses are then raised from nothing
-//! to their full size, and a sign turns where its power passes through zero ([`crate::branch`]). The torques are
-//! continuous there. If they instead run to infinity on the way, no torque at the input keeps the
-//! gear moving at the full losses and there is no branch.
+//! The signs that count are those continuous with `η → 1`: the ideal torques give them. Where the loaded
+//! torques confirm all signs, that is the answer. Where they do not, a set so nearly idle that the losses of
+//! the others reverse its power has been met: the losses are then raised from nothing to their full size, and
+//! a sign turns where its power passes through zero ([`crate::branch`]). The torques are continuous there. If
+//! they instead run to infinity on the way, no torque at the input keeps the gear moving at the full losses
+//! and there is no branch.
 
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};

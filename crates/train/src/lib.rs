@@ -30,8 +30,9 @@
 //! | [`groups`], [`names`] | links that turn as one, names that may be mistyped |
 //! | [`drawn`] | sets as drawings take them |
 //!
-//! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace.
-//! Losses are those of the meshes; those of bearings, churning, seals and open shift elements are given curves ([`drag`]).
+//! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace. Losses
+//! are those of the meshes; those of bearings, churning, seals and open shift elements are given curves
+//! ([`drag`]).
 //!
 //! # Example
 //!

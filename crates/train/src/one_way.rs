@@ -1,8 +1,9 @@
 //! One-way clutches: whether each holds or overruns, on drive and on coast.
 //!
-//! A one-way clutch between links `a` and `b` keeps `a` from turning slower than `b`. It holds with a torque on
-//! `a` that is positive, and overruns with a slip `ω_a − ω_b` that is positive. A gear that relies on it counts it
-//! as engaged; whether that is so follows from the torque, and whether the others stay free from the slip:
+//! A one-way clutch between links `a` and `b` keeps `a` from turning slower than `b`. It holds with a torque
+//! on `a` that is positive, and overruns with a slip `ω_a − ω_b` that is positive. A gear that relies on it
+//! counts it as engaged; whether that is so follows from the torque, and whether the others stay free from
+//! the slip:
 //!
 //! | the gear | finds | then it |
 //! |---|---|---|
@@ -13,8 +14,8 @@
 //! | | slip = 0 | idles; what stands beside it takes the torque |
 //! | | slip < 0 | would hold: the gear contradicts itself |
 //!
-//! Speeds are those of an input that turns forwards. At an [operating point](Operation) the torques and speeds are what they are:
-//! [`Analysis::released`] tells which clutches let go there.
+//! Speeds are those of an input that turns forwards. At an [operating point](Operation) the torques and
+//! speeds are what they are: [`Analysis::released`] tells which clutches let go there.
 
 use crate::tolerance::{POWER, SPEED};
 use crate::{Analysis, Direction, LoadCase, Operation};
@@ -82,8 +83,8 @@ impl Analysis<'_> {
             .collect()
     }
 
-    /// Whether the output can drive the input: every one-way clutch that the gear relies on holds on coast too.
-    /// `None` without such clutches, or where one's torque does not follow.
+    /// Whether the output can drive the input: every one-way clutch that the gear relies on holds on coast
+    /// too. `None` without such clutches, or where one's torque does not follow.
     #[must_use]
     pub fn has_engine_braking(&self) -> Option<bool> {
         let relied: Vec<Duty> =
@@ -94,8 +95,9 @@ impl Analysis<'_> {
         Some(!relied.contains(&Duty::Overruns))
     }
 
-    /// One-way clutches that the gear relies on and that let go at this operating point, since it asks of them a torque below 0 on
-    /// their first links: no such operation exists. Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
+    /// One-way clutches that the gear relies on and that let go at this operating point, since it asks of
+    /// them a torque below 0 on their first links: no such operation exists. Places in
+    /// [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     #[must_use]
     pub fn released(&self, operation: &Operation) -> Vec<usize> {
         let case = match operation.direction {

@@ -1,6 +1,7 @@
 //! Where the planets of a set stand on its carrier.
 //!
-//! Planets are at equal angles unless a set says otherwise. Of each kind of planet as many stand at the same angles.
+//! Planets are at equal angles unless a set says otherwise. Of each kind of planet as many stand at the same
+//! angles.
 //!
 //! ```text
 //! θ_j = 2π·p_j/G         p_j an integer: an assembly position
@@ -11,7 +12,8 @@
 //! | `θ_j` | angle of planet `j` from the first, about the main axis | rad |
 //! | `G` | assembly positions in a turn ([`PlanetSet::assembly_positions`]): `z_a + z_b` of a simple set, `z_b − z_a` of a double planet | 1 |
 //!
-//! Planets at equal angles fit where their number divides `G`; at angles that are given where each is an assembly position from the first.
+//! Planets at equal angles fit where their number divides `G`; at angles that are given where each is an
+//! assembly position from the first.
 
 use crate::compound::CentralKind;
 use crate::planet_set::{GearOf, PlanetSet};
@@ -84,8 +86,8 @@ impl PlanetSet {
         self.description().spacing()
     }
 
-    /// Assembly positions in a turn, `G`: the number of angles from another planet at which a planet, or tree of planets in mesh, can be put
-    /// in; 0 where any angle will do, `None` where it is not known.
+    /// Assembly positions in a turn, `G`: the number of angles from another planet at which a planet, or tree
+    /// of planets in mesh, can be put in; 0 where any angle will do, `None` where it is not known.
     ///
     /// The number of planets at equal angles divides it.
     ///
@@ -108,7 +110,8 @@ impl PlanetSet {
         slots(self).and_then(|slots| u64::try_from(slots).ok())
     }
 
-    /// Angles of its planets about the main axis, in the order in which they are given; of planets whose number is not known none.
+    /// Angles of its planets about the main axis, in the order in which they are given; of planets whose
+    /// number is not known none.
     ///
     /// Given angles near an assembly position are told as that position.
     #[must_use]
@@ -139,7 +142,8 @@ impl PlanetSet {
         }
     }
 
-    /// The least angle between neighbouring planets where its spacing is not the usual equal one; `None` of one planet.
+    /// The least angle between neighbouring planets where its spacing is not the usual equal one; `None` of
+    /// one planet.
     #[must_use]
     pub fn least_planet_angle(&self) -> Option<Angle> {
         if *self.spacing() == Spacing::default() {
@@ -201,8 +205,8 @@ impl At {
     }
 }
 
-/// `G`, which the number of planets at equal angles must divide; 0 where any number does, `None` where it is not
-/// known.
+/// `G`, which the number of planets at equal angles must divide; 0 where any number does, `None` where it is
+/// not known.
 fn slots(set: &PlanetSet) -> Option<u128> {
     if set.centrals().iter().any(|central| central.kind == CentralKind::PlanetShaft) {
         return None;

@@ -1,4 +1,5 @@
-//! Forces on the bearings of every planet of a set in a gear: what is known of the set's size, and what follows.
+//! Forces on the bearings of every planet of a set in a gear: what is known of the set's size, and what
+//! follows.
 //!
 //! # Geometry
 //! A planet's centre stands at the radius `R` from the main axis. Without profile shift
@@ -10,11 +11,11 @@
 //! simple set         R = m·(z_a + z_b)/4    r_a = 2·R/(1 + k)          r_b = k·r_a      where the teeth of the planets are not known
 //! ```
 //!
-//! A radius that is given goes before that of module and teeth: shifted profiles move the planets. Of several meshes
-//! of one planet that say different radii, one with a module of its own goes first, then the first; the pitch radii
-//! of the others follow from the common `R`, as in a stepped planet with two modules. Two planets in mesh stand apart
-//! by the angle `ψ` about the main axis, the one described later ahead in the positive direction of rotation, unless
-//! [`MeshSize::is_behind`] says otherwise: the forces depend on it.
+//! A radius that is given goes before that of module and teeth: shifted profiles move the planets. Of several
+//! meshes of one planet that say different radii, one with a module of its own goes first, then the first;
+//! the pitch radii of the others follow from the common `R`, as in a stepped planet with two modules. Two
+//! planets in mesh stand apart by the angle `ψ` about the main axis, the one described later ahead in the
+//! positive direction of rotation, unless [`MeshSize::is_behind`] says otherwise: the forces depend on it.
 //!
 //! # Forces
 //! Of `N` planets that carry alike, each feels
@@ -37,26 +38,29 @@
 //! | `F_t` | tangential force, along the orbit | N |
 //! | `F_r`, `F_c` | radial force of the meshes, centrifugal force, both positive outwards | N |
 //!
-//! `F_t` is positive in the direction in which all planets together push the carrier, against `T_H`; where `T_H` is
-//! nothing, along the positive direction of rotation. So of a set with one planet `F_t = |T_H|/(N·R)`, and in every
-//! set `Σ N·F_t·R = |T_H|` over its planets, with losses or without.
+//! `F_t` is positive in the direction in which all planets together push the carrier, against `T_H`; where
+//! `T_H` is nothing, along the positive direction of rotation. So of a set with one planet
+//! `F_t = |T_H|/(N·R)`, and in every set `Σ N·F_t·R = |T_H|` over its planets, with losses or without.
 //!
 //! # Losses
-//! The torques of a gear with losses do not balance about a planet's own axis: the model takes the loss of a mesh
-//! from the torque and leaves the force at the pitch point, so mesh forces `T_c/(N·r_c)` and the carrier's torque
-//! differ by the loss. A planet between two central gears and nothing else hands on what it takes, and its mesh forces
-//! `F_c` are those of [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
-//! `F_c = |T_c|/(N·r_c)`. Here the *moments about the main axis* are taken, which balance exactly, so that the bearings
-//! hand the carrier what the torques say. The force between two planets follows from the power through their mesh:
-//! of the powers `g·T` of the central gears on both sides, with `g` the speeds relative to the carrier, each mesh on the way
-//! passes on its part `η`, and `τ_q·g_p·N` is the mean of what enters the mesh and of what leaves it. So a planet that carries
-//! nothing feels nothing. It needs no motion: where the powers add to nothing the set turns as a block or loses nothing, and no mesh takes a part.
-//! A central gear in mesh with planets of two kinds shares its torque among them likewise.
+//! The torques of a gear with losses do not balance about a planet's own axis: the model takes the loss of a
+//! mesh from the torque and leaves the force at the pitch point, so mesh forces `T_c/(N·r_c)` and the
+//! carrier's torque differ by the loss. A planet between two central gears and nothing else hands on what it
+//! takes, and its mesh forces `F_c` are those of
+//! [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
+//! `F_c = |T_c|/(N·r_c)`. Here the *moments about the main axis* are taken, which balance exactly, so that
+//! the bearings hand the carrier what the torques say. The force between two planets follows from the power
+//! through their mesh: of the powers `g·T` of the central gears on both sides, with `g` the speeds relative
+//! to the carrier, each mesh on the way passes on its part `η`, and `τ_q·g_p·N` is the mean of what enters
+//! the mesh and of what leaves it. So a planet that carries nothing feels nothing. It needs no motion: where
+//! the powers add to nothing the set turns as a block or loses nothing, and no mesh takes a part. A central
+//! gear in mesh with planets of two kinds shares its torque among them likewise.
 //!
 //! # Left out
-//! Bevel planets ([`Lack::Bevel`]); the couple of the two planes of a stepped planet, which loads two bearings
-//! unequally; what the pins of a planet shaft (K-H-V) press on their disc beyond a pure couple; weight, helix angle,
-//! unequal load sharing; the working pressure angle of meshes whose shifts are not given.
+//! Bevel planets ([`Lack::Bevel`]); the couple of the two planes of a stepped planet, which loads two
+//! bearings unequally; what the pins of a planet shaft (K-H-V) press on their disc beyond a pure couple;
+//! weight, helix angle, unequal load sharing; the working pressure angle of meshes whose shifts are not
+//! given.
 
 mod flows;
 mod forces;
@@ -110,8 +114,8 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositive`] and the like for an invalid size, [`Error::OutOfRange`] for sizes of more planets,
-    /// gears or meshes than the set has.
+    /// [`Error::NotPositive`] and the like for an invalid size, [`Error::OutOfRange`] for sizes of more
+    /// planets, gears or meshes than the set has.
     #[must_use]
     pub fn planet_bearings(&self, set: usize, size: &SetSize) -> Option<Result<Vec<PlanetBearing>, Error>> {
         let own = self.sets.get(set).filter(|own| !own.is_pair())?;
@@ -232,7 +236,8 @@ impl PlanetSet {
         given
     }
 
-    /// A mesh as this planet feels it, with a working pressure angle of its own; `None` where it is not one of its own.
+    /// A mesh as this planet feels it, with a working pressure angle of its own; `None` where it is not one
+    /// of its own.
     fn contact(
         &self,
         planet: usize,

@@ -1,4 +1,5 @@
-//! Where the planets of a set stand: radii of their centres, and the distances and angles between those in mesh.
+//! Where the planets of a set stand: radii of their centres, and the distances and angles between those in
+//! mesh.
 //!
 //! ```text
 //! planet and sun     R = m·(z_c + z_p)/2        planet and ring    R = m·(z_c − z_p)/2
@@ -12,9 +13,9 @@
 //! | `ψ` | angle between them about the main axis | rad |
 //! | `m` | module of the mesh; meshes of one gear have one module | any |
 //!
-//! Gears without profile shift. A radius that is given goes before one of module and teeth, and gives the module of
-//! meshes for which none is given. Where meshes of one planet say different radii, one with a module of its own goes
-//! before one that has that of the set, and an earlier one before a later.
+//! Gears without profile shift. A radius that is given goes before one of module and teeth, and gives the
+//! module of meshes for which none is given. Where meshes of one planet say different radii, one with a
+//! module of its own goes before one that has that of the set, and an earlier one before a later.
 
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
@@ -81,7 +82,8 @@ pub(crate) struct Places {
     pub(crate) pairs: Vec<Result<Pair, NoPair>>,
 }
 
-/// Teeth of a gear; of the planet of a simple set also those that equal centre distances leave it, whole or not.
+/// Teeth of a gear; of the planet of a simple set also those that equal centre distances leave it, whole or
+/// not.
 pub(crate) fn teeth_of(set: &PlanetSet, gear: GearOf) -> Option<f64> {
     let known = set.teeth(gear).map(ToothCount::as_f64);
     known.or_else(|| {
@@ -117,7 +119,8 @@ pub(crate) fn planet_mesh(set: &PlanetSet, mesh: usize) -> Option<[GearOf; 2]> {
     Some(if first < second { [one, other] } else { [other, one] })
 }
 
-/// The teeth of a mesh between a central gear and a planet, the central gear first; none that leave no centre distance.
+/// The teeth of a mesh between a central gear and a planet, the central gear first; none that leave no centre
+/// distance.
 fn teeth_in_mesh(set: &PlanetSet, mesh: usize) -> Option<Mesh> {
     let (central, gear) = central_mesh(set, mesh)?;
     let (central, planet) = (teeth_of(set, GearOf::Central(central))?, teeth_of(set, gear)?);
@@ -228,15 +231,16 @@ fn pair(
 /// A set of unshifted gears seen along its axis. Lengths are in modules of its first mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlongAxis {
-    /// Module of each mesh, over that of the first: of a stepped planet the modules that its one centre distance asks for.
+    /// Module of each mesh, over that of the first: of a stepped planet the modules that its one centre
+    /// distance asks for.
     pub modules: Vec<f64>,
     /// Radius of each planet's centre, and its angle about the axis in rad. The first planet stands at 0.
     pub planets: Vec<[f64; 2]>,
 }
 
 impl PlanetSet {
-    /// Where the planets of a set stand as its teeth alone say it; nothing where a tooth number is not known, of bevel gears, of pairs on fixed
-    /// axes, and where two planets in mesh do not reach each other.
+    /// Where the planets of a set stand as its teeth alone say it; nothing where a tooth number is not known,
+    /// of bevel gears, of pairs on fixed axes, and where two planets in mesh do not reach each other.
     #[must_use]
     pub fn along_axis(&self) -> Option<AlongAxis> {
         let mut given = Given::nothing(self);
@@ -261,8 +265,8 @@ impl PlanetSet {
 }
 
 impl Places {
-    /// Angles of the planets about the main axis, from the first of those that meshes of planets tie together; and
-    /// which is that first.
+    /// Angles of the planets about the main axis, from the first of those that meshes of planets tie
+    /// together; and which is that first.
     pub(crate) fn angles(&self, set: &PlanetSet) -> Vec<(usize, f64)> {
         let mut angles: Vec<(usize, f64)> = (0..self.radii.len()).map(|planet| (planet, 0.0)).collect();
         // Meshes form a tree: each joins two groups of planets.

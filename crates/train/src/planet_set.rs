@@ -1,16 +1,17 @@
 //! A planet set: a carrier, its planets, its central gears, and the tree of their meshes.
 //!
 //! # One type for all
-//! Every set of a gearbox is one of these, whether described in short ([`SetSpec`]) or whole ([`CompoundSpec`]).
-//! Relative to the carrier it has one freedom. With `ν = ω − ω_H` of any gear and `g` its factor,
+//! Every set of a gearbox is one of these, whether described in short ([`SetSpec`]) or whole
+//! ([`CompoundSpec`]). Relative to the carrier it has one freedom. With `ν = ω − ω_H` of any gear and `g` its
+//! factor,
 //!
 //! ```text
 //! speeds     ν_c/g_c = ν_r/g_r                             m − 1 equations for m central gears
 //! torques    Σ T + T_H = 0    Σ g_c·T_c·Π η_j^w_j = 0      the product over the meshes between c and r
 //! ```
 //!
-//! `r` is a central gear of reference, the *root*; `w_j` is +1 where power flows towards it through mesh `j`, −1
-//! where it flows away, 0 where none passes. The answer does not depend on which gear is the root.
+//! `r` is a central gear of reference, the *root*; `w_j` is +1 where power flows towards it through mesh `j`,
+//! −1 where it flows away, 0 where none passes. The answer does not depend on which gear is the root.
 //!
 //! # Equations
 //! The solver takes a set as `m − 1` equations of three links each, from the root to another central gear:
@@ -21,8 +22,8 @@
 //! ```
 //!
 //! Central gears are taken in the order in which a walk through the tree meets them, so that those behind any
-//! mesh are neighbours. Meshes with the same gears behind them always carry power in the same direction; they are one
-//! *segment*. A set with two central gears has one equation and one segment.
+//! mesh are neighbours. Meshes with the same gears behind them always carry power in the same direction; they
+//! are one *segment*. A set with two central gears has one equation and one segment.
 
 use crate::compound::{CentralKind, CompoundSpec, SetMember};
 use crate::elimination::decimal;
@@ -306,7 +307,8 @@ impl PlanetSet {
         factor(first) / factor(second)
     }
 
-    /// Whether two members turn alike whatever the set does: central gears with a basic ratio of exactly 1 between them.
+    /// Whether two members turn alike whatever the set does: central gears with a basic ratio of exactly 1
+    /// between them.
     pub(crate) fn turn_alike(&self, first: usize, second: usize) -> bool {
         let is_central = first.max(second) < self.centrals.len();
         is_central && {
@@ -349,7 +351,8 @@ impl PlanetSet {
         (0..self.meshes.len()).filter(|&mesh| behind(first, mesh) != behind(second, mesh)).collect()
     }
 
-    /// Body of a gear: central gears first in their order, then planets. A planet shaft is of the body of its planet.
+    /// Body of a gear: central gears first in their order, then planets. A planet shaft is of the body of its
+    /// planet.
     #[must_use]
     pub fn body(&self, gear: GearOf) -> usize {
         match gear {
@@ -417,7 +420,8 @@ impl PlanetSet {
         Ok(set)
     }
 
-    /// Walks from the first central gear along the meshes and finds the factor of every body whose teeth are known.
+    /// Walks from the first central gear along the meshes and finds the factor of every body whose teeth are
+    /// known.
     fn find_factors(&mut self) {
         // The teeth of a planet with one gear cancel between its meshes; it is taken by its pitch line.
         let is_compound = self.short().is_none();
@@ -539,7 +543,8 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
             ]
         }
     };
-    // What teeth do not give: the second central gear from k, and by equal centre distances the planet of a simple set.
+    // What teeth do not give: the second central gear from k, and by equal centre distances the planet of a
+    // simple set.
     let mut factors = vec![None; 2 + planets.len()];
     let mut known = vec![None; 2 + planets.len()];
     factors[1] = Some(1.0 / ratio.get());

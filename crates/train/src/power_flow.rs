@@ -6,11 +6,11 @@
 //! carrier and loses nothing.
 //!
 //! # Circulating power
-//! The power graph has an arc for every member of every set and for every connection, from where its power comes
-//! to where it goes, and the power as its flow. A *circulation* takes from each arc no more than its flow, none
-//! backwards, and is balanced at every link and set. What circulates through an arc is the largest circulation
-//! through it; what circulates in the gear is the largest of all arcs. It is 0 exactly where no directed loop
-//! exists, and depends on no order.
+//! The power graph has an arc for every member of every set and for every connection, from where its power
+//! comes to where it goes, and the power as its flow. A *circulation* takes from each arc no more than its
+//! flow, none backwards, and is balanced at every link and set. What circulates through an arc is the largest
+//! circulation through it; what circulates in the gear is the largest of all arcs. It is 0 exactly where no
+//! directed loop exists, and depends on no order.
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
@@ -79,7 +79,8 @@ impl PowerFlow {
         self.circulating_by(Way::Member { set, member })
     }
 
-    /// The part of a shift element's power, torque on its first link times that link's speed, that can circulate.
+    /// The part of a shift element's power, torque on its first link times that link's speed, that can
+    /// circulate.
     #[must_use]
     pub fn circulating_shift_element(&self, shift_element: usize) -> f64 {
         self.circulating_by(Way::ShiftElement(shift_element))
@@ -135,8 +136,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
-    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one link under two
-    // names circulates as much as under one.
+    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one
+    // link under two names circulates as much as under one.
     let mut pieces: Option<Groups> = None;
     let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.shift_element.is_none();
     for (edge, _) in topology.edges.iter().zip(edges).filter(is_one) {
@@ -215,8 +216,8 @@ fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque
     })
 }
 
-/// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it give and
-/// take, through the meshes between. `signs` are those of its segments, none without losses.
+/// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it
+/// give and take, through the meshes between. `signs` are those of its segments, none without losses.
 ///
 /// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no direction.
 pub(crate) fn mesh_powers(

@@ -62,13 +62,14 @@ impl MeshLoss {
     }
 }
 
-/// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring
-/// inwards.
+/// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one
+/// above 0 moves the tips of a ring inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Shifts {
     /// Profile shift coefficients `x`, modules.
     pub profile: [f64; 3],
-    /// Tip alterations `k`, below 0 shorter, modules; where none are given the tips of the ring are shortened to stay out of the fillets of the planets.
+    /// Tip alterations `k`, below 0 shorter, modules; where none are given the tips of the ring are shortened
+    /// to stay out of the fillets of the planets.
     pub tips: Option<[f64; 3]>,
 }
 
@@ -89,7 +90,8 @@ pub struct SetSpec {
     pub id: String,
     /// Kind.
     pub kind: SetKind,
-    /// Links of sun (central gear 1), ring (central gear 2) and carrier. That of a pair's carrier is `ground`.
+    /// Links of sun (central gear 1), ring (central gear 2) and carrier. That of a pair's carrier is
+    /// `ground`.
     pub members: [String; 3],
     /// Ratio or teeth.
     pub gearing: Gearing,

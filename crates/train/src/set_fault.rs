@@ -1,4 +1,5 @@
-//! What keeps a description of a set from being one: its meshes, the spacing of its planets, members that are one piece.
+//! What keeps a description of a set from being one: its meshes, the spacing of its planets, members that are
+//! one piece.
 
 use crate::compound::SetMember;
 

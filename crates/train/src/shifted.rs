@@ -1,4 +1,5 @@
-//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their friction takes.
+//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their
+//! friction takes.
 
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_gears::geometry::GearKind;
@@ -17,8 +18,8 @@ impl SetSpec {
         Self { shifts: Some(shifts), ..self }
     }
 
-    /// The same set with helical teeth, of this helix angle at the reference cylinders; simple sets alone have them. The module is then the
-    /// normal module, as in ISO 21771.
+    /// The same set with helical teeth, of this helix angle at the reference cylinders; simple sets alone
+    /// have them. The module is then the normal module, as in ISO 21771.
     #[must_use]
     pub fn helical(self, helix_angle: Angle) -> Self {
         Self { helix_angle, ..self }
@@ -42,13 +43,15 @@ impl SetSpec {
         self.helix_angle.si() != 0.0
     }
 
-    /// The gears with their shifts on the centre distance at which sun and planets have no backlash; planets of an unknown number are taken
-    /// as one.
+    /// The gears with their shifts on the centre distance at which sun and planets have no backlash; planets
+    /// of an unknown number are taken as one.
     ///
-    /// `None` of a set with neither shifts nor helical teeth, and of one that is not simple or whose teeth are not all known.
+    /// `None` of a set with neither shifts nor helical teeth, and of one that is not simple or whose teeth
+    /// are not all known.
     ///
     /// # Errors
-    /// Those of [`InvoluteGear::new`] and [`Pair::without_backlash`] for shifts that leave no teeth or no mesh.
+    /// Those of [`InvoluteGear::new`] and [`Pair::without_backlash`] for shifts that leave no teeth or no
+    /// mesh.
     #[must_use]
     pub fn involute_set(&self, rack: &BasicRack) -> Option<Result<PlanetSet, Error>> {
         match self.shifts {
@@ -58,7 +61,8 @@ impl SetSpec {
         }
     }
 
-    /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre distances need none.
+    /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre
+    /// distances need none.
     ///
     /// `None` of a set that is not simple, whose teeth are not known, or that needs shifts and has none.
     ///
@@ -76,7 +80,8 @@ impl SetSpec {
         self.with_shifts(self.shifts.unwrap_or_default(), planet, rack)
     }
 
-    /// Losses of a simple set by the sliding of its teeth, at coefficients of friction of the meshes sun–planet and planet–ring.
+    /// Losses of a simple set by the sliding of its teeth, at coefficients of friction of the meshes
+    /// sun–planet and planet–ring.
     ///
     /// ```text
     /// η_j = 1 − H_V,j·μ_m,j

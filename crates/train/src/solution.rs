@@ -25,7 +25,8 @@ pub(crate) struct Run {
 /// [`Direction`]. Equations and segments are the gear's active ones.
 #[derive(Debug, Clone, Default)]
 pub struct Solution {
-    /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the nodes.
+    /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the
+    /// nodes.
     numbers: Vec<f64>,
     equations: usize,
     /// Of each segment the direction of its power without losses, then with losses.
@@ -104,7 +105,8 @@ impl Solution {
 
     /// Power that leaves over power that enters; `None` where no torque moves the gear against its losses.
     ///
-    /// At or below zero the gear is self-locking in this direction: it moves only if power enters at both ends.
+    /// At or below zero the gear is self-locking in this direction: it moves only if power enters at both
+    /// ends.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
         self.has_branch.then_some(self.efficiency)
@@ -128,7 +130,8 @@ impl Solution {
         self.of_equations(0)
     }
 
-    /// Direction of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0 none.
+    /// Direction of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0
+    /// none.
     #[must_use]
     pub fn signs(&self) -> &[i8] {
         &self.senses[self.senses.len() / 2..]

@@ -8,8 +8,8 @@ use crate::{Gear, Gearbox};
 /// How a set moves; speeds are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetMotion {
-    /// Speeds of the members, in the order of [`PlanetSet::members`]: the carrier last. `None` where they do not
-    /// follow.
+    /// Speeds of the members, in the order of [`PlanetSet::members`]: the carrier last. `None` where they do
+    /// not follow.
     pub members: Vec<Option<f64>>,
     /// Speed of the first central gear relative to the carrier, `ω_1 − ω_H`.
     pub relative: Option<f64>,

@@ -184,7 +184,8 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     let mut equations: Vec<usize> = speeds.pivots.iter().map(|(equation, _)| *equation).collect();
     equations.sort_unstable();
     let count = gearbox.equations.len();
-    // Independent equations that leave but the input free, and connections without a loop: every torque follows.
+    // Independent equations that leave but the input free, and connections without a loop: every torque
+    // follows.
     let is_square = equations.len() == count && topology.is_forest && chosen.is_empty() && !input_blocked;
     if is_square && !at_rest(topology.output) {
         return Some(Verdict {

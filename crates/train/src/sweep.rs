@@ -1,15 +1,16 @@
 //! States, ratios and efficiencies of the gears of a gearbox for many basic ratios of its sets.
 //!
 //! # Method
-//! Where a gear has as many equations as speeds to settle, and no loop of connections, it is driven where these
-//! equations are independent and the output turns. `proof` eliminates with a bound on the error of every number:
-//! where each pivot is certainly not 0 and the output's speed has certain digits, nothing else is needed for state and
-//! ratio, and the compiled gear gives the efficiency. Everything else, gears of another form too, takes the way of
-//! [`Gearbox::analyze`] at these basic ratios. So a state is proved here as it is there.
+//! Where a gear has as many equations as speeds to settle, and no loop of connections, it is driven where
+//! these equations are independent and the output turns. `proof` eliminates with a bound on the error of
+//! every number: where each pivot is certainly not 0 and the output's speed has certain digits, nothing else
+//! is needed for state and ratio, and the compiled gear gives the efficiency. Everything else, gears of
+//! another form too, takes the way of [`Gearbox::analyze`] at these basic ratios. So a state is proved here
+//! as it is there.
 //!
 //! # What is left out
-//! The losses are those that the gearbox was described with: they do not change with `k`. Sets described gear by gear
-//! keep their basic ratios.
+//! The losses are those that the gearbox was described with: they do not change with `k`. Sets described gear
+//! by gear keep their basic ratios.
 
 mod proof;
 
@@ -158,8 +159,9 @@ impl Sweep {
     /// What the gears do with these `k` of the varied sets, in the order in which both were given.
     ///
     /// # Errors
-    /// [`Error::ValueCount`] unless there is one `k` a set, [`Error::RingToSunRatio`] for one that the kind of its set
-    /// cannot have, [`Error::Spread`] for basic ratios that multiply to more than numbers can tell.
+    /// [`Error::ValueCount`] unless there is one `k` a set, [`Error::RingToSunRatio`] for one that the kind
+    /// of its set cannot have, [`Error::Spread`] for basic ratios that multiply to more than numbers can
+    /// tell.
     pub fn solve(&mut self, k: &[f64], found: &mut Vec<Swept>) -> Result<(), Error> {
         if k.len() != self.varied.len() {
             let (given, expected) = (k.len(), self.varied.len());

@@ -73,7 +73,8 @@ pub(crate) const LEAST_WEIGHT: f64 = 1e-6;
 /// Rounding that the cosine of a flat triangle may have.
 pub(crate) const FLAT: f64 = 1e-9;
 
-/// Teeth of a described set may be thicker than their pitch by this many modules: shifts printed to four digits leave as much.
+/// Teeth of a described set may be thicker than their pitch by this many modules: shifts printed to four
+/// digits leave as much.
 pub(crate) const PRINTED_SHIFTS: f64 = 5e-4;
 
 /// A length in modules below which two circles only touch.

@@ -1,12 +1,13 @@
 //! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut, interference.
 //!
-//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with them instead: limits, interference and clearance as
-//! [`involute::set`](epicyclic_gears::involute::set) has them, with flanks that may press by what printed shifts are rounded by.
+//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with them instead: limits,
+//! interference and clearance as [`involute::set`](epicyclic_gears::involute::set) has them, with flanks that
+//! may press by what printed shifts are rounded by.
 //!
-//! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile shift, teeth
-//! of other proportions, planets at unequal angles. All else is said of gears without profile shift. Lengths are in
-//! modules; gears that mesh with one another, and all meshes of one gear, have one module, and nothing more is
-//! assumed: the steps of a planet may differ in theirs.
+//! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile
+//! shift, teeth of other proportions, planets at unequal angles. All else is said of gears without profile
+//! shift. Lengths are in modules; gears that mesh with one another, and all meshes of one gear, have one
+//! module, and nothing more is assumed: the steps of a planet may differ in theirs.
 //!
 //! ```text
 //! centre distance   2·R/m = z_c ± z_p           + sun, − ring; the same for all central gears of one planet gear
@@ -22,24 +23,28 @@
 //! | `h_a*`, `α` | addendum coefficient and pressure angle of the teeth | 1, deg |
 //! | `N` | planets of a kind, at equal angles `2π/N` unless the set [says otherwise](crate::planet_angles) | 1 |
 //!
-//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at [given angles](crate::planet_angles). Two planets in mesh stand apart by the angle of
-//! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it does not mesh with. Gears
-//! that do not mesh may lie beside each other along the axis, as the short planets and the large sun of a Ravigneaux
-//! set do; that they must is a remark.
+//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at
+//! [given angles](crate::planet_angles). Two planets in mesh stand apart by the angle of
+//! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it
+//! does not mesh with. Gears that do not mesh may lie beside each other along the axis, as the short planets
+//! and the large sun of a Ravigneaux set do; that they must is a remark.
 //!
 //! # Assembly
-//! Moved from one place to the next a planet, or tree of planets in mesh, finds every central gear turned by `z_c/N`
-//! teeth back. It fits where each planet can turn by some angle `x_p` (in revolutions) so that every mesh is whole:
+//! Moved from one place to the next a planet, or tree of planets in mesh, finds every central gear turned by
+//! `z_c/N` teeth back. It fits where each planet can turn by some angle `x_p` (in revolutions) so that every
+//! mesh is whole:
 //!
 //! ```text
 //! s·z_p·x_p ≡ z_c/N (mod 1)       of each mesh with a central gear, s = + sun, − ring
 //! z_p·x_p + z_q·x_q ≡ 0 (mod 1)   of each mesh of two planets
 //! ```
 //!
-//! Integer combinations of the lines that lose all `x` leave `v_j/N ≡ 0`, so `N` divides the number of assembly positions
-//! `G = gcd(v_j)`. Of planets at given angles the same holds for any `θ/2π` in place of `1/N`: each is a multiple of `2π/G` from the first. A simple set has `G = z_a + z_b`, a double planet `z_b − z_a`, a stepped one between sun and ring
-//! `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are identical, also in the phase of their steps. Exact, in integers.
-//! Of sets with a planet shaft it says nothing: how many pins the shaft has is not known.
+//! Integer combinations of the lines that lose all `x` leave `v_j/N ≡ 0`, so `N` divides the number of
+//! assembly positions `G = gcd(v_j)`. Of planets at given angles the same holds for any `θ/2π` in place of
+//! `1/N`: each is a multiple of `2π/G` from the first. A simple set has `G = z_a + z_b`, a double planet
+//! `z_b − z_a`, a stepped one between sun and ring `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are
+//! identical, also in the phase of their steps. Exact, in integers. Of sets with a planet shaft it says
+//! nothing: how many pins the shaft has is not known.
 
 mod list;
 mod warning;
@@ -67,7 +72,8 @@ use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 
 impl Gearbox {
-    /// What does not fit in the teeth of its sets, set by set: the [checks](Self::set_checks) that do not hold but for remarks, in words.
+    /// What does not fit in the teeth of its sets, set by set: the [checks](Self::set_checks) that do not
+    /// hold but for remarks, in words.
     ///
     /// ```
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
@@ -93,7 +99,8 @@ impl Gearbox {
     }
 }
 
-/// Whether the planets of a set can be put in and clear each other; `None` where their number, teeth or places are not known.
+/// Whether the planets of a set can be put in and clear each other; `None` where their number, teeth or
+/// places are not known.
 ///
 /// Of gears without profile shift, or of a simple set with its shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,7 +112,8 @@ pub struct PlanetFit {
 }
 
 impl PlanetSet {
-    /// Teeth of a gear; of the planet of a simple set without planet teeth those that equal centre distances leave it, whole or not.
+    /// Teeth of a gear; of the planet of a simple set without planet teeth those that equal centre distances
+    /// leave it, whole or not.
     #[must_use]
     pub fn teeth_or_coaxial(&self, gear: GearOf) -> Option<f64> {
         teeth_of(self, gear)
@@ -332,7 +340,8 @@ impl<'a> Checks<'a> {
         alike.chain(meshing).collect()
     }
 
-    /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes, their groups being these angles apart.
+    /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes, their
+    /// groups being these angles apart.
     fn gap(&self, one: &Neighbours, steps: &[f64]) -> Option<f64> {
         let circle = |gear: GearOf| {
             let centre_radius = self.places.radii[planet_of(gear).unwrap_or_default()]?;
@@ -343,7 +352,8 @@ impl<'a> Checks<'a> {
         steps.iter().map(|step| first.gap(second, one.angle_rad + step)).reduce(f64::min)
     }
 
-    /// Whether planets of each kind, their groups being these angles apart, clear each other, as far as is known.
+    /// Whether planets of each kind, their groups being these angles apart, clear each other, as far as is
+    /// known.
     fn clears(&self, neighbours: &[Neighbours], steps: &[f64]) -> bool {
         neighbours.iter().all(|one| self.gap(one, steps).is_none_or(|gap| gap > TOUCH))
     }

@@ -61,7 +61,8 @@ impl Topology {
     }
 }
 
-/// The factors `1, −i, i − 1` of an equation over the nodes of its three links, sums of those that share a node.
+/// The factors `1, −i, i − 1` of an equation over the nodes of its three links, sums of those that share a
+/// node.
 ///
 /// Sums are taken in closed form, so that a block leaves exactly nothing. Where two members are one node, the
 /// equation says that the third turns with them, and its factors are 1 and −1.
@@ -99,7 +100,8 @@ pub(crate) fn fractions(gearbox: &Gearbox) -> Option<Vec<Fraction>> {
     gearbox.equations.iter().map(|one| one.rational).collect()
 }
 
-/// The same as rationals of any size; those that were computed, and are neither of teeth nor decimals, are numbered.
+/// The same as rationals of any size; those that were computed, and are neither of teeth nor decimals, are
+/// numbered.
 pub(crate) fn traced(gearbox: &Gearbox) -> Option<Vec<Traced>> {
     let mut computed: Vec<f64> = vec![];
     let of = |one: &crate::gearbox::Equation| match &one.rational {

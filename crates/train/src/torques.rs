@@ -17,8 +17,8 @@ use crate::{Gearbox, LinkId};
 pub struct LoadCase {
     /// Which way power runs.
     pub direction: Direction,
-    /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members): the
-    /// carrier last; `None` in an idle set whose torque nothing settles.
+    /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members):
+    /// the carrier last; `None` in an idle set whose torque nothing settles.
     pub members: Vec<Option<Vec<f64>>>,
     /// Torque of each shift element on its first link (the second takes the opposite): 0 when open, `None`
     /// where elements in a loop share it in a way that nothing settles.
@@ -32,9 +32,9 @@ pub struct LoadCase {
     /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear is
     /// self-locking in this direction.
     pub efficiency: f64,
-    /// Direction of the rolling power in each segment of meshes that carry power together, set by set: 1 away from the
-    /// gear of reference, −1 towards it, 0 none (and so no loss). A set with two central gears has one segment, 1
-    /// from the first to the second.
+    /// Direction of the rolling power in each segment of meshes that carry power together, set by set: 1 away
+    /// from the gear of reference, −1 towards it, 0 none (and so no loss). A set with two central gears has
+    /// one segment, 1 from the first to the second.
     pub signs: Vec<i8>,
     /// Powers.
     pub power: PowerFlow,

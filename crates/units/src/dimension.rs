@@ -4,8 +4,8 @@ use std::fmt;
 
 /// What a quantity is a quantity of.
 ///
-/// Torque and energy have the same base units but are different things here: `520 N·m` is a torque, `520 J` an energy.
-/// Of temperatures there are differences only, since their units have no offsets.
+/// Torque and energy have the same base units but are different things here: `520 N·m` is a torque, `520 J`
+/// an energy. Of temperatures there are differences only, since their units have no offsets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Dimension {

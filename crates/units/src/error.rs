@@ -3,8 +3,8 @@
 use super::dimension::Dimension;
 use crate::visible::one_line;
 
-/// A text that is not the number or quantity it should be. Each message shows the text, what is wrong, and what to
-/// write instead.
+/// A text that is not the number or quantity it should be. Each message shows the text, what is wrong, and
+/// what to write instead.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {

@@ -2,7 +2,8 @@
 
 use crate::{conversion::Physical, dimension::Dimension, unit::Unit};
 
-/// `value` to `digits` significant digits, trailing zeros kept, with an exponent only below 1e-5 or from 1e15 on.
+/// `value` to `digits` significant digits, trailing zeros kept, with an exponent only below 1e-5 or from 1e15
+/// on.
 ///
 /// ```
 /// use epicyclic_units::format::significant;
@@ -62,7 +63,8 @@ pub fn quantity<T: Physical>(quantity: T, digits: usize) -> String {
     in_unit(quantity.si(), sensible_unit(T::DIMENSION, quantity.si()), digits)
 }
 
-/// The usual unit where it gives a number from 0.001 to 100 000, otherwise the largest of a few that gives at least 1.
+/// The usual unit where it gives a number from 0.001 to 100 000, otherwise the largest of a few that gives at
+/// least 1.
 #[must_use]
 pub fn sensible_unit(dimension: Dimension, si: f64) -> &'static Unit {
     let usual = dimension.usual_unit();

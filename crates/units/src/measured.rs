@@ -30,7 +30,8 @@ impl Measured {
     }
 }
 
-/// Reads a quantity of any dimension: `106.5 kW`, `75kW`, `−5 mm`, `1950 1/min`. A bare number is dimensionless.
+/// Reads a quantity of any dimension: `106.5 kW`, `75kW`, `−5 mm`, `1950 1/min`. A bare number is
+/// dimensionless.
 ///
 /// ```
 /// use epicyclic_units::{self as quantity, Dimension};

@@ -87,7 +87,8 @@ impl<'de> Deserialize<'de> for Number {
                 Number::new(value as f64).map_err(E::custom)
             }
 
-            // Only formats other than ours come here, our reader explains a text in a numeric field by itself.
+            // Only formats other than ours come here, our reader explains a text in a numeric field by
+            // itself.
             fn visit_str<E: de::Error>(self, text: &str) -> Result<Number, E> {
                 match parse_number(text) {
                     Ok(_) => Err(E::invalid_type(de::Unexpected::Str(text), &self)),

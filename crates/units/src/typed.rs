@@ -1,8 +1,9 @@
 //! A `uom` quantity in a document, on a command line, in a schema.
 //!
-//! An error raised inside a `serde` visitor survives only as its text. So that a fault keeps its name and its parts, a
-//! [`Quantity`] asks its deserializer for a newtype struct with a private name; our own reader knows the name, parses
-//! the text by itself and returns the typed error. Other formats pass the string through, and lose no more than the name.
+//! An error raised inside a `serde` visitor survives only as its text. So that a fault keeps its name and its
+//! parts, a [`Quantity`] asks its deserializer for a newtype struct with a private name; our own reader knows
+//! the name, parses the text by itself and returns the typed error. Other formats pass the string through,
+//! and lose no more than the name.
 
 use std::{borrow::Cow, fmt, marker::PhantomData, str::FromStr};
 

@@ -1,8 +1,8 @@
 //! The units of each dimension, and how a unit is recognised however it is spelled.
 //!
-//! A spelling is brought to a *key* before it is looked up: `·`, `⋅`, `*` and a space between letters are one product
-//! sign; superscripts and `^` are plain digits; both code points of `µ` are `u`; the Unicode minus is `-`. Capitals
-//! count: `mN·m` is not `MN·m`.
+//! A spelling is brought to a *key* before it is looked up: `·`, `⋅`, `*` and a space between letters are one
+//! product sign; superscripts and `^` are plain digits; both code points of `µ` are `u`; the Unicode minus is
+//! `-`. Capitals count: `mN·m` is not `MN·m`.
 
 use std::f64::consts::{PI, TAU};
 
@@ -21,8 +21,8 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// The spellings understood, in their plain form; others that differ only in product signs, superscripts or
-    /// `^` are understood too.
+    /// The spellings understood, in their plain form; others that differ only in product signs, superscripts
+    /// or `^` are understood too.
     #[must_use]
     pub const fn spellings(&self) -> &'static [&'static str] {
         self.keys

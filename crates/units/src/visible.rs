@@ -1,8 +1,8 @@
-//! Text that shows itself: what would move the cursor of a terminal, colour it, reverse the reading or show nothing is written as
-//! an escape.
+//! Text that shows itself: what would move the cursor of a terminal, colour it, reverse the reading or show
+//! nothing is written as an escape.
 //!
-//! A name in a file may hold any character (`"\e[2J"`), and so may the name of a file. The escapes are those of a YAML text in
-//! double quotes, so that what is shown can be found in the file: `\n`, `\t`, `\u001b`.
+//! A name in a file may hold any character (`"\e[2J"`), and so may the name of a file. The escapes are those
+//! of a YAML text in double quotes, so that what is shown can be found in the file: `\n`, `\t`, `\u001b`.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;

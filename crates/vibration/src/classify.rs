@@ -1,16 +1,16 @@
 //! The kind of a mode, decided on the subspace of its frequency.
 //!
-//! Let `φ_1 … φ_d` be mass-normalised modes of one frequency. The central members' kinetic energy of translation and of rotation in
-//! a motion `Σ c_a·φ_a` is a quadratic form of `c`, whose matrices are
+//! Let `φ_1 … φ_d` be mass-normalised modes of one frequency. The central members' kinetic energy of
+//! translation and of rotation in a motion `Σ c_a·φ_a` is a quadratic form of `c`, whose matrices are
 //!
 //! ```text
 //! T_ab = Σ m·(x_a·x_b + y_a·y_b),     R_ab = Σ (I/r²)·u_a·u_b        over the central members
 //! ```
 //!
-//! Both are invariant to the choice of the basis. `R` gives the directions in which central members rotate, `T` those in which they
-//! translate, and the directions that neither has leave them at rest. In a cyclically symmetric set no direction has both. A
-//! frequency that modes of two kinds share by chance is split into them; where a direction has both, the set is not symmetric, and
-//! the whole group is [`Kind::Mixed`].
+//! Both are invariant to the choice of the basis. `R` gives the directions in which central members rotate,
+//! `T` those in which they translate, and the directions that neither has leave them at rest. In a cyclically
+//! symmetric set no direction has both. A frequency that modes of two kinds share by chance is split into
+//! them; where a direction has both, the set is not symmetric, and the whole group is [`Kind::Mixed`].
 
 use crate::model::{Axis, BodyId, Model, Shape};
 use crate::modes::{Group, Kind, Mode, Modes};
@@ -20,7 +20,8 @@ use nalgebra::{DMatrix, DVector};
 impl Model {
     /// Modes in groups by frequency and by what these central members do, in ascending order of frequency.
     ///
-    /// Decided on the subspace of each frequency. Where modes of several kinds have one frequency, the subspace is split.
+    /// Decided on the subspace of each frequency. Where modes of several kinds have one frequency, the
+    /// subspace is split.
     ///
     /// # Errors
     /// As [`Self::modes`], and [`Error::NoSuchBody`].

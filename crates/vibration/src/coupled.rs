@@ -1,8 +1,9 @@
 //! Sets on common links: the planar model of a whole gearbox.
 //!
-//! A link is what turns as one piece, a centre what moves in the plane as one piece. They are bodies of their own, since members that a clutch lets turn together
-//! need not move together. With the angle `θ` of a link and the displacement `d = (x, y)` of a centre, the base radii `r`, the radius `r_c` of the planets'
-//! circle and the unit vectors of the [planar model of one set](crate::planetary) springs are bent by
+//! A link is what turns as one piece, a centre what moves in the plane as one piece. They are bodies of their
+//! own, since members that a clutch lets turn together need not move together. With the angle `θ` of a link
+//! and the displacement `d = (x, y)` of a centre, the base radii `r`, the radius `r_c` of the planets' circle
+//! and the unit vectors of the [planar model of one set](crate::planetary) springs are bent by
 //!
 //! ```text
 //! sun–planet        δ_s = t_s·(d_s − d_n) + r_s·θ_s + u_n
@@ -11,12 +12,14 @@
 //! bearing, tang.    δ_y = e_t·(d_c − d_n) + r_c·θ_c
 //! ```
 //!
-//! A link has the inertias of its members without planets, a centre their masses and their radial supports. A shaft joins two links by a torsional stiffness and two centres by a
-//! lateral one.
+//! A link has the inertias of its members without planets, a centre their masses and their radial supports. A
+//! shaft joins two links by a torsional stiffness and two centres by a lateral one.
 //!
 //! # Axes
-//! The axes of a set turn with its carrier. At rest all are the same. The planets of a set of three or more equal ones at equal angles meet a centre that moves in any direction
-//! with the same stiffness, so that it does not matter at which angle such sets stand to each other, or to one other set. Where all are such, each mode is of one kind:
+//! The axes of a set turn with its carrier. At rest all are the same. The planets of a set of three or more
+//! equal ones at equal angles meet a centre that moves in any direction with the same stiffness, so that it
+//! does not matter at which angle such sets stand to each other, or to one other set. Where all are such,
+//! each mode is of one kind:
 //!
 //! | kind | links | centres | planets |
 //! |---|---|---|---|
@@ -25,8 +28,9 @@
 //! | planet, `N − 3` times for each frequency of a set | are at rest | are at rest | of this set alone |
 //!
 //! # Source
-//! D. R. Kiracofe, R. G. Parker, Structured vibration modes of general compound planetary gear systems, Journal of Vibration and Acoustics 129 (2007) 1–16, for
-//! the kinds; the energies are those of the planar model of each set.
+//! D. R. Kiracofe, R. G. Parker, Structured vibration modes of general compound planetary gear systems,
+//! Journal of Vibration and Acoustics 129 (2007) 1–16, for the kinds; the energies are those of the planar
+//! model of each set.
 
 use crate::checks::not_negative;
 use crate::model::{Axis, Body, BodyId, Freedom, Model, Orbiting, SpringId, Support};
@@ -52,7 +56,8 @@ pub struct Centre {
 pub struct Placed<'s> {
     /// Its name, which its bodies and springs begin with.
     pub name: String,
-    /// The set; of its members masses, inertias, radii and radial supports count, tangential supports and freedoms do not.
+    /// The set; of its members masses, inertias, radii and radial supports count, tangential supports and
+    /// freedoms do not.
     pub set: &'s PlanetarySet,
     /// Links of sun, ring and carrier.
     pub links: [usize; 3],
@@ -105,8 +110,9 @@ impl CoupledParts {
 /// The planar model of sets on links and centres.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a link that turns without any inertia and a centre that moves without any mass, and as [`PlanetarySet::planar`];
-/// [`Error::Negative`] for an inertia, mass or stiffness; [`Error::NoSuchBody`] for a place of a link or centre.
+/// [`Error::NotPositive`] for a link that turns without any inertia and a centre that moves without any mass,
+/// and as [`PlanetarySet::planar`]; [`Error::Negative`] for an inertia, mass or stiffness;
+/// [`Error::NoSuchBody`] for a place of a link or centre.
 pub fn planar(
     links: &[Link],
     centres: &[Centre],

@@ -1,7 +1,8 @@
 //! Modal energy of each body and spring, and what a frequency does when a stiffness or a mass changes.
 //!
-//! A mass-normalised mode `φ` of `ω` has the mean kinetic energy `T = Σ m_i·φ_i²` and the mean strain energy `V = Σ k_j·δ_j²/ω²`, both of
-//! size 1 in these units. Over a subspace of `d` modes the shares are means over any basis, which do not depend on it.
+//! A mass-normalised mode `φ` of `ω` has the mean kinetic energy `T = Σ m_i·φ_i²` and the mean strain energy
+//! `V = Σ k_j·δ_j²/ω²`, both of size 1 in these units. Over a subspace of `d` modes the shares are means over
+//! any basis, which do not depend on it.
 //!
 //! From `φᵀ·(K − ω²·M)·φ = 0`, as `φ` is stationary,
 //!
@@ -9,8 +10,8 @@
 //! ∂ω²/∂k_j = δ_j²,   ∂ω²/∂m_i = −ω²·φ_i²     so     (k/ω)·∂ω/∂k = ½·V_j,   (m/ω)·∂ω/∂m = −½·T_i
 //! ```
 //!
-//! A change splits a frequency of `d` modes; the derivatives of its parts are the eigenvalues of the same form over the subspace,
-//! `½·Σ k_j·δ_j(φ_a)·δ_j(φ_b)/ω²`.
+//! A change splits a frequency of `d` modes; the derivatives of its parts are the eigenvalues of the same
+//! form over the subspace, `½·Σ k_j·δ_j(φ_a)·δ_j(φ_b)/ω²`.
 
 use crate::model::{Axis, BodyId, Model, SpringId};
 use crate::modes::Group;
@@ -98,8 +99,8 @@ impl Model {
         Ok(ModalEnergy { kinetic: kinetic.collect(), strain: strain.collect::<Result<_, Error>>()? })
     }
 
-    /// Relative change of a frequency over that of the stiffness of these springs together, `(k/ω)·∂ω/∂k`: one value for each mode of the
-    /// group, ascending. 0 for zero modes, which stay zero modes.
+    /// Relative change of a frequency over that of the stiffness of these springs together, `(k/ω)·∂ω/∂k`:
+    /// one value for each mode of the group, ascending. 0 for zero modes, which stay zero modes.
     ///
     /// # Errors
     /// [`Error::NoSuchSpring`]; [`Error::Count`] for a group of another model.
@@ -109,8 +110,9 @@ impl Model {
         Ok(kernel::hermitian(form * 0.5)?.0)
     }
 
-    /// Relative change of a frequency over that of the mass or inertia of these bodies together, `(m/ω)·∂ω/∂m`: one value for each mode of
-    /// the group, ascending. 0 for zero modes, which stay zero modes.
+    /// Relative change of a frequency over that of the mass or inertia of these bodies together,
+    /// `(m/ω)·∂ω/∂m`: one value for each mode of the group, ascending. 0 for zero modes, which stay zero
+    /// modes.
     ///
     /// # Errors
     /// [`Error::NoSuchBody`]; [`Error::Count`] for a group of another model.

@@ -133,7 +133,8 @@ pub enum Error {
     AboveCritical {
         /// Speed of the frame, rad/s.
         speed_rad_s: f64,
-        /// The least eigenvalue over the largest, or what remains of the stiffness of a planet's bearing over it.
+        /// The least eigenvalue over the largest, or what remains of the stiffness of a planet's bearing over
+        /// it.
         remaining: f64,
     },
     /// Planets whose centrifugal forces pull their carrier aside.

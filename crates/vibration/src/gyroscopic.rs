@@ -1,25 +1,27 @@
 //! Modes while the carrier turns.
 //!
-//! In axes that turn with the carrier at `Ω` the absolute acceleration of a body has, beside `ẍ` and `ÿ`, the parts `−2·Ω·ẏ − Ω²·x` and
-//! `2·Ω·ẋ − Ω²·y`, so
+//! In axes that turn with the carrier at `Ω` the absolute acceleration of a body has, beside `ẍ` and `ÿ`, the
+//! parts `−2·Ω·ẏ − Ω²·x` and `2·Ω·ẋ − Ω²·y`, so
 //!
 //! ```text
 //! M·q̈ + Ω·G·q̇ + (K − Ω²·K_Ω)·q = 0,     G = m·[0 −2; 2 0],     K_Ω = m·[1 0; 0 1]     in x, y of each body
 //! ```
 //!
-//! Supports have equal stiffness in all directions, so they are the same in these axes. Rotations have no such terms.
+//! Supports have equal stiffness in all directions, so they are the same in these axes. Rotations have no
+//! such terms.
 //!
-//! A planet's bearing of stiffness `k_b` holds the planet on the circle `r = r_c/(1 − m_n·Ω²/k_b)` by the force `m_n·Ω²·r`, which turns with
-//! the carrier. As the carrier rotates by `u_c/r_c`, the pin moves inwards by `½·u_c²/r_c` against that force, so `K − Ω²·K_Ω` has also
+//! A planet's bearing of stiffness `k_b` holds the planet on the circle `r = r_c/(1 − m_n·Ω²/k_b)` by the
+//! force `m_n·Ω²·r`, which turns with the carrier. As the carrier rotates by `u_c/r_c`, the pin moves inwards
+//! by `½·u_c²/r_c` against that force, so `K − Ω²·K_Ω` has also
 //!
 //! ```text
 //! Σ m_n·Ω²/(1 − m_n·Ω²/k_b)     at u_c
 //! ```
 //!
-//! With it a rotation of carrier and planets together (`η = u_c·r/r_c`) costs no energy, as must be. The source leaves it out; then a
-//! set that is free to rotate has a negative stiffness and diverges at any speed ([`Centripetal::AsPublished`]). Left out: the part
-//! of that force that meshes carry, and stiffness from the mean torque. The forces on a carrier must balance, so that it turns about
-//! its centre.
+//! With it a rotation of carrier and planets together (`η = u_c·r/r_c`) costs no energy, as must be. The
+//! source leaves it out; then a set that is free to rotate has a negative stiffness and diverges at any speed
+//! ([`Centripetal::AsPublished`]). Left out: the part of that force that meshes carry, and stiffness from the
+//! mean torque. The forces on a carrier must balance, so that it turns about its centre.
 //!
 //! With `A = M^-½·(K − Ω²·K_Ω)·M^-½ = Q·Λ·Qᵀ` and modal velocities `v`, `s = Λ^½·Qᵀ·M^½·q`,
 //!
@@ -27,14 +29,16 @@
 //! ṡ = Λ^½·v,     v̇ = −Λ^½·s − Ω·Γ·v,     Γ = Qᵀ·M^-½·G·M^-½·Q
 //! ```
 //!
-//! is `ż = S·z` with `S` skew-symmetric, and `−i·S` is Hermitian: its eigenvalues are the frequencies `±ω`, real without rounding. This
-//! needs `Λ ≥ 0`, speeds below the first critical one; there every motion is stable.
+//! is `ż = S·z` with `S` skew-symmetric, and `−i·S` is Hermitian: its eigenvalues are the frequencies `±ω`,
+//! real without rounding. This needs `Λ ≥ 0`, speeds below the first critical one; there every motion is
+//! stable.
 //!
-//! Frequencies are those in axes on the carrier. From the housing, motions that translate centres are seen at `ω ± Ω`.
+//! Frequencies are those in axes on the carrier. From the housing, motions that translate centres are seen at
+//! `ω ± Ω`.
 //!
 //! # Source
-//! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free vibration, Journal of
-//! Vibration and Acoustics 121 (1999) 316–321, equations of motion.
+//! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free
+//! vibration, Journal of Vibration and Acoustics 121 (1999) 316–321, equations of motion.
 
 use crate::checks::within;
 use crate::classify::kind_of;
@@ -71,10 +75,12 @@ pub struct WhirlMode {
 }
 
 impl Model {
-    /// Modes in a frame that turns at a speed, in ascending order of frequency. Central members tell the kinds.
+    /// Modes in a frame that turns at a speed, in ascending order of frequency. Central members tell the
+    /// kinds.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a speed that is not finite, [`Error::AboveCritical`], [`Error::Unbalanced`], [`Error::NoSuchBody`], and as [`Model::modes`].
+    /// [`Error::OutOfRange`] for a speed that is not finite, [`Error::AboveCritical`], [`Error::Unbalanced`],
+    /// [`Error::NoSuchBody`], and as [`Model::modes`].
     pub fn whirl_modes(
         &self,
         frame_speed: AngularVelocity,
@@ -210,10 +216,11 @@ fn load_over_radius(planet: &Orbiting, speed_rad_s: f64) -> Result<f64, Error> {
     }
 }
 
-/// Frequencies, ascending, and modal velocities of `S = [0 Λ^½; −Λ^½ −Γ]`, whose first `rigid` eigenvalues are left out of `lambda`.
+/// Frequencies, ascending, and modal velocities of `S = [0 Λ^½; −Λ^½ −Γ]`, whose first `rigid` eigenvalues
+/// are left out of `lambda`.
 ///
-/// Each frequency above 0 is an eigenvalue of `−i·S` of either sign; what the positive ones lack of the size are zero modes. These have the
-/// directions of `Λ = 0`, in which the system stays where it is put.
+/// Each frequency above 0 is an eigenvalue of `−i·S` of either sign; what the positive ones lack of the size
+/// are zero modes. These have the directions of `Λ = 0`, in which the system stays where it is put.
 fn skew_modes(
     lambda: &[f64],
     rigid: usize,

@@ -1,9 +1,10 @@
 //! Torsional frequencies of a simple set with a held ring, in closed form.
 //!
-//! Coordinates are displacements along the lines of action, `u_s`, `u_n`, and `u_c = r_c·θ_c·cos α` of the carrier; `N` equal planets,
-//! whatever their angles. With `δ_s = u_s + u_n − u_c` and `δ_r = −u_n − u_c` a motion in which the planets' sum to 0 leaves
-//! sun and carrier at rest: `ω² = (k_r + k_s)/m_p`, `N − 1` times. In the others all planets move alike, and the determinant of the
-//! three equations for `u_s`, `u_n`, `u_c` gives `ω² = 0` and the roots of
+//! Coordinates are displacements along the lines of action, `u_s`, `u_n`, and `u_c = r_c·θ_c·cos α` of the
+//! carrier; `N` equal planets, whatever their angles. With `δ_s = u_s + u_n − u_c` and `δ_r = −u_n − u_c` a
+//! motion in which the planets' sum to 0 leaves sun and carrier at rest: `ω² = (k_r + k_s)/m_p`, `N − 1`
+//! times. In the others all planets move alike, and the determinant of the three equations for `u_s`, `u_n`,
+//! `u_c` gives `ω² = 0` and the roots of
 //!
 //! ```text
 //! l_1·ω⁴ + l_2·ω² + l_3 = 0

@@ -1,10 +1,10 @@
 //! Modes of `M·q̈ + K·q = 0` by Cholesky reduction.
 //!
-//! With `M = L·Lᵀ` and `q = L⁻ᵀ·y` the problem `K·φ = ω²·M·φ` is `A·y = ω²·y` of the symmetric matrix `A = L⁻¹·K·L⁻ᵀ`. Its
-//! orthonormal eigenvectors give mass-normalised modes: `φᵀ·M·φ = 1` and `φᵀ·K·φ = ω²`.
+//! With `M = L·Lᵀ` and `q = L⁻ᵀ·y` the problem `K·φ = ω²·M·φ` is `A·y = ω²·y` of the symmetric matrix
+//! `A = L⁻¹·K·L⁻ᵀ`. Its orthonormal eigenvectors give mass-normalised modes: `φᵀ·M·φ = 1` and `φᵀ·K·φ = ω²`.
 //!
-//! The residual of a mode is `|A·y − ω²·y|/ω²_max`. Eigenvalues below `1e-12·ω²_max` in size are zero modes; further below
-//! zero the stiffness is no stiffness and is refused.
+//! The residual of a mode is `|A·y − ω²·y|/ω²_max`. Eigenvalues below `1e-12·ω²_max` in size are zero modes;
+//! further below zero the stiffness is no stiffness and is refused.
 
 use crate::{Error, tolerance};
 use nalgebra::{Cholesky, ComplexField, DMatrix, DVector, SymmetricEigen};

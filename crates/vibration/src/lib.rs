@@ -15,8 +15,8 @@
 //! | [`response`] | forced vibration by transmission errors |
 //! | [`energy`] | modal energy of each body and spring, sensitivities |
 //!
-//! Bodies are rigid, springs linear, displacements small; the stiffness of a mesh is given. The axes turn with the carrier. All
-//! quantities are those of [`uom`]; a stiffness is a [`Stiffness`], N/m.
+//! Bodies are rigid, springs linear, displacements small; the stiffness of a mesh is given. The axes turn
+//! with the carrier. All quantities are those of [`uom`]; a stiffness is a [`Stiffness`], N/m.
 //!
 //! # Example
 //!

@@ -1,14 +1,15 @@
 //! A vibrating system: bodies that move in a plane, and springs between them.
 //!
-//! A body has up to three coordinates: the displacement `x`, `y` of its centre and `u = r·θ`, its rotation times a radius of the
-//! body. A spring `j` is a stiffness `k_j` and an elongation that is linear in the coordinates, `δ_j = b_jᵀ·q`. Then
+//! A body has up to three coordinates: the displacement `x`, `y` of its centre and `u = r·θ`, its rotation
+//! times a radius of the body. A spring `j` is a stiffness `k_j` and an elongation that is linear in the
+//! coordinates, `δ_j = b_jᵀ·q`. Then
 //!
 //! ```text
 //! T = ½·q̇ᵀ·M·q̇,   M = diag(m, m, I/r²),      V = ½·Σ k_j·δ_j²,   K = Σ k_j·b_j·b_jᵀ
 //! ```
 //!
-//! so `K` is symmetric and positive semidefinite whatever the springs are. All bodies are rigid; gaps, friction and the change of
-//! stiffness over time are left out.
+//! so `K` is symmetric and positive semidefinite whatever the springs are. All bodies are rigid; gaps,
+//! friction and the change of stiffness over time are left out.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -79,7 +80,8 @@ pub struct SpringId(pub(crate) usize);
 /// A part of an elongation: of this body along this axis, with this factor.
 pub type Term = (BodyId, Axis, f64);
 
-/// Displacements `[x, y, u]` of each body, in the order in which the bodies were added; 0 where a coordinate is held.
+/// Displacements `[x, y, u]` of each body, in the order in which the bodies were added; 0 where a coordinate
+/// is held.
 ///
 /// Of a mode they are mass-normalised (unit kg^-½), of a response in m.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -113,7 +115,8 @@ pub(crate) struct Orbiting {
     pub(crate) mass_kg: f64,
     pub(crate) bearing_n_per_m: f64,
     pub(crate) angle_rad: f64,
-    /// Displacement of the pin over the carrier's coordinate `u`: the radius of the pin over that of the coordinate.
+    /// Displacement of the pin over the carrier's coordinate `u`: the radius of the pin over that of the
+    /// coordinate.
     pub(crate) lever: f64,
 }
 
@@ -125,7 +128,8 @@ pub(crate) struct Spring {
     pub(crate) elongation: Vec<(usize, f64)>,
 }
 
-/// Bodies and springs. Sets of gears add theirs to it ([`PlanetarySet`](crate::PlanetarySet)), shafts join bodies.
+/// Bodies and springs. Sets of gears add theirs to it ([`PlanetarySet`](crate::PlanetarySet)), shafts join
+/// bodies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model {
     pub(crate) bodies: Vec<Inertia>,
@@ -143,7 +147,8 @@ impl Model {
     /// Adds a body.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a radius that is not above 0, and for such a mass or inertia of a coordinate that is free.
+    /// [`Error::NotPositive`] for a radius that is not above 0, and for such a mass or inertia of a
+    /// coordinate that is free.
     pub fn body(&mut self, name: &str, body: &Body, freedom: Freedom) -> Result<BodyId, Error> {
         let free = match freedom {
             Freedom::Planar => [true; 3],
@@ -176,7 +181,8 @@ impl Model {
     /// Adds a spring with the elongation `δ = Σ factor·coordinate`. Parts of held coordinates are 0.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the stiffness, [`Error::OutOfRange`] for a factor that is not finite, [`Error::NoSuchBody`].
+    /// [`Error::NotPositive`] for the stiffness, [`Error::OutOfRange`] for a factor that is not finite,
+    /// [`Error::NoSuchBody`].
     pub fn spring(
         &mut self,
         name: &str,
@@ -222,8 +228,8 @@ impl Model {
         Ok(springs)
     }
 
-    /// Joins two bodies by a shaft: torsionally, `δ = u_1 − u_2·r_1/r_2` with the stiffness `k_t/r_1²`, and laterally in `x` and `y`. A
-    /// stiffness of 0 adds no spring.
+    /// Joins two bodies by a shaft: torsionally, `δ = u_1 − u_2·r_1/r_2` with the stiffness `k_t/r_1²`, and
+    /// laterally in `x` and `y`. A stiffness of 0 adds no spring.
     ///
     /// A shaft without mass; lateral springs join centres, tilting is left out.
     ///
@@ -329,7 +335,8 @@ impl Model {
         Shape { bodies: bodies.collect() }
     }
 
-    /// The diagonal of `M`, kg, in the order of [`Self::stiffness_matrix_n_per_m`]; `M` has nothing beside it.
+    /// The diagonal of `M`, kg, in the order of [`Self::stiffness_matrix_n_per_m`]; `M` has nothing beside
+    /// it.
     #[must_use]
     pub fn mass_matrix_diagonal_kg(&self) -> Vec<f64> {
         self.masses_kg()

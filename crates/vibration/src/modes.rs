@@ -13,7 +13,8 @@ pub struct Mode {
     pub frequency: Frequency,
     /// Natural circular frequency `ω`.
     pub omega: AngularVelocity,
-    /// Mass-normalised shape, `φᵀ·M·φ = 1`. Of equal frequencies any basis of their modes is as good: only the group means something.
+    /// Mass-normalised shape, `φᵀ·M·φ = 1`. Of equal frequencies any basis of their modes is as good: only
+    /// the group means something.
     pub shape: Shape,
     /// `|L⁻¹·(K − ω²·M)·φ|/ω²_max` with `M = L·Lᵀ`: how far the mode is from being one.
     pub residual: f64,
@@ -80,7 +81,8 @@ impl Model {
     /// Natural frequencies and modes.
     ///
     /// # Errors
-    /// [`Error::NothingMoves`] without a free coordinate, [`Error::NotSymmetric`] where numbers overflow, [`Error::NotConverged`].
+    /// [`Error::NothingMoves`] without a free coordinate, [`Error::NotSymmetric`] where numbers overflow,
+    /// [`Error::NotConverged`].
     pub fn modes(&self) -> Result<Modes, Error> {
         let mass = nalgebra::DMatrix::from_diagonal(&self.masses_kg().into());
         let eigen = kernel::solve(&self.stiffness_n_per_m(), &mass)?;

@@ -1,16 +1,17 @@
 //! Planet phasing: which modes of a set of equally spaced planets an excitation can drive.
 //!
-//! Planet `n` stands at `ψ_n = 2π·n/N`. What goes around the set with `p` periods a turn meets it with the phase `p·ψ_n`: the harmonic
-//! `l` of the meshes of a gear with `z` teeth has `p = l·z`, and a deviation of sun or ring that has `h` periods on its circumference has
-//! `p = h`. Let the meshes of planet `n` have the force `f·exp(i·(ω·t + p·ψ_n))`. A mode in which what planet `n` does follows from planet
-//! 0 by the factor `exp(−i·j·ψ_n)` takes the work
+//! Planet `n` stands at `ψ_n = 2π·n/N`. What goes around the set with `p` periods a turn meets it with the
+//! phase `p·ψ_n`: the harmonic `l` of the meshes of a gear with `z` teeth has `p = l·z`, and a deviation of
+//! sun or ring that has `h` periods on its circumference has `p = h`. Let the meshes of planet `n` have the
+//! force `f·exp(i·(ω·t + p·ψ_n))`. A mode in which what planet `n` does follows from planet 0 by the factor
+//! `exp(−i·j·ψ_n)` takes the work
 //!
 //! ```text
 //! Σ exp(i·(p − j)·ψ_n) = N where p ≡ j (mod N), else 0
 //! ```
 //!
-//! In rotational modes all planets do the same, `j = 0`; in translational ones `j = ±1`; in planet modes `j` is any other. So with
-//! `k = p mod N`
+//! In rotational modes all planets do the same, `j = 0`; in translational ones `j = ±1`; in planet modes `j`
+//! is any other. So with `k = p mod N`
 //!
 //! | `k` | modes that are excited |
 //! |---|---|
@@ -18,15 +19,18 @@
 //! | 1, `N − 1` | translational |
 //! | other | planet |
 //!
-//! In a torsional model centres are at rest, and a set has two kinds of modes: those in which its members rotate, `j = 0`, and those of its planets alone, any
-//! other `j`. This holds for two planets, too, and for each set of several on common links: the meshes of a set take work from its own planets and members alone.
+//! In a torsional model centres are at rest, and a set has two kinds of modes: those in which its members
+//! rotate, `j = 0`, and those of its planets alone, any other `j`. This holds for two planets, too, and for
+//! each set of several on common links: the meshes of a set take work from its own planets and members alone.
 //!
-//! Where sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite `k`, so one rule holds for both.
+//! Where sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite
+//! `k`, so one rule holds for both.
 //!
 //! # Source
-//! R. G. Parker, A physical explanation for the effectiveness of planet phasing to suppress planetary gear vibration, Journal of Sound
-//! and Vibration 236 (2000) 561–573; D. L. Seager, Conditions for the neutralization of excitation by the teeth in epicyclic gearing,
-//! Journal of Mechanical Engineering Science 17 (1975) 293–298.
+//! R. G. Parker, A physical explanation for the effectiveness of planet phasing to suppress planetary gear
+//! vibration, Journal of Sound and Vibration 236 (2000) 561–573; D. L. Seager, Conditions for the
+//! neutralization of excitation by the teeth in epicyclic gearing, Journal of Mechanical Engineering Science
+//! 17 (1975) 293–298.
 
 use crate::Error;
 use crate::modes::Kind;
@@ -57,8 +61,9 @@ pub fn excited(periods: u64, planets: u32) -> Result<Kind, Error> {
     })
 }
 
-/// The torsional modes that an excitation of `periods` a turn can drive by the meshes of a set of equally spaced planets: [`Kind::Rotational`] those
-/// in which its members rotate, [`Kind::Planet`] those of its planets alone.
+/// The torsional modes that an excitation of `periods` a turn can drive by the meshes of a set of equally
+/// spaced planets: [`Kind::Rotational`] those in which its members rotate, [`Kind::Planet`] those of its
+/// planets alone.
 ///
 /// # Errors
 /// [`Error::TooFew`] without planets.

@@ -2,15 +2,17 @@
 //!
 //! # Planar model
 //!
-//! Sun, ring, carrier and planets have `x`, `y`, `u` each, in axes that turn with the carrier. `ψ_n` is the angle of planet `n`,
-//! `u` is the rotation times the base radius of a gear, and times the radius `r_c` of the planets' circle for the carrier. Flanks
-//! stay in contact, a mesh is one spring along its line of action. With the unit vectors
+//! Sun, ring, carrier and planets have `x`, `y`, `u` each, in axes that turn with the carrier. `ψ_n` is the
+//! angle of planet `n`, `u` is the rotation times the base radius of a gear, and times the radius `r_c` of
+//! the planets' circle for the carrier. Flanks stay in contact, a mesh is one spring along its line of
+//! action. With the unit vectors
 //!
 //! ```text
 //! t_s = (−sin(ψ_n − α_s), cos(ψ_n − α_s)),     t_r = (−sin(ψ_n + α_r), cos(ψ_n + α_r))
 //! ```
 //!
-//! of the lines of action, and `d` the displacement `(x, y)` of a body, the elongations (compression of a mesh is positive) are
+//! of the lines of action, and `d` the displacement `(x, y)` of a body, the elongations (compression of a
+//! mesh is positive) are
 //!
 //! ```text
 //! sun–planet        δ_s = t_s·(d_s − d_n) + u_s + u_n
@@ -19,24 +21,26 @@
 //! bearing, tang.    δ_y = e_t·(d_c − d_n) + u_c           e_t = (−sin ψ_n, cos ψ_n)
 //! ```
 //!
-//! Resolved along `e_r` and `e_t` of each planet these are the equations of the source. The other flanks give the same
-//! frequencies, as a mirror image. Left out: the change of mesh stiffness over time, friction, gaps, bearings of planets that
-//! resist rotation, stiffness from the mean load .
+//! Resolved along `e_r` and `e_t` of each planet these are the equations of the source. The other flanks give
+//! the same frequencies, as a mirror image. Left out: the change of mesh stiffness over time, friction, gaps,
+//! bearings of planets that resist rotation, stiffness from the mean load .
 //!
 //! # Torsional model
 //!
-//! The centres of sun, ring and carrier are at rest and planets are rigid on the carrier: `d_n = u_c·e_t`. Then
+//! The centres of sun, ring and carrier are at rest and planets are rigid on the carrier: `d_n = u_c·e_t`.
+//! Then
 //!
 //! ```text
 //! δ_s = u_s + u_n − u_c·cos α_s,     δ_r = u_r − u_n − u_c·cos α_r
 //! ```
 //!
-//! and the carrier has the rotary mass `I_c/r_c² + Σ m_n`. It is the planar model as bearings and supports become rigid.
+//! and the carrier has the rotary mass `I_c/r_c² + Σ m_n`. It is the planar model as bearings and supports
+//! become rigid.
 //!
 //! # Source
-//! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free vibration, Journal of
-//! Vibration and Acoustics 121 (1999) 316–321. A. Kahraman, Natural modes of planetary gear trains, Journal of Sound and
-//! Vibration 173 (1994) 125–130.
+//! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free
+//! vibration, Journal of Vibration and Acoustics 121 (1999) 316–321. A. Kahraman, Natural modes of planetary
+//! gear trains, Journal of Sound and Vibration 173 (1994) 125–130.
 
 use crate::checks::{positive, within};
 use crate::model::{Axis, Body, BodyId, Freedom, Model, Orbiting, SpringId, Support};
@@ -48,11 +52,13 @@ use uom::si::f64::{Angle, MomentOfInertia};
 /// Sun, ring or carrier.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Central {
-    /// Its mass and inertia; the radius is the base radius of a gear, and of the carrier that of the planets' circle.
+    /// Its mass and inertia; the radius is the base radius of a gear, and of the carrier that of the planets'
+    /// circle.
     pub body: Body,
     /// Its springs to the ground.
     pub support: Support,
-    /// What it can do. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`], and [`Freedom::Translation`] as held.
+    /// What it can do. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`], and
+    /// [`Freedom::Translation`] as held.
     pub freedom: Freedom,
 }
 
@@ -165,12 +171,13 @@ impl PlanetarySet {
 
     /// Adds the set to a model, planar. The names of bodies and springs begin with `prefix`.
     ///
-    /// Sets of one model share its axes. Where their carriers turn at different speeds, this holds for their rotational modes, and for
-    /// others where no lateral spring joins the sets.
+    /// Sets of one model share its axes. Where their carriers turn at different speeds, this holds for their
+    /// rotational modes, and for others where no lateral spring joins the sets.
     ///
     /// # Errors
-    /// [`Error::TooFew`] without planets, [`Error::SameAngle`], [`Error::OutOfRange`] for a pressure angle outside 0 to 90°, [`Error::NotPositive`] for a
-    /// mass, inertia, radius or the stiffness of a mesh or planet bearing, [`Error::Negative`] for a support.
+    /// [`Error::TooFew`] without planets, [`Error::SameAngle`], [`Error::OutOfRange`] for a pressure angle
+    /// outside 0 to 90°, [`Error::NotPositive`] for a mass, inertia, radius or the stiffness of a mesh or
+    /// planet bearing, [`Error::Negative`] for a support.
     pub fn add_planar(&self, model: &mut Model, prefix: &str) -> Result<SetParts, Error> {
         let mut parts = self.bodies(model, prefix, false)?;
         let [alpha_s, alpha_r] = self.pressure_angles()?;

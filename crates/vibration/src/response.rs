@@ -1,4 +1,5 @@
-//! Forced vibration: the response of a model to displacements in its springs, such as the transmission errors of meshes.
+//! Forced vibration: the response of a model to displacements in its springs, such as the transmission errors
+//! of meshes.
 //!
 //! A spring `j` whose natural length changes by `e_j(t)` has the force `k_j·(δ_j − e_j)`, so
 //!
@@ -6,20 +7,22 @@
 //! M·q̈ + C·q̇ + K·q = Σ b_j·k_j·e_j,     e_j = a_j·cos(ω·t + φ_j)
 //! ```
 //!
-//! Damping is modal: with the modes `Φ`, mass-normalised, `C = M·Φ·diag(2·ζ·ω_r)·Φᵀ·M`, so that each mode has the damping ratio `ζ`; zero
-//! modes have none. In steady state `q = Re(q̂·exp(i·ω·t))` and
+//! Damping is modal: with the modes `Φ`, mass-normalised, `C = M·Φ·diag(2·ζ·ω_r)·Φᵀ·M`, so that each mode has
+//! the damping ratio `ζ`; zero modes have none. In steady state `q = Re(q̂·exp(i·ω·t))` and
 //!
 //! ```text
 //! q̂ = Σ φ_r·(φ_rᵀ·F̂)/(ω_r² − ω² + 2·i·ζ·ω_r·ω),     F̂ = Σ b_j·k_j·a_j·exp(i·φ_j)
 //! ```
 //!
-//! While the axes turn with the carrier at `Ω` the matrices are those of that speed ([`gyroscopic`](crate::gyroscopic)),
+//! While the axes turn with the carrier at `Ω` the matrices are those of that speed
+//! ([`gyroscopic`](crate::gyroscopic)),
 //!
 //! ```text
 //! M·q̈ + (C + Ω·G)·q̇ + (K − Ω²·K_Ω)·q = Σ b_j·k_j·e_j
 //! ```
 //!
-//! with the damping of the modes at rest. `G` couples the modes, so that with `q = Φ·y` a system of as many equations is solved for each frequency:
+//! with the damping of the modes at rest. `G` couples the modes, so that with `q = Φ·y` a system of as many
+//! equations is solved for each frequency:
 //!
 //! ```text
 //! (Φᵀ·(K − Ω²·K_Ω)·Φ − ω² + i·ω·diag(2·ζ·ω_r) + i·ω·Ω·Φᵀ·G·Φ)·ŷ = Φᵀ·F̂
@@ -28,8 +31,8 @@
 //! Linear: flanks are taken to stay in contact, which holds while the dynamic forces are below the mean ones.
 //!
 //! # Source
-//! A. Kahraman, Load sharing characteristics of planetary transmissions, Mechanism and Machine Theory 29 (1994) 1151–1165, for the excitation; modal
-//! superposition by any textbook of vibration.
+//! A. Kahraman, Load sharing characteristics of planetary transmissions, Mechanism and Machine Theory 29
+//! (1994) 1151–1165, for the excitation; modal superposition by any textbook of vibration.
 
 use crate::checks::within;
 use crate::gyroscopic::Centripetal;
@@ -63,11 +66,13 @@ pub struct Response {
 }
 
 impl Model {
-    /// The response to displacements in springs at a circular frequency, with a damping ratio of every mode, by superposition of the modes of this model.
+    /// The response to displacements in springs at a circular frequency, with a damping ratio of every mode,
+    /// by superposition of the modes of this model.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a frequency that is not above 0 or a damping ratio outside 0 to 1, or neither damping nor distance from a mode;
-    /// [`Error::NoSuchSpring`]; [`Error::Count`] for modes of another model.
+    /// [`Error::OutOfRange`] for a frequency that is not above 0 or a damping ratio outside 0 to 1, or
+    /// neither damping nor distance from a mode; [`Error::NoSuchSpring`]; [`Error::Count`] for modes of
+    /// another model.
     pub fn response(
         &self,
         modes: &Modes,
@@ -96,12 +101,12 @@ impl Model {
         Ok(driven.response(self, &q))
     }
 
-    /// The response as [`Self::response`], in axes that turn with the carrier at a speed: with the gyroscopic effect and the centripetal stiffness of that
-    /// speed. The modes are those at rest; they say the damping.
+    /// The response as [`Self::response`], in axes that turn with the carrier at a speed: with the gyroscopic
+    /// effect and the centripetal stiffness of that speed. The modes are those at rest; they say the damping.
     ///
     /// # Errors
-    /// As [`Self::response`], and [`Error::OutOfRange`] for a speed that is not finite, [`Error::AboveCritical`] where a planet's bearing cannot hold it,
-    /// [`Error::Unbalanced`].
+    /// As [`Self::response`], and [`Error::OutOfRange`] for a speed that is not finite,
+    /// [`Error::AboveCritical`] where a planet's bearing cannot hold it, [`Error::Unbalanced`].
     pub fn turning_response(
         &self,
         modes: &Modes,

@@ -33,7 +33,8 @@ pub(crate) const SAME_ANGLE: f64 = 1e-9;
 /// Centrifugal forces balance where their resultant is below this part of their sum.
 pub(crate) const BALANCE: f64 = 1e-9;
 
-/// A mode that is driven this near to its frequency, with no more damping, has no response that means anything.
+/// A mode that is driven this near to its frequency, with no more damping, has no response that means
+/// anything.
 pub(crate) const RESONANT: f64 = 1e-12;
 
 /// Convergence of eigenvalue iterations.

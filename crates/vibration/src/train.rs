@@ -1,16 +1,19 @@
 //! Sets on common links: the torsional model of a whole gearbox.
 //!
-//! A link is what turns as one piece: sun, ring and carrier of sets that are joined, with what is on their shafts. Its coordinate is its
-//! angle `θ`, so `u` with the radius 1 m. With base radii `r` and the radius `r_c` of the planets' circle, meshes are bent by
+//! A link is what turns as one piece: sun, ring and carrier of sets that are joined, with what is on their
+//! shafts. Its coordinate is its angle `θ`, so `u` with the radius 1 m. With base radii `r` and the radius
+//! `r_c` of the planets' circle, meshes are bent by
 //!
 //! ```text
 //! δ_s = r_s·θ_s + u_n − r_c·θ_c·cos α_s,     δ_r = r_r·θ_r − u_n − r_c·θ_c·cos α_r
 //! ```
 //!
-//! as in the [torsional model of one set](crate::planetary). A link has the inertias of its members and, where it has a carrier, the masses of the
-//! planets on their circle; the planets rotate by themselves. A shaft joins two links by a torsional stiffness. A link that is held does not rotate.
+//! as in the [torsional model of one set](crate::planetary). A link has the inertias of its members and,
+//! where it has a carrier, the masses of the planets on their circle; the planets rotate by themselves. A
+//! shaft joins two links by a torsional stiffness. A link that is held does not rotate.
 //!
-//! As many modes have no frequency as the links have freedoms that bend no mesh and no shaft: those that the gearbox keeps.
+//! As many modes have no frequency as the links have freedoms that bend no mesh and no shaft: those that the
+//! gearbox keeps.
 
 use crate::checks::not_negative;
 use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId, Support};
@@ -74,8 +77,8 @@ pub struct TrainParts {
 /// The torsional model of sets on links.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a link that turns without any inertia, and as [`PlanetarySet::torsional`]; [`Error::Negative`] for an inertia;
-/// [`Error::NoSuchBody`] for a place of a link.
+/// [`Error::NotPositive`] for a link that turns without any inertia, and as [`PlanetarySet::torsional`];
+/// [`Error::Negative`] for an inertia; [`Error::NoSuchBody`] for a place of a link.
 pub fn torsional(
     links: &[Link],
     sets: &[Placed<'_>],

@@ -1,7 +1,7 @@
 //! Formulas of a chapter as MathML, which browsers set themselves: no script, no fonts, no network.
 //!
-//! `$…$` stands in a line of text, `$$…$$` in a paragraph of its own. What is between is LaTeX; a command that the
-//! converter does not know is a fault and not a blank.
+//! `$…$` stands in a line of text, `$$…$$` in a paragraph of its own. What is between is LaTeX; a command
+//! that the converter does not know is a fault and not a blank.
 
 use math_core::{LatexToMathML, MathDisplay};
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
@@ -52,7 +52,8 @@ pub fn of(markdown: &str) -> Vec<Formula> {
     events(markdown).filter_map(formula).collect()
 }
 
-/// Bytes of the dollars that stand in the text: of formulas that are not closed, or whose braces do not match.
+/// Bytes of the dollars that stand in the text: of formulas that are not closed, or whose braces do not
+/// match.
 fn stray_dollars(markdown: &str) -> Vec<usize> {
     let mut is_code = false;
     let mut stray = Vec::new();

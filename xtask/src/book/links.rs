@@ -1,4 +1,5 @@
-//! Links of finished pages: each leads to a file of the book, and to a place in it; nothing is loaded from outside.
+//! Links of finished pages: each leads to a file of the book, and to a place in it; nothing is loaded from
+//! outside.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
@@ -19,7 +20,8 @@ struct Link {
     is_loaded: bool,
 }
 
-/// Links of the pages in a folder that lead nowhere, and addresses outside from which a page would load something.
+/// Links of the pages in a folder that lead nowhere, and addresses outside from which a page would load
+/// something.
 ///
 /// # Errors
 /// A page that cannot be read.

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-/// Commands that are letters in formulas. What is not among them is an operator, an arrow, a blank or a layout.
+/// Commands that are letters in formulas. What is not among them is an operator, an arrow, a blank or a
+/// layout.
 const LETTERS: &[&str] = &[
     "alpha",
     "beta",

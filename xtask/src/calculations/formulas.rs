@@ -1,5 +1,5 @@
-//! Printed formulas beside the solver: at numbers, and as quotients of polynomials in `k1`, `k2`, `eta0`, which are
-//! equal as formulas or not, whatever the numbers.
+//! Printed formulas beside the solver: at numbers, and as quotients of polynomials in `k1`, `k2`, `eta0`,
+//! which are equal as formulas or not, whatever the numbers.
 
 use super::{Refusal, Results};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -244,7 +244,8 @@ enum PrintedQuantity {
 
 /// Whether a printed formula is that of a gear whose sets 1 and 2 have `k1` and `k2`.
 ///
-/// The efficiency is the ratio with each `k` times `eta0` to its exponent in Kreines' rule, over the ratio itself.
+/// The efficiency is the ratio with each `k` times `eta0` to its exponent in Kreines' rule, over the ratio
+/// itself.
 fn is_formula_of(printed: &str, quantity: PrintedQuantity, gear: &Analysis<'_>) -> Result<bool, Refusal> {
     let refuse = |message: String| Refusal {
         name: "unreadable-formula".into(),

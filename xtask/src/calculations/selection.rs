@@ -121,8 +121,8 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-/// How many of the 36 candidates outside the source's eleven, both rows at work, have positive ratios and this
-/// efficiency in both gears, whatever else there is to object to.
+/// How many of the 36 candidates outside the source's eleven, both rows at work, have positive ratios and
+/// this efficiency in both gears, whatever else there is to object to.
 fn unlisted_above(found: &Selection, efficiency: f64) -> usize {
     let all = found.accepted.iter().chain(&found.rejected);
     let mut structures: Vec<Structure> = all

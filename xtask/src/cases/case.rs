@@ -47,8 +47,8 @@ pub enum Verdict {
     Agrees,
     /// It does not follow from the source's own inputs.
     Contradicted,
-    /// The figure follows from the source's inputs by a restored reading: the copy lost or garbled the formula, or the document
-    /// never had it. Judged as [`Verdict::Agrees`], counted apart.
+    /// The figure follows from the source's inputs by a restored reading: the copy lost or garbled the
+    /// formula, or the document never had it. Judged as [`Verdict::Agrees`], counted apart.
     Reconstructed,
     /// The figure repeats the definition of its own quantity, our copy of a table, or an input that was
     /// solved for; or it is the value of a closed form or of another program, which no source prints. Judged
@@ -134,8 +134,8 @@ pub struct Expectation {
     /// Of a contradicted figure, the right value by an independent calculation, to 1e-6.
     #[serde(default)]
     pub computed: Option<String>,
-    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`; of a yes or no
-    /// the margin, above 0 for yes.
+    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`; of a yes
+    /// or no the margin, above 0 for yes.
     #[serde(default)]
     pub arithmetic: Option<String>,
     /// Why: the derivation of a contradiction, the reason for a tolerance.

@@ -1,6 +1,8 @@
-//! Outcomes as a page: a summary, then every figure source by source, with what is printed, computed and said of it.
+//! Outcomes as a page: a summary, then every figure source by source, with what is printed, computed and said
+//! of it.
 //!
-//! The page is whole in itself: one stylesheet, no script. What is shown is chosen by switches that the stylesheet reads.
+//! The page is whole in itself: one stylesheet, no script. What is shown is chosen by switches that the
+//! stylesheet reads.
 
 use crate::cases::figure::{Figure, Status};
 use crate::cases::run::Outcome;

@@ -9,7 +9,8 @@ use std::fmt::Write;
 /// Width of a line.
 const WIDTH: usize = 100;
 
-/// The report of every source, then what does not hold, then a line of totals. `shows_values` lists every comparison.
+/// The report of every source, then what does not hold, then a line of totals. `shows_values` lists every
+/// comparison.
 #[must_use]
 pub fn render(outcomes: &[Outcome], shows_values: bool) -> String {
     let mut text = String::new();
@@ -185,7 +186,8 @@ pub(crate) const fn evidence_word(evidence: Evidence) -> &'static str {
     }
 }
 
-/// What the figures of a status are, where they are not all numbers read in their source: ` (58 numbers, 4 yes or no)`.
+/// What the figures of a status are, where they are not all numbers read in their source:
+/// ` (58 numbers, 4 yes or no)`.
 fn kinds(outcomes: &[Outcome], status: Status) -> String {
     let figures =
         || outcomes.iter().flat_map(|outcome| &outcome.figures).filter(|figure| figure.status == status);

@@ -12,9 +12,8 @@ const README: &str = "README.md";
 const VERIFICATION: &str = "docs/src/verification.md";
 const FINDINGS: &str = "docs/src/findings.md";
 
-/// Adds a fault for every finding and, where all cases ran and hold, for every count that a text of the project in `root`
-/// lacks.
-/// A text that is not there is not checked.
+/// Adds a fault for every finding and, where all cases ran and hold, for every count that a text of the
+/// project in `root` lacks. A text that is not there is not checked.
 pub fn check(root: &Path, is_whole: bool, outcomes: &mut [Outcome]) {
     let read = |file: &str| fs::read_to_string(root.join(file)).ok();
     if let Some(chapter) = read(FINDINGS) {

@@ -1,8 +1,9 @@
 //! No circle of files within a crate: of two files at most one names the other.
 //!
-//! An arrow is a path through `crate`, `self`, `super` or a module of one's own. It points to the file that defines
-//! the name, not to one that passes it on: `use` of a name is followed. A module may name what its parents define,
-//! since it is a part of theirs with a file of its own; and a `pub use` of one's own modules is a table of contents.
+//! An arrow is a path through `crate`, `self`, `super` or a module of one's own. It points to the file that
+//! defines the name, not to one that passes it on: `use` of a name is followed. A module may name what its
+//! parents define, since it is a part of theirs with a file of its own; and a `pub use` of one's own modules
+//! is a table of contents.
 
 use super::{Breach, source::Source};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

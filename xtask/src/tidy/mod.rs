@@ -11,8 +11,8 @@
 //! | [`words`] | words that have given way to the field's |
 //! | [`zeros`] | what counts as nothing stands in `tolerance.rs` |
 //!
-//! A rule is a function of path and text. Where the code does not keep one yet, a table in the rule's own file
-//! names the place; an entry that is no longer needed is a breach too, so that the tables only shrink.
+//! A rule is a function of path and text. Where the code does not keep one yet, a table in the rule's own
+//! file names the place; an entry that is no longer needed is a breach too, so that the tables only shrink.
 
 pub mod arrows;
 pub mod circles;
@@ -98,7 +98,8 @@ pub fn check(sources: &[Source]) -> Vec<Breach> {
     breaches
 }
 
-/// The breaches of a rule that a table excuses are left out; an entry of the table that excuses nothing is a breach.
+/// The breaches of a rule that a table excuses are left out; an entry of the table that excuses nothing is a
+/// breach.
 fn excused(found: Vec<Breach>, sources: &[Source], table: &[&str]) -> Vec<Breach> {
     let unused = |path: &&&str| {
         sources.iter().any(|source| source.path == **path)

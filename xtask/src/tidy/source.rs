@@ -10,8 +10,8 @@ pub struct Source {
     pub path: String,
     /// As it is written.
     pub text: String,
-    /// Of Rust: the text with blanks for comments, the contents of strings, and items under `#[cfg(test)]`; every
-    /// byte keeps its place. Empty for other files.
+    /// Of Rust: the text with blanks for comments, the contents of strings, and items under `#[cfg(test)]`;
+    /// every byte keeps its place. Empty for other files.
     pub code: String,
     /// Modules in other files that are declared under `#[cfg(test)]`.
     pub test_modules: Vec<String>,

@@ -1,7 +1,7 @@
 //! Words that have given way to those of the field do not return: in code, docs, help texts, book and files.
 //!
-//! Words are compared whole, without case, across `_`, `-`, a line's end and the humps of a name: `row parameter`
-//! is in `RowParameter`, `row_parameter` and `Row parameters`.
+//! Words are compared whole, without case, across `_`, `-`, a line's end and the humps of a name:
+//! `row parameter` is in `RowParameter`, `row_parameter` and `Row parameters`.
 
 use super::{Breach, source::Source};
 use std::ops::Range;

@@ -1,4 +1,5 @@
-//! The files of the disk, with the answer and the messages of a call kept in memory: for programs that call, and for tests.
+//! The files of the disk, with the answer and the messages of a call kept in memory: for programs that call,
+//! and for tests.
 
 use super::disk;
 use epicyclic_commands::desk::{Content, Desk, NotWritten, Source, Text};

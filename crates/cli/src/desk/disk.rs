@@ -1,10 +1,12 @@
 //! Files that are written: each whole, and of one call all or none.
 //!
-//! Every content goes into a temporary file beside its target, and when all of them are complete and on the disk, they take their
-//! names. A device or a pipe has no name to take; it is written just before. What can still fail then is a renaming within a folder.
+//! Every content goes into a temporary file beside its target, and when all of them are complete and on the
+//! disk, they take their names. A device or a pipe has no name to take; it is written just before. What can
+//! still fail then is a renaming within a folder.
 //!
-//! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while its program lives. What
-//! a killed program left behind has no lock any more, and the next call that writes into the folder removes it.
+//! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while
+//! its program lives. What a killed program left behind has no lock any more, and the next call that writes
+//! into the folder removes it.
 
 use epicyclic_commands::desk::{Content, NotWritten, Source, Text};
 use std::collections::VecDeque;
@@ -21,7 +23,8 @@ fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all temporary files of this program, which ends: nothing is written while the answer of this lives.
+/// Removes all temporary files of this program, which ends: nothing is written while the answer of this
+/// lives.
 #[must_use]
 pub fn remove_temporary() -> impl Drop {
     let pending = pending();
@@ -127,8 +130,8 @@ enum Stream {
 }
 
 impl Stream {
-    /// The stream that goes into a file: `/dev/stdout`, or the file that a shell has opened for it. It is written where it stands, since a file
-    /// that takes its name would leave the stream's own behind.
+    /// The stream that goes into a file: `/dev/stdout`, or the file that a shell has opened for it. It is
+    /// written where it stands, since a file that takes its name would leave the stream's own behind.
     #[cfg(unix)]
     fn of(file: &fs::Metadata) -> Option<Self> {
         use std::os::fd::{AsFd as _, BorrowedFd};
@@ -221,7 +224,8 @@ fn behind_links(file: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links"))
 }
 
-/// Whether two paths mean one file, which may not be there yet. Devices and pipes are never one: nothing in them is replaced.
+/// Whether two paths mean one file, which may not be there yet. Devices and pipes are never one: nothing in
+/// them is replaced.
 #[must_use]
 pub fn are_one_file(one: &Path, other: &Path) -> bool {
     match (fs::metadata(one), fs::metadata(other)) {
@@ -265,7 +269,8 @@ fn is_ours(name: &str) -> bool {
     })
 }
 
-/// Removes temporary files of programs that are no more. Whatever is in the way of that is no fault of this call.
+/// Removes temporary files of programs that are no more. Whatever is in the way of that is no fault of this
+/// call.
 fn remove_stale(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
@@ -273,8 +278,8 @@ fn remove_stale(folder: &Path) {
         if !is_file || !entry.file_name().to_str().is_some_and(is_ours) {
             continue;
         }
-        // A living program holds the lock, but for the moment between making the file and locking it. Ours is held until the file is
-        // gone, so that such a program waits, finds its file gone and makes another.
+        // A living program holds the lock, but for the moment between making the file and locking it. Ours is
+        // held until the file is gone, so that such a program waits, finds its file gone and makes another.
         let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
         if file.try_lock().is_ok() {
             let _ = fs::remove_file(entry.path());

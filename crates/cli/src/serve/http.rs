@@ -1,5 +1,5 @@
-//! As much of HTTP/1.1 as the app asks for: GET and HEAD, one reply on a connection, and limits on what whoever asks may send and how long
-//! that may take.
+//! As much of HTTP/1.1 as the app asks for: GET and HEAD, one reply on a connection, and limits on what
+//! whoever asks may send and how long that may take.
 
 use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::net::{Shutdown, TcpListener, TcpStream};

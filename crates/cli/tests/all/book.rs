@@ -1,4 +1,5 @@
-//! The book: its commands print what it shows, its files and links are there, its quotations are those of the files.
+//! The book: its commands print what it shows, its files and links are there, its quotations are those of the
+//! files.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 

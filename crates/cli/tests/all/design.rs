@@ -53,7 +53,8 @@ fn typed(limit: &Value) -> Option<Vec<String>> {
     }
 }
 
-/// No gear reverses that should not, and what would have to give is found by the same search once it is typed.
+/// No gear reverses that should not, and what would have to give is found by the same search once it is
+/// typed.
 #[test]
 fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
     let orders: &[&[&str]] = &[
@@ -101,7 +102,8 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
     }
 }
 
-/// Tooth numbers of scheme I by trial of all: none that are nearer to the ratio by a class are passed over for mass.
+/// Tooth numbers of scheme I by trial of all: none that are nearer to the ratio by a class are passed over
+/// for mass.
 #[test]
 fn deviations_come_before_mass() {
     for (ratio, tolerance) in [(3.9375, 0.03), (3.7, 0.03), (4.3, 0.01), (5.1, 0.1), (3.0, 0.0)] {

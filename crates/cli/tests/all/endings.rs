@@ -1,4 +1,5 @@
-//! Everything that takes long ends soon after it is asked to: at whatever moment, with a documented exit code, and no file half-written.
+//! Everything that takes long ends soon after it is asked to: at whatever moment, with a documented exit
+//! code, and no file half-written.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
@@ -29,8 +30,8 @@ fn moments() -> usize {
 
 const WIDE: &str = "--sun 1..5000 --planet 1..5000 --ring 1..9000 --tolerance 0.1%";
 
-/// Every command that computes, on an input that is long where there are such, with the files that it writes: a word `@name` is a file that
-/// it reads from the examples.
+/// Every command that computes, on an input that is long where there are such, with the files that it writes:
+/// a word `@name` is a file that it reads from the examples.
 fn commands() -> Vec<(String, &'static [&'static str])> {
     const ANSWER: &[&str] = &["answer.json"];
     let long = |line: &str| (format!("{line} -o answer.json"), ANSWER);
@@ -192,7 +193,8 @@ fn every_command_ends_soon_after_a_signal() {
     println!("{ended} were ended, the slowest after {slowest:?}");
 }
 
-/// A desk that asks its call to end when it is asked for the time so often, and leaves time to tell what was found.
+/// A desk that asks its call to end when it is asked for the time so often, and leaves time to tell what was
+/// found.
 struct Impatient {
     disk: Captured,
     asked: AtomicUsize,
@@ -232,7 +234,8 @@ impl Desk for Impatient {
     }
 }
 
-/// Ended at any of its polls, a synthesis has an answer that says that it is not whole, or none; never another.
+/// Ended at any of its polls, a synthesis has an answer that says that it is not whole, or none; never
+/// another.
 #[test]
 fn a_synthesis_that_is_ended_tells_what_it_found() {
     let words = [

@@ -1,4 +1,5 @@
-//! Files that are read and written: which may be one, how large, what is left behind, and names that a terminal would obey.
+//! Files that are read and written: which may be one, how large, what is left behind, and names that a
+//! terminal would obey.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 #![cfg(unix)]
@@ -125,7 +126,8 @@ fn of_several_files_all_are_written_or_none() {
     }
 }
 
-/// A write that fails names what was asked for and why, not the temporary file. The limit on the size of files stands for a full disk.
+/// A write that fails names what was asked for and why, not the temporary file. The limit on the size of
+/// files stands for a full disk.
 #[test]
 fn a_failed_write_names_its_target() {
     let folder = here();
@@ -160,7 +162,8 @@ fn a_link_to_nothing_is_kept_and_its_target_made() {
     assert!(path("lost.txt").is_symlink());
 }
 
-/// A writer that is killed in the middle leaves its temporary file; the next call in that folder removes it, and none that lives.
+/// A writer that is killed in the middle leaves its temporary file; the next call in that folder removes it,
+/// and none that lives.
 #[test]
 fn what_a_killed_program_left_is_removed_by_the_next() {
     let folder = here();
@@ -219,7 +222,8 @@ fn files_beyond_the_limit_are_refused_at_once() {
 fn control_characters_are_written_out() {
     let folder = here();
     let path = |name: &str| folder.path().join(name);
-    // An escape sequence, a line break, a new direction of reading, a character without width, C1's "control sequence".
+    // An escape sequence, a line break, a new direction of reading, a character without width, C1's "control
+    // sequence".
     let name = r"s\e[31m\nerror: \u202Elow\u200B\x9Bm";
     let hostile = BOX
         .replace("conveyor", &format!("\"{name}\""))

@@ -96,8 +96,8 @@ fn the_strength_of_a_wind_stage() {
     ));
 }
 
-/// As printed by the commercial calculation: safeties of sun, planet at the sun, planet at the ring, ring. The ring's root contains a `Y_S` that is compared
-/// only.
+/// As printed by the commercial calculation: safeties of sun, planet at the sun, planet at the ring, ring.
+/// The ring's root contains a `Y_S` that is compared only.
 #[test]
 fn the_safeties_of_the_wind_stage_are_those_printed() {
     let done = output(&examples(), &[&WIND[..], &["--format", "json"]].concat());
@@ -118,7 +118,8 @@ fn the_safeties_of_the_wind_stage_are_those_printed() {
     assert!(of("tangential_force_n").iter().all(|force| (force / 285_900.438 - 1.0).abs() < 1e-6));
 }
 
-/// With the deviations of grade 6, bores and blank factor of the same calculation, `K_v` is the printed one of each mesh.
+/// With the deviations of grade 6, bores and blank factor of the same calculation, `K_v` is the printed one
+/// of each mesh.
 #[test]
 fn the_dynamic_factors_of_the_wind_stage_are_those_printed() {
     let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
@@ -143,8 +144,8 @@ fn the_dynamic_factors_of_the_wind_stage_are_those_printed() {
     }
 }
 
-/// By hand: without `K_A` and `K_v` stresses of the flank are those of 2500 kN·m over `√(1.25·1.061)`, limits the static ones, `σ_Hlim·1.6` of case-hardened
-/// steel; of the root `σ_Flim·2·2.5·Y_δrelT,stat·Y_M`.
+/// By hand: without `K_A` and `K_v` stresses of the flank are those of 2500 kN·m over `√(1.25·1.061)`, limits
+/// the static ones, `σ_Hlim·1.6` of case-hardened steel; of the root `σ_Flim·2·2.5·Y_δrelT,stat·Y_M`.
 #[test]
 fn the_overload_is_held_against_the_static_limits() {
     let done = output(&examples(), &[&WIND[..], &["--factors", "--format", "json"]].concat());
@@ -191,8 +192,8 @@ fn data_sheets_of_gears() {
     ));
 }
 
-/// As printed by the commercial calculation, to all digits. The file has the shifts with the digits that the printed centre distance asks for, which round to the
-/// four that are printed.
+/// As printed by the commercial calculation, to all digits. The file has the shifts with the digits that the
+/// printed centre distance asks for, which round to the four that are printed.
 #[test]
 fn the_data_sheets_of_the_wind_stage_are_those_printed() {
     let done = output(&examples(), &["sheet", "wind-stage.yaml", "--format", "json"]);
@@ -381,7 +382,8 @@ fn gearboxes_side_by_side() {
     ));
 }
 
-/// Gear names that two makers give in opposite order of the ratios name different gears; the order of a file says nothing of steps.
+/// Gear names that two makers give in opposite order of the ratios name different gears; the order of a file
+/// says nothing of steps.
 #[test]
 fn gears_of_one_name_and_other_order_stand_by_their_ratios() {
     let folder = here();
@@ -625,7 +627,8 @@ fn sizes_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
-/// What `select` and `synthesize` save of sets with profile shift; the centre distance of the data sheet is the one that was told.
+/// What `select` and `synthesize` save of sets with profile shift; the centre distance of the data sheet is
+/// the one that was told.
 #[test]
 fn every_command_reads_a_saved_gearbox_with_profile_shift() {
     let folder = here();
@@ -1460,7 +1463,8 @@ fn a_saved_set_of_two_speeds_has_the_teeth_that_were_chosen() {
     }
 }
 
-/// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be drawn.
+/// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be
+/// drawn.
 #[test]
 fn a_saved_choice_has_its_ratios_and_its_direct_drive_clutch() {
     let folder = here();
@@ -1535,8 +1539,8 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     // The saved gearbox is the second of the search, by its structure and shift elements.
     let told = run(&["--explain", "k.yaml", "--limit", "1"]);
     assert!(told.contains("it is gearbox 2 of the search"), "{told}");
-    // A page has the best of each of the three families, or the first ten of all; the last families and gearboxes are not drawable.
-    // The best stands at the head of the page once more.
+    // A page has the best of each of the three families, or the first ten of all; the last families and
+    // gearboxes are not drawable. The best stands at the head of the page once more.
     for (more, drawn) in [(&[][..], 3), (&["--all-gearboxes"], 7)] {
         let page = run(&[&["-o", "search.html"], more].concat());
         assert!(page.is_empty());

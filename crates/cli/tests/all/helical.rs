@@ -60,7 +60,8 @@ fn a_helix_angle_of_0_changes_no_answer() {
     }
 }
 
-/// As printed: the shifts to four digits, so that the centre distance by them is known to 0.003 mm and the angles to 0.001°.
+/// As printed: the shifts to four digits, so that the centre distance by them is known to 0.003 mm and the
+/// angles to 0.001°.
 #[test]
 fn the_data_sheet_of_a_helical_stage_has_the_printed_angles() {
     let set = &json(&["sheet", DTU])["sets"][0];
@@ -146,7 +147,8 @@ fn the_data_sheet_tells_transverse_values_hands_and_overlap() {
         near(&gear["lead_m"], std::f64::consts::PI * z * 0.03 / libm::sin(beta), 1e-12);
         let alpha_t = libm::acos(d_b / d);
         near(&set["transverse_pressure_angle_rad"], alpha_t, 1e-12);
-        // The plates lie on the tangents of the base cylinder: base pitches and one base thickness, of a ring one space.
+        // The plates lie on the tangents of the base cylinder: base pitches and one base thickness, of a ring
+        // one space.
         let is_ring = gear["toothed_gear"] == "ring";
         let arc = if is_ring { std::f64::consts::PI * d / z - s_t } else { s_t };
         let base = d_b * (arc / d + libm::tan(alpha_t) - alpha_t);
@@ -181,7 +183,8 @@ fn helical_teeth_are_rated_with_their_factors() {
     }
 }
 
-/// `F_a = F_t·tan β` at the reference circle, at the lever of the working circles; and what `analyze` tells without losses is the same.
+/// `F_a = F_t·tan β` at the reference circle, at the lever of the working circles; and what `analyze` tells
+/// without losses is the same.
 #[test]
 fn axial_forces_tilt_the_planets() {
     let told = json(&RATED);
@@ -246,7 +249,8 @@ fn analyze_tells_axial_forces_with_losses() {
     assert!(forces[0].as_f64().unwrap() < forces[1].as_f64().unwrap(), "{forces}");
 }
 
-/// `H_V` of helical teeth by its definition: the friction of the normal force is that of the tangential force over the cosine of the base helix angle.
+/// `H_V` of helical teeth by its definition: the friction of the normal force is that of the tangential force
+/// over the cosine of the base helix angle.
 #[test]
 fn friction_losses_have_the_base_helix_angle() {
     let set = &json(&["sheet", DTU])["sets"][0];
@@ -260,7 +264,8 @@ fn friction_losses_have_the_base_helix_angle() {
     let of = |value: &Value| value.as_f64().unwrap();
     let beta_b = of(&set["base_helix_angle_rad"]);
     let base_pitch = of(&set["gears"][0]["base_diameter_m"]) * std::f64::consts::PI / 26.0;
-    // Sun and planets: the sliding speed over the rolling speed, |ξ|·p_et·(1/r_b1 + 1/r_b2), over the path of contact, shared by as many pairs as are in contact.
+    // Sun and planets: the sliding speed over the rolling speed, |ξ|·p_et·(1/r_b1 + 1/r_b2), over the path of
+    // contact, shared by as many pairs as are in contact.
     let radii = [0, 1].map(|gear| of(&set["gears"][gear]["base_diameter_m"]) / 2.0);
     let mesh = &set["meshes"][0];
     let alpha = of(&mesh["working_angle_rad"]);

@@ -1068,7 +1068,8 @@ fn lacks() -> String {
     wind.replace("output: next", "output: last").replace("oil:", &format!("  - id: other\n{other}oil:"))
 }
 
-/// The travel drive with its planets and a rim given, loads that wear its teeth, and a set without `strength`.
+/// The travel drive with its planets and a rim given, loads that wear its teeth, and a set without
+/// `strength`.
 fn held() -> String {
     let drive = std::fs::read_to_string(examples().join("travel-drive-duty.yaml")).unwrap();
     let drive = drive

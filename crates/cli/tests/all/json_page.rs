@@ -62,7 +62,8 @@ fn keys(part: &Value) -> BTreeSet<String> {
 /// Answers by their keys: where one is part of another, the page names it instead of telling its keys again.
 type Answers = BTreeMap<BTreeSet<String>, String>;
 
-/// A line for each key below a part of a schema: `[]` stands for each entry of a list, `*` for each name of a map.
+/// A line for each key below a part of a schema: `[]` stands for each entry of a list, `*` for each name of a
+/// map.
 fn lines(schema: &Value, part: &Value, path: &str, answers: &Answers, page: &mut String) {
     for choice in choices(schema, part) {
         if let Some(entries) = choice.get("items") {

@@ -54,7 +54,8 @@ fn a_motor_of_a_file_is_that_of_its_options() {
     ));
 }
 
-/// What a program sees, numbers to nine digits; without the places where limits of the teeth are nearest, as many are alike.
+/// What a program sees, numbers to nine digits; without the places where limits of the teeth are nearest, as
+/// many are alike.
 fn seen_by_programs(args: &[&str]) -> String {
     let is_of_number = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+' | '_');
     let rounded = |token: &str| match token.parse::<f64>() {
@@ -594,7 +595,8 @@ fn a_motor_under_load_has_the_figures_of_its_derivation() {
     assert!((areas * 1e6 - 96.395).abs() < 5e-4, "{areas}");
 }
 
-/// The allowed pressure belongs to the shape, and the pressure at which a stress is its limit is the one allowed.
+/// The allowed pressure belongs to the shape, and the pressure at which a stress is its limit is the one
+/// allowed.
 #[test]
 fn the_allowed_pressure_is_where_a_stress_meets_its_limit() {
     let limits = "contact_limit: 2000 MPa, root_limit: 400 MPa";

@@ -1,4 +1,5 @@
-//! The command `motor forms` from outside: its answers, its refusals, and that what it lists is what `motor` calculates.
+//! The command `motor forms` from outside: its answers, its refusals, and that what it lists is what `motor`
+//! calculates.
 
 #![allow(
     clippy::unwrap_used,

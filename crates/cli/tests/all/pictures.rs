@@ -1,4 +1,5 @@
-//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test pictures` renews them.
+//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test pictures`
+//! renews them.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

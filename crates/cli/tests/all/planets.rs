@@ -1,4 +1,5 @@
-//! Planets on their carrier and on their pins: angles, load sharing, limits of speed; and what of teeth is not rated.
+//! Planets on their carrier and on their pins: angles, load sharing, limits of speed; and what of teeth is
+//! not rated.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -96,7 +97,8 @@ fn stated_angles_are_the_angles_of_every_command() {
     assert!(text(&refused.stderr).contains("stated twice"), "{}", text(&refused.stderr));
 }
 
-/// One root that the standard does not hold for leaves every other flank and root rated; it is named with its value.
+/// One root that the standard does not hold for leaves every other flank and root rated; it is named with its
+/// value.
 #[test]
 fn a_root_outside_the_standard_withholds_nothing_else() {
     let folder = here();
@@ -128,7 +130,8 @@ fn a_root_outside_the_standard_withholds_nothing_else() {
     assert!(page.status.success(), "{}", text(&page.stderr));
 }
 
-/// Limits of planets on their pins need a speed and a bearing: n·d_m of bearings with and without a cage, and the orbit.
+/// Limits of planets on their pins need a speed and a bearing: n·d_m of bearings with and without a cage, and
+/// the orbit.
 #[test]
 fn fast_planets_are_held_against_their_bearings() {
     let folder = here();
@@ -186,7 +189,8 @@ fn given_speeds_settle_a_gear() {
     assert!(!text(&table.stdout).contains("underdetermined"), "{}", text(&table.stdout));
 }
 
-/// A tangential support is used in gears that hold its member, several held members included, and refused where no gear does.
+/// A tangential support is used in gears that hold its member, several held members included, and refused
+/// where no gear does.
 #[test]
 fn a_tangential_support_is_used_or_refused() {
     let folder = here();

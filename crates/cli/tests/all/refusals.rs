@@ -1,4 +1,5 @@
-//! Refusals for programs: a name that stays, the option or the place in a file, for every way in which a call can be wrong.
+//! Refusals for programs: a name that stays, the option or the place in a file, for every way in which a call
+//! can be wrong.
 
 #![allow(
     clippy::unwrap_used,

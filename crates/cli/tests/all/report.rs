@@ -75,7 +75,8 @@ fn is_in_order(page: &str) {
     }
 }
 
-/// The size of the letters of each picture on paper, in points: its width there is `w`, at most a column or the page.
+/// The size of the letters of each picture on paper, in points: its width there is `w`, at most a column or
+/// the page.
 fn letters_on_paper(page: &str) -> Vec<f64> {
     let number = |text: &str| text.parse::<f64>().unwrap();
     let after = |text: &str, name: &str| -> String {
@@ -248,7 +249,8 @@ fn the_page_of_a_gearbox_has_each_gear() {
     assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 1);
 }
 
-/// At the operating point and over the duty: what governs on the first page, then the safeties and one table of factors for the set.
+/// At the operating point and over the duty: what governs on the first page, then the safeties and one table
+/// of factors for the set.
 #[test]
 fn the_page_of_a_gearbox_with_data_for_it_has_the_strength_of_its_teeth() {
     let page = page(&["wind-stage.yaml", "--torque", "999.650881 kN·m", "--speed", "47.8 rpm"]);
@@ -459,7 +461,8 @@ fn the_page_of_a_gearbox_has_its_shifts() {
     assert!(page.contains("Change of slip of the shift elements") && page.contains("<td>(F1)</td>"));
 }
 
-/// Chapters so far as the file says enough: with a load below that of the parting flanks the first sheet objects.
+/// Chapters so far as the file says enough: with a load below that of the parting flanks the first sheet
+/// objects.
 #[test]
 fn a_gearbox_with_vibration_has_chapters_of_it() {
     let of = |more: &[&str]| page(&[&["two-stages.yaml"], more].concat());

@@ -146,7 +146,8 @@ fn a_browser_is_opened_but_where_none_is_wanted() {
             command
         });
         let begun = Instant::now();
-        // Of what does not come there is no end to wait for; what was told before the address would be there by now.
+        // Of what does not come there is no end to wait for; what was told before the address would be there
+        // by now.
         while !told.exists() && begun.elapsed() < Duration::from_secs(if quiet { 1 } else { 60 }) {
             std::thread::sleep(Duration::from_millis(20));
         }

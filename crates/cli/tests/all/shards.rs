@@ -1,4 +1,5 @@
-//! `synthesize` in shares: parts together are the whole search, and a share that is killed or ended goes on to the same part.
+//! `synthesize` in shares: parts together are the whole search, and a share that is killed or ended goes on
+//! to the same part.
 
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
@@ -215,7 +216,8 @@ fn ctrl_c_keeps_the_work_of_a_share() {
 #[test]
 fn ctrl_c_tells_what_was_found_and_that_it_is_not_all() {
     let mut last = String::new();
-    // How far a search is after some time nobody knows; one of these moments is before its end and after its first solution.
+    // How far a search is after some time nobody knows; one of these moments is before its end and after its
+    // first solution.
     let waits = std::iter::successors(Some(60.0), |wait| Some(1.12 * wait)).take_while(|wait| *wait < 4000.0);
     for wait in waits {
         let mut command = program(Path::new("."));
@@ -236,7 +238,8 @@ fn ctrl_c_tells_what_was_found_and_that_it_is_not_all() {
     panic!("{last}");
 }
 
-/// Bits of a part and of work in progress that are not as they were written, files that have no end, and outputs that take no file.
+/// Bits of a part and of work in progress that are not as they were written, files that have no end, and
+/// outputs that take no file.
 #[test]
 fn what_is_no_part_or_no_longer_one_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! The command `simulate`: problems with exact answers through the program, shifts, heat, and what is refused.
+//! The command `simulate`: problems with exact answers through the program, shifts, heat, and what is
+//! refused.
 
 #![allow(
     clippy::unwrap_used,

@@ -66,8 +66,8 @@ fn a_reader_that_leaves_early_is_told_nothing() {
             let mut command = program(folder.path(), args);
             command.stdout(writer).stderr(Stdio::piped()).spawn().unwrap().wait_with_output().unwrap()
         };
-        // A program that another test starts at this moment holds the reading end too until it runs; the little that
-        // a short answer has then goes through.
+        // A program that another test starts at this moment holds the reading end too until it runs; the
+        // little that a short answer has then goes through.
         let done = (0..20).map(|_| into_nothing()).find(|done| done.status.code() != Some(0)).unwrap();
         assert_eq!((done.status.code(), text(&done.stderr)), (Some(3), String::new()), "{args:?}");
     }
@@ -111,11 +111,12 @@ fn folders_that_take_no_file_are_told() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// The program as a shell starts it in the foreground: Ctrl-C ends it, also where these tests are run with the signal
-/// ignored, as under `nohup` or in a shell's background job, which a child would inherit.
+/// The program as a shell starts it in the foreground: Ctrl-C ends it, also where these tests are run with
+/// the signal ignored, as under `nohup` or in a shell's background job, which a child would inherit.
 ///
-/// No safe call of ours sets it, and a POSIX shell may not: its `trap` leaves alone what was ignored when it started. So a
-/// program does that then becomes ours, under the same process number: `env` of coreutils 8.31 and later, or `perl`.
+/// No safe call of ours sets it, and a POSIX shell may not: its `trap` leaves alone what was ignored when it
+/// started. So a program does that then becomes ours, under the same process number: `env` of coreutils 8.31
+/// and later, or `perl`.
 pub(crate) fn in_the_foreground(folder: &Path, args: &[&str]) -> Command {
     const ENV: [&str; 2] = ["env", "--default-signal=INT"];
     const PERL: [&str; 4] = ["perl", "-e", "$SIG{INT} = 'DEFAULT'; exec { $ARGV[0] } @ARGV or die", "--"];
@@ -271,7 +272,8 @@ fn colour_and_progress_are_for_terminals() {
     assert!(seen.contains("searching: ") && seen.contains("sets of tooth numbers found"), "{seen}");
 }
 
-/// The size of a long search first, then how far it is; of a short one neither, and none of it but on a terminal.
+/// The size of a long search first, then how far it is; of a short one neither, and none of it but on a
+/// terminal.
 #[test]
 fn a_long_search_tells_its_size_on_a_terminal() {
     let wide = "--sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1%";
@@ -297,7 +299,8 @@ fn a_long_search_tells_its_size_on_a_terminal() {
     assert!(piped.status.success() && piped.stderr.is_empty(), "{piped:?}");
 }
 
-/// More designs than an answer holds: the same on standard output and in a file, and as many as the front has.
+/// More designs than an answer holds: the same on standard output and in a file, and as many as the front
+/// has.
 #[test]
 fn a_whole_front_is_written_as_it_comes() {
     let folder = here();
@@ -391,7 +394,8 @@ fn warnings_of_a_list_in_csv_are_told() {
     );
 }
 
-/// What no design meets is not saved as if one did; a rejected one is only where it is asked for, and says so.
+/// What no design meets is not saved as if one did; a rejected one is only where it is asked for, and says
+/// so.
 #[test]
 fn rejected_designs_are_saved_only_on_demand() {
     let folder = here();

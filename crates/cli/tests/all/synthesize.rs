@@ -1,4 +1,5 @@
-//! `synthesize`: sets that share planets in its answer and its file, forward and reverse gears apart, where the search stops.
+//! `synthesize`: sets that share planets in its answer and its file, forward and reverse gears apart, where
+//! the search stops.
 
 use super::common::{here, output, text};
 use serde_json::Value;
@@ -60,7 +61,8 @@ fn a_saved_compound_set_has_the_figures_of_the_answer() {
     }
 }
 
-/// What is of use by a limit decides where the search ends; the classes by themselves say what it has to find.
+/// What is of use by a limit decides where the search ends; the classes by themselves say what it has to
+/// find.
 #[test]
 fn a_search_goes_on_until_a_gearbox_is_of_use() {
     let folder = here();

@@ -38,7 +38,8 @@ fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap()
 }
 
-/// Three prints are inaccurate: the source has 1536.6, 727.0 and 1091.0 where its data give 1536.54, 727.27 and 1091.16.
+/// Three prints are inaccurate: the source has 1536.6, 727.0 and 1091.0 where its data give 1536.54, 727.27
+/// and 1091.16.
 #[test]
 fn the_example_of_lin_and_parker_has_its_printed_frequencies() {
     let answer = answer("lin-parker.yaml", &[], &[]);
@@ -142,8 +143,9 @@ fn without_a_carrier_that_turns_branches_are_level() {
     }
 }
 
-/// On a soft shaft the impeller and the gearbox swing as two inertias, `ω² = k·(1/J_1 + 1/J_2)`. That of the gearbox at its output is by the speeds of
-/// its bodies: in the gear `slow` those of a set with a held ring, in `fast` all as one.
+/// On a soft shaft the impeller and the gearbox swing as two inertias, `ω² = k·(1/J_1 + 1/J_2)`. That of the
+/// gearbox at its output is by the speeds of its bodies: in the gear `slow` those of a set with a held ring,
+/// in `fast` all as one.
 #[test]
 fn on_a_soft_shaft_the_gearbox_is_one_inertia() {
     let stiff = ("tangential_support: 900 N/µm", "tangential_support: 1000000 N/µm");
@@ -163,7 +165,8 @@ fn on_a_soft_shaft_the_gearbox_is_one_inertia() {
     }
 }
 
-/// Rotational modes of a set whose centres are held and whose bearings are rigid are the torsional modes of the gearbox of this set.
+/// Rotational modes of a set whose centres are held and whose bearings are rigid are the torsional modes of
+/// the gearbox of this set.
 #[test]
 fn the_planar_set_on_rigid_bearings_has_the_torsional_frequencies() {
     let parts = [
@@ -186,7 +189,8 @@ fn the_planar_set_on_rigid_bearings_has_the_torsional_frequencies() {
     }
 }
 
-/// In rotational modes all planets do the same, seen from each; in translational ones centres of central members move alike.
+/// In rotational modes all planets do the same, seen from each; in translational ones centres of central
+/// members move alike.
 #[test]
 fn shapes_are_those_of_their_kind() {
     let answer = answer("vibration.yaml", &[], &[]);
@@ -246,7 +250,8 @@ fn forces_of_transmission_errors_have_their_peaks_at_the_resonances_they_excite(
             assert_eq!(forces.len(), speeds.len());
             let most = forces.iter().copied().fold(0.0, f64::max);
             assert_eq!(most, number(greatest, "force_n"));
-            // A damped peak stands by half the square of the damping ratio, and others around it, beside the natural frequency.
+            // A damped peak stands by half the square of the damping ratio, and others around it, beside the
+            // natural frequency.
             let at = number(greatest, "input_speed_rad_s");
             let met = list(&with, "resonances").iter().filter(|one| one["harmonic"] == harmonic["harmonic"]);
             let met = met.filter(|one| one["source"] == "mesh");
@@ -305,7 +310,8 @@ fn the_gyroscopic_effect_changes_forces_where_the_carrier_turns() {
     assert_eq!((with, with.0), (without, false));
 }
 
-/// What turns the other way with the torque of the other sign is a mirror image; a torque of the other sign alone is not.
+/// What turns the other way with the torque of the other sign is a mirror image; a torque of the other sign
+/// alone is not.
 #[test]
 fn forces_are_those_of_the_mirror_image() {
     let of = |speeds: &str| {
@@ -477,7 +483,8 @@ fn coupled_modes_are_as_many_as_coordinates_of_one_kind_each() {
         let own = list(gear, "modes").iter().filter(|mode| mode["kind"] == kind);
         own.map(|mode| mode["multiplicity"].as_u64().unwrap()).sum::<u64>()
     };
-    // Four links turn; of each set three coordinates of the planets are rotational, six translational, three are of each planet more.
+    // Four links turn; of each set three coordinates of the planets are rotational, six translational, three
+    // are of each planet more.
     let kinds = ["rotational", "translational", "planet", "mixed"].map(of);
     assert_eq!(kinds, [4 + 2 * 3, 2 * moving + 2 * 6, 3, 0]);
     for mode in list(gear, "modes") {
@@ -525,7 +532,8 @@ fn held_centres_and_rigid_planet_bearings_leave_the_torsional_modes() {
     assert!(soft < 2e-2 && (libm::log10(soft / hard) - 1.0).abs() < 0.1, "{soft} {hard}");
 }
 
-/// A shaft that bends joins the sun of one set and the carrier of the other; without it each has translational modes of its own.
+/// A shaft that bends joins the sun of one set and the carrier of the other; without it each has
+/// translational modes of its own.
 #[test]
 fn a_shaft_that_bends_couples_the_sets_in_the_plane() {
     let lateral = (", lateral_stiffness: 15 N/µm", "");
@@ -536,7 +544,8 @@ fn a_shaft_that_bends_couples_the_sets_in_the_plane() {
     }
 }
 
-/// Of planets in pairs double modes part, and each stays of one kind; of planets at other angles they are of no one kind.
+/// Of planets in pairs double modes part, and each stays of one kind; of planets at other angles they are of
+/// no one kind.
 #[test]
 fn planets_at_unequal_angles_part_the_double_modes() {
     let with = |angles: &str| {
@@ -575,7 +584,8 @@ fn planets_at_unequal_angles_part_the_double_modes() {
     assert!(list(&file, "orders").iter().all(|order| order["excites"].is_null()));
 }
 
-/// Planets whose centrifugal forces have a resultant: modes at rest are told, what needs a carrier that turns about its centre is not, and the rest of the gearbox is.
+/// Planets whose centrifugal forces have a resultant: modes at rest are told, what needs a carrier that turns
+/// about its centre is not, and the rest of the gearbox is.
 #[test]
 fn of_planets_out_of_balance_the_modes_at_rest_are_told() {
     let angles = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";

@@ -12,8 +12,8 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap().to_owned()
 }
 
-/// Runs every block of a document that calls the program, one after another in one folder, and holds what it prints against what is shown;
-/// how many there were.
+/// Runs every block of a document that calls the program, one after another in one folder, and holds what it
+/// prints against what is shown; how many there were.
 pub(crate) fn check(document: &str) -> usize {
     let mut run = 0;
     let folder = bench();
@@ -30,8 +30,8 @@ pub(crate) fn check(document: &str) -> usize {
     run
 }
 
-/// The document with every block shown as it is printed now: as many sections of it from the same line on, or as many
-/// lines, where a part is shown.
+/// The document with every block shown as it is printed now: as many sections of it from the same line on, or
+/// as many lines, where a part is shown.
 pub(crate) fn updated(document: &str) -> String {
     let mut text = document.to_owned();
     let folder = bench();
@@ -85,7 +85,8 @@ fn bench() -> tempfile::TempDir {
     folder
 }
 
-/// What a command prints. A refusal is shown too: where the program ends with an error, what it says of it follows.
+/// What a command prints. A refusal is shown too: where the program ends with an error, what it says of it
+/// follows.
 fn printed(folder: &Path, command: &str) -> String {
     let words = words(command);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();

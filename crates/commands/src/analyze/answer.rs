@@ -18,8 +18,8 @@
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
-//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless the key
-//! ends in a unit: then they follow from the speed and load that were given.
+//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless
+//! the key ends in a unit: then they follow from the speed and load that were given.
 
 pub mod combinations;
 pub mod elements;

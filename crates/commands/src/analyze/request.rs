@@ -21,47 +21,17 @@ use epicyclic_units::{Number, Quantity};
 use std::path::Path;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
-/// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of its gears.
+/// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of
+/// its gears.
 ///
-/// Without --gear all gears: engagement table, ratios with their steps and progression, losses, torque and slip of the
-/// shift elements, shifts, planets; with --gear everything about one. Speeds are
-/// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
-/// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
-/// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
+/// Without --gear all gears: engagement table, ratios with their steps and progression, losses, torque and
+/// slip of the shift elements, shifts, planets; with --gear everything about one. Speeds are multiples of the
+/// input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque or
+/// --power say more. A negative torque or power brakes the machine: power then runs from the output to the
+/// input. A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at
+/// some.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nsets:\\n' > box.yaml
-  printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> box.yaml
-  printf '    k: 2.94\\n    efficiency: 0.97\\n' >> box.yaml
-  printf 'brakes: [{ id: K1, link: T1 }]\\n' >> box.yaml
-  printf 'clutches: [{ id: K2, links: [D, B] }]\\ngears:\\n' >> box.yaml
-  printf '  - { name: slow, engaged: [K1] }\\n' >> box.yaml
-  printf '  - { name: fast, engaged: [K2] }\\n' >> box.yaml
-  epicyclic analyze box.yaml
-  epicyclic analyze box.yaml --gear slow --torque '500 N·m'
-  epicyclic analyze box.yaml --steps
-  epicyclic analyze box.yaml --shifts --speed 1475rpm
-  epicyclic analyze II-3 --formula
-  epicyclic analyze II-3 --k1 2.15 --k2 2.35 --gear 2
-
-Keys of the file:
-  gearbox, input, output: its name, and the links where power enters and leaves
-  sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
-        kind, planet_teeth, planets, spacing: least_unequal or planet_angles,
-        efficiency or meshes, or with teeth
-        friction: [of the sun's mesh, of the ring's]; for the forces on
-        planets module or carrier_radius, and planet_mass, or face_width and
-        planet_bore; for their bearings' life load_rating, bearing_rolling
-  compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
-        [teeth]), meshes (gears: [one, other], efficiency), and optionally
-        planets, spacing or planet_angles, bevels_left, bevels_right, planet_shafts
-  brakes: id, link            clutches: id, links: [one, other], or of a one-way
-                              clutch one_way: [not slower, than this]
-  gears: name, engaged, and optionally input, output, speeds, torques
-  links, grounds, ties, density, pressure_angle, friction, note: optional
-or a list `transmissions` with published ratios, as in
-examples/real-transmissions.yaml.")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     choice: Choice,
@@ -82,12 +52,13 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
     steps: bool,
 
-    /// All shifts between gears, also those that pass gears over: what is released and applied, and how the input and each shift element
-    /// change their speeds.
+    /// All shifts between gears, also those that pass gears over: what is released and applied, and how the
+    /// input and each shift element change their speeds.
     #[arg(long, conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "torque", "power", "speeds", "torques", "map"])]
     shifts: bool,
 
-    /// Progression factor of the ideal progression: each of its steps over the next. Default: the factor that fits the ratios best.
+    /// Progression factor of the ideal progression: each of its steps over the next. Default: the factor that
+    /// fits the ratios best.
     #[arg(
         long,
         value_name = "NUMBER",
@@ -109,7 +80,8 @@ pub struct Args {
 /// Which gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
-    /// The file, in YAML, or - for standard input; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
+    /// The file, in YAML, or - for standard input; or a scheme of the catalogue (I … III-3) or a structure
+    /// (D.T1.B+T2.B.T1) by its name.
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
@@ -120,8 +92,8 @@ pub(crate) struct Choice {
     #[arg(long, value_name = "NAME")]
     transmission: Option<String>,
 
-    /// Efficiency with the carrier fixed of each set for which the file states no losses: 0.97 or 97%. Of a compound
-    /// set each mesh takes its square root.
+    /// Efficiency with the carrier fixed of each set for which the file states no losses: 0.97 or 97%. Of a
+    /// compound set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 }

@@ -5,14 +5,14 @@ use crate::failure::Failure;
 use epicyclic_tables::atlas::{Table, atlas, classes};
 use std::path::PathBuf;
 
-/// All gearboxes of two and three simple planet sets as Parquet tables: structures, gears, and ratios as functions.
+/// All gearboxes of two and three simple planet sets as Parquet tables: structures, gears, and ratios as
+/// functions.
 ///
-/// No ratios are asked for: every structure is there, with every set of engaged shift elements that drives the output. Two sets with
-/// four and five links, and three sets with five, of class all sparse; three sets with six and seven links of class core.
+/// No ratios are asked for: every structure is there, with every set of engaged shift elements that drives
+/// the output. Two sets with four and five links, and three sets with five, of class all sparse; three sets
+/// with six and seven links of class core.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Examples:
-  epicyclic atlas -o atlas")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// Folder for the tables, made if it is not there. Each is written whole, all of them or none.
     #[arg(short, long, value_name = "FOLDER", value_hint = clap::ValueHint::DirPath)]

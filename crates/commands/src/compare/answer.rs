@@ -5,8 +5,9 @@
 //! | [`page`] | what a page of it draws |
 //! | [`rows`] | which gears of the gearboxes stand beside each other |
 //!
-//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters; efficiencies are those driven from
-//! the input. All of it is taken from the [overviews](crate::analyze::answer::overview) of the gearboxes.
+//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters;
+//! efficiencies are those driven from the input. All of it is taken from the
+//! [overviews](crate::analyze::answer::overview) of the gearboxes.
 
 pub mod page;
 pub mod rows;
@@ -119,7 +120,8 @@ pub struct GearFigure {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Differs {
-    /// The largest difference from the first gearbox's value; `null` where all are equal or the first has none.
+    /// The largest difference from the first gearbox's value; `null` where all are equal or the first has
+    /// none.
     pub difference: Option<f64>,
     /// The same over the first gearbox's value.
     pub relative_difference: Option<f64>,

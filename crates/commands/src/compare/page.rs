@@ -8,7 +8,8 @@ use crate::table::report::{AsReport as _, Report};
 use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 
-/// The comparison, and the gearboxes as schemes where they are drawable; `input` is the command as it was written.
+/// The comparison, and the gearboxes as schemes where they are drawable; `input` is the command as it was
+/// written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.

@@ -15,32 +15,32 @@ use epicyclic_units::Quantity;
 use std::path::Path;
 use uom::si::f64::Ratio;
 
-/// Gearboxes side by side: ratios, steps, spread, efficiency, torques and slips of shift elements, speeds, circulating power, parts.
+/// Gearboxes side by side: ratios, steps, spread, efficiency, torques and slips of shift elements, speeds,
+/// circulating power, parts.
 ///
-/// Differences are counted from the first. Gears stand beside each other by their names where these are the same in all gearboxes, with
-/// their ratios in the same order; else by their ratios. With a speed and a load of the input they are compared at it, too. Of a list of transmissions those are compared that --transmission names. Schemes and structures by their names take
-/// the sizes that are given, all the same. With --output and a name that ends in .html the answer is a page with the schemes.
+/// Differences are counted from the first. Gears stand beside each other by their names where these are the
+/// same in all gearboxes, with their ratios in the same order; else by their ratios. With a speed and a load
+/// of the input they are compared at it, too. Of a list of transmissions those are compared that
+/// --transmission names. Schemes and structures by their names take the sizes that are given, all the same.
+/// With --output and a name that ends in .html the answer is a page with the schemes.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic synthesize --ratios '2.56, 1.465' --save box.yaml
-  epicyclic compare box.yaml D.T2.B+T1.B.T2 --ratio1 1.465 --ratio2 2.56
-  epicyclic compare box.yaml other.yaml --power 75kW --speed 1475rpm
-  epicyclic compare II-3 II-4 --k1 2.15 --k2 2.35 -o compared.html")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// Files in YAML, - for standard input, and schemes (I … III-3) or structures (D.T1.B+T2.B.T1) by their names.
+    /// Files in YAML, - for standard input, and schemes (I … III-3) or structures (D.T1.B+T2.B.T1) by their
+    /// names.
     #[arg(value_name = "GEARBOX", required = true, value_hint = clap::ValueHint::FilePath)]
     gearboxes: Vec<String>,
 
     #[command(flatten)]
     sizes: Sizes,
 
-    /// A transmission of the lists among the files: its name, or a part that no other name has; again for each further one.
+    /// A transmission of the lists among the files: its name, or a part that no other name has; again for
+    /// each further one.
     #[arg(long = "transmission", value_name = "NAME")]
     transmissions: Vec<String>,
 
-    /// Efficiency with the carrier fixed of each set for which the file states no losses: 0.97 or 97%. Of a compound
-    /// set each mesh takes its square root.
+    /// Efficiency with the carrier fixed of each set for which the file states no losses: 0.97 or 97%. Of a
+    /// compound set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 

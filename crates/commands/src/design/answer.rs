@@ -1,4 +1,5 @@
-//! A gearbox from speeds and power to sizes that hold: its scheme, its tooth numbers, its sizes with their strength.
+//! A gearbox from speeds and power to sizes that hold: its scheme, its tooth numbers, its sizes with their
+//! strength.
 //!
 //! | module | is |
 //! |---|---|
@@ -6,9 +7,9 @@
 //! | [`records`] | the steps, each with what it chose and what came next |
 //! | [`ways_out`] | limits that would have to give where no gearbox is left, with the gearbox behind each |
 //!
-//! Each step takes the best of the one before it, so that a person can follow it and choose otherwise; combinations are not searched.
-//! Where no tooth numbers of a scheme have sizes, the next scheme is taken. Another scheme, or other tooth numbers, may give a lighter
-//! gearbox.
+//! Each step takes the best of the one before it, so that a person can follow it and choose otherwise;
+//! combinations are not searched. Where no tooth numbers of a scheme have sizes, the next scheme is taken.
+//! Another scheme, or other tooth numbers, may give a lighter gearbox.
 
 mod attempt;
 pub mod basis;
@@ -40,8 +41,8 @@ pub struct Wanted {
     pub mechanism: Option<Mechanism>,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
-    /// Offsets of the rings of sets with profile shift, in place of sets that need none. The sizes pick the shifts anew at their centre
-    /// distances, by the same aim and tip thickness.
+    /// Offsets of the rings of sets with profile shift, in place of sets that need none. The sizes pick the
+    /// shifts anew at their centre distances, by the same aim and tip thickness.
     pub ring_offsets: Option<RangeInclusive<i32>>,
     /// How many of the tooth designs of each class of deviation get sizes, the smallest rings first.
     pub tries: usize,
@@ -73,8 +74,8 @@ pub struct Design {
     pub sizes: Option<SizesStep>,
     /// The gearbox with its sizes as a file; `null` where a set has none.
     pub file: Option<String>,
-    /// Where there is no file: limits that would have to give, each with the gearbox found behind it; `null` where there is a file, or the tooth
-    /// design was chosen by its number.
+    /// Where there is no file: limits that would have to give, each with the gearbox found behind it; `null`
+    /// where there is a file, or the tooth design was chosen by its number.
     pub ways_out: Option<Vec<WayOut>>,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
@@ -93,14 +94,16 @@ pub fn order_of_teeth() -> Order {
     Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
 }
 
-/// The design; `watch` is told how far the searches for tooth numbers are, and may end them, and the sizing after them. Where no gearbox
-/// is left, the search is repeated with each limit relaxed that stands in the way.
+/// The design; `watch` is told how far the searches for tooth numbers are, and may end them, and the sizing
+/// after them. Where no gearbox is left, the search is repeated with each limit relaxed that stands in the
+/// way.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
 /// - [`Error::NoSuchDesign`] for a number of a tooth design that there is not.
-/// - [`Error::Shares`] for shares that are not one of each gear; those of [`select::answer`], [`select::teeth::search`] and
-///   [`size::answer`], which speak of the file `basis` or of the gearbox in the making.
+/// - [`Error::Shares`] for shares that are not one of each gear; those of [`select::answer`],
+///   [`select::teeth::search`] and [`size::answer`], which speak of the file `basis` or of the gearbox in the
+///   making.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     let (mut design, relaxations) = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {

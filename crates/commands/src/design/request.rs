@@ -33,18 +33,17 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 
-/// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in steps.
+/// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength,
+/// in steps.
 ///
-/// The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth numbers those with the least class of
-/// deviation and the smallest rings at one load of the teeth get the sizes that size finds over a duty with the load in every gear, and the
-/// lightest is taken. Every step tells what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
-/// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the limits that would have to give are
-/// listed, each with its option and the gearbox found with it.
+/// The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth
+/// numbers those with the least class of deviation and the smallest rings at one load of the teeth get the
+/// sizes that size finds over a duty with the load in every gear, and the lightest is taken. Every step tells
+/// what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
+/// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the
+/// limits that would have to give are listed, each with its option and the gearbox found with it.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic design --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm --save box.yaml
-  epicyclic design --ratios '2.56, 1.465' --torque '500 N·m' --input 1475rpm --scheme II-3 -o box.html")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     speeds: Speeds,
@@ -65,7 +64,8 @@ pub struct Args {
     #[arg(long, value_name = "SHARES")]
     shares: Option<List<Quantity<Ratio>>>,
 
-    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it statically.
+    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it
+    /// statically.
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
     overload: Option<Quantity<Ratio>>,
 
@@ -77,8 +77,9 @@ pub struct Args {
     #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
     order: List<Objective>,
 
-    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the lightest is taken. They are taken
-    /// within a tenth of --tolerance; only where none holds within a third of it, then within all of it.
+    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the
+    /// lightest is taken. They are taken within a tenth of --tolerance; only where none holds within a third
+    /// of it, then within all of it.
     #[arg(long, value_name = "N", default_value = "50")]
     tries: usize,
 
@@ -98,12 +99,14 @@ pub struct Args {
     #[arg(long, value_name = "RANGE", default_value = "50..140")]
     ring: Span<u32>,
 
-    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9; --aim and
-    /// --tip-thickness decide which close. Without it only sets that need no shift get sizes.
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
+    /// range from -9 to 9; --aim and --tip-thickness decide which close. Without it only sets that need no
+    /// shift get sizes.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
     ring_offset: Option<RangeInclusive<i32>>,
 
-    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is as without it.
+    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is
+    /// as without it.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     basis: Option<PathBuf>,
 
@@ -115,7 +118,8 @@ pub struct Args {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     life: Option<Quantity<Time>>,
 
-    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and report read it.
+    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and
+    /// report read it.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
@@ -129,8 +133,8 @@ pub struct Args {
     #[command(flatten)]
     criteria: Criteria,
 
-    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no other is left. Default: refused,
-    /// unless a ratio is given with a minus.
+    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no
+    /// other is left. Default: refused, unless a ratio is given with a minus.
     #[arg(long, help_heading = "Criteria")]
     may_reverse: bool,
 
@@ -284,7 +288,8 @@ fn overload(args: &Args) -> Result<Option<f64>, Failure> {
     }
 }
 
-/// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its table does not have, that of 7.
+/// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its
+/// table does not have, that of 7.
 fn sharing() -> Result<[f64; 7], Failure> {
     let mut all = [1.0; 7];
     for (planets, of) in (2..).zip(&mut all) {

@@ -1,9 +1,10 @@
 //! Refusal of an output that is an input or another output.
 //!
-//! The files that a command line names are found by its arguments, so that no command can forget the check: a positional argument that is
-//! a path is read, an option that is one is written, but for those of [`READ`]. These are compared before anything is read or computed.
-//! Every file that is read joins them, also one that only another file names: [`Files::keep`] compares it with the outputs of the command
-//! line, [`Files::may_write`] every file that is written with all that were read.
+//! The files that a command line names are found by its arguments, so that no command can forget the check: a
+//! positional argument that is a path is read, an option that is one is written, but for those of [`READ`].
+//! These are compared before anything is read or computed. Every file that is read joins them, also one that
+//! only another file names: [`Files::keep`] compares it with the outputs of the command line,
+//! [`Files::may_write`] every file that is written with all that were read.
 
 use super::Desk;
 use crate::failure::Failure;
@@ -59,7 +60,8 @@ impl Files {
         Self { read: Mutex::new(read), written }
     }
 
-    /// Refuses two files of the command line that are one, and an output named `-`, which is standard input where something is read.
+    /// Refuses two files of the command line that are one, and an output named `-`, which is standard input
+    /// where something is read.
     pub fn are_apart(&self, desk: &dyn Desk) -> Result<(), Failure> {
         if let Some((option, _)) = self.written.iter().find(|(_, file)| file.as_os_str() == "-") {
             return Err(Failure::WrittenDash { option: option.clone() });

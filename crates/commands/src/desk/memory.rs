@@ -6,7 +6,8 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A desk in memory, with the files that a call may read. Names are taken as they stand: `a` and `./a` are two files.
+/// A desk in memory, with the files that a call may read. Names are taken as they stand: `a` and `./a` are
+/// two files.
 #[derive(Debug, Default)]
 pub struct Memory {
     kept: Mutex<Kept>,

@@ -50,7 +50,8 @@ pub struct Subject {
     pub name: Option<String>,
     /// Planet sets of a gearbox.
     pub sets: Vec<Set>,
-    /// Shift elements of a gearbox; of a structure the direct-drive clutch stands between the first links that leave room for it.
+    /// Shift elements of a gearbox; of a structure the direct-drive clutch stands between the first links
+    /// that leave room for it.
     pub shift_elements: Vec<ShiftElement>,
     /// Lobes, teeth and module of a motor.
     pub motor: Option<Numbers>,
@@ -78,8 +79,8 @@ pub struct Set {
     pub set: String,
     /// How it is made.
     pub kind: Kind,
-    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second. `null` where it is not given,
-    /// and of a set with more than two central gears.
+    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second.
+    /// `null` where it is not given, and of a set with more than two central gears.
     pub basic_ratio: Option<f64>,
 }
 

@@ -30,22 +30,18 @@ use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::{Length, Ratio};
 
-/// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its file.
+/// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its
+/// file.
 ///
-/// The gearbox is a scheme of the catalogue (I … III-3) unless a file has that name, or comes from a file as for `analyze`. The scheme
-/// is the section by the half-plane above the axis with the usual symbols. No link crosses another in it; a gearbox for which this is
-/// impossible is refused, and the parts in conflict are named. Drawings are in millimetres.
+/// The gearbox is a scheme of the catalogue (I … III-3) unless a file has that name, or comes from a file as
+/// for `analyze`. The scheme is the section by the half-plane above the axis with the usual symbols. No link
+/// crosses another in it; a gearbox for which this is impossible is refused, and the parts in conflict are
+/// named. Drawings are in millimetres.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic draw II-3 -o ii-3.svg
-  epicyclic draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power -o flow.svg
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --to-scale -o radii.pdf
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view speeds -o plan.dxf
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML; - for standard input.
+    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox
+    /// or motor in YAML; - for standard input.
     #[arg(value_name = "GEARBOX", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
@@ -77,8 +73,9 @@ pub struct Args {
 
     /// Gears and planet axes of the scheme at heights in proportion to their pitch radii; needs k or teeth.
     ///
-    /// Sets with module and teeth are in one scale, which the picture names with a scale bar; without modules all are taken as equal.
-    /// Widths along the axis are not to scale, and shafts and drums stand where there is room.
+    /// Sets with module and teeth are in one scale, which the picture names with a scale bar; without modules
+    /// all are taken as equal. Widths along the axis are not to scale, and shafts and drums stand where there
+    /// is room.
     #[arg(long)]
     to_scale: bool,
 
@@ -88,7 +85,8 @@ pub struct Args {
     #[command(flatten)]
     sizes: named::Sizes,
 
-    /// With --power: efficiency with the carrier fixed of each set for which no losses are stated. Default: no losses.
+    /// With --power: efficiency with the carrier fixed of each set for which no losses are stated. Default:
+    /// no losses.
     #[arg(long, value_name = "NUMBER", requires = "power", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 
@@ -96,7 +94,8 @@ pub struct Args {
     #[arg(long)]
     title: Option<String>,
 
-    /// File for the drawing, by the end of its name: .dxf, .pdf, .png, otherwise SVG. Default: SVG on standard output.
+    /// File for the drawing, by the end of its name: .dxf, .pdf, .png, otherwise SVG. Default: SVG on
+    /// standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 

@@ -67,7 +67,8 @@ pub struct ToothNumbers {
     pub equal_spacing: bool,
     /// Where each planet stands.
     pub planet_angles_rad: Vec<f64>,
-    /// Clearance between the tips of the planets that stand nearest to each other; negative where they overlap.
+    /// Clearance between the tips of the planets that stand nearest to each other; negative where they
+    /// overlap.
     pub tip_gap_m: f64,
     /// Basic ratio `i₀ = −z₃/z₁`, speed of the sun over speed of the ring with the carrier at rest.
     pub basic_ratio: f64,
@@ -175,8 +176,8 @@ pub struct Gear {
 pub struct Forces {
     /// Tangential force at each mesh with the sun, friction of the teeth included.
     pub sun_mesh_n: f64,
-    /// Tangential force at each mesh with the ring, friction of the teeth included; with that at the sun it adds to
-    /// `planet_bearing_tangential_n`.
+    /// Tangential force at each mesh with the ring, friction of the teeth included; with that at the sun it
+    /// adds to `planet_bearing_tangential_n`.
     pub ring_mesh_n: f64,
     /// Tangential force on the bearings of each planet, from the carrier's torque.
     pub planet_bearing_tangential_n: f64,
@@ -186,8 +187,8 @@ pub struct Forces {
     pub planet_bearing_centrifugal_n: f64,
     /// On the bearings of each planet, all together.
     pub planet_bearing_n: f64,
-    /// Nominal tangential force of a tooth of the sun for its strength, `2·T₁/(N·d₁)`: without the torque of friction on
-    /// the planet, so larger than at the mesh.
+    /// Nominal tangential force of a tooth of the sun for its strength, `2·T₁/(N·d₁)`: without the torque of
+    /// friction on the planet, so larger than at the mesh.
     pub sun_nominal_n: f64,
     /// The same of the ring, `2·T₃/(N·d₃)`.
     pub ring_nominal_n: f64,
@@ -199,8 +200,8 @@ pub struct Forces {
 pub struct Shafts {
     /// The sun's shaft.
     pub sun: Shaft,
-    /// A planet pin. It carries no torque; the method sizes it by the torque on the planets all the same. Its real load
-    /// is bending by the force on the planet bearings.
+    /// A planet pin. It carries no torque; the method sizes it by the torque on the planets all the same. Its
+    /// real load is bending by the force on the planet bearings.
     pub planet_pin: Shaft,
     /// The carrier's shaft.
     pub carrier: Shaft,
@@ -360,7 +361,8 @@ pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
 /// The drive of a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refused drive depends on.
+/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refused drive
+/// depends on.
 pub fn of_file(document: &Document) -> Result<Drive, Error> {
     let (file, spec) = file::read(document)?;
     answer(file.title, &spec).map_err(|error| match error {

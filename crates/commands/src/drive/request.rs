@@ -11,33 +11,13 @@ use std::path::PathBuf;
 
 /// A planetary drive from power, speed and ratio to its starting time.
 ///
-/// Chooses the teeth (or takes those given), then calculates speeds, torques, diameters, shafts with their bearings,
-/// masses, inertias, forces, the equivalent inertia referred to the sun's shaft, and how the drive starts. The sun
-/// drives, the ring is fixed, the load is on the carrier. Warnings are part of the answer; with --output they are shown
-/// here too. In a file whose name ends in .html the answer is a page, with drawing and plots.
+/// Chooses the teeth (or takes those given), then calculates speeds, torques, diameters, shafts with their
+/// bearings, masses, inertias, forces, the equivalent inertia referred to the sun's shaft, and how the drive
+/// starts. The sun drives, the ring is fixed, the load is on the carrier. Warnings are part of the answer;
+/// with --output they are shown here too. In a file whose name ends in .html the answer is a page, with
+/// drawing and plots.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
-  printf 'gear_set: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
-  epicyclic drive drive.yaml
-
-Keys of the file, all but the first four optional:
-  power, speed, ratio
-  gear_set: module, face_width, addendum, clearance, pressure_angle, density,
-            sun_bore, planet_bore (shaft, bearing, or a diameter)
-  title
-  ratio_tolerance
-  teeth: sun, planet, ring, planets (a number or a range), spacing, tip_gap
-  mesh_efficiency: sun_planet, planet_ring, planet_bearings
-  shafts: allowable_stress, bearing_series,
-          sun, planet, carrier: { diameter, bearing }
-  carrier: inertia, or arms: { length, width, thickness,
-                               hole: { radius, from_outer_end } }
-                    and hub: { outside_radius, inside_radius, width }
-  parts: sun, planet, carrier: { mass, inertia }
-  attached: motor, machine (inertias)
-  start: driving_torque, load")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// The file that describes the drive, in YAML; - for standard input.
     #[arg(value_name = "FILE")]

@@ -5,7 +5,8 @@ use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
 
-/// Radius of each of two equal planets in mesh over the room between sun and ring: at a quarter they would stand on one line with the axis.
+/// Radius of each of two equal planets in mesh over the room between sun and ring: at a quarter they would
+/// stand on one line with the axis.
 const EACH_OF_TWO: f64 = 0.29;
 
 /// The circles of a set: the ring's is `k` times the sun's.

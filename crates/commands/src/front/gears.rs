@@ -1,14 +1,16 @@
 //! Sets of which all teeth are known: outlines, and the angles at which they stand in mesh.
 //!
-//! From gear `A` with centre `O_A` a gear `B` in mesh is seen in the direction `φ`. A tooth of the one stands in a space of the other where
+//! From gear `A` with centre `O_A` a gear `B` in mesh is seen in the direction `φ`. A tooth of the one stands
+//! in a space of the other where
 //!
 //! ```text
 //! external   z_A·(φ − t_A) + z_B·(φ + π − t_B) = π        internal   z_B·(φ − t_B) − z_A·(φ − t_A) = π        up to turns of 2π
 //! ```
 //!
-//! `t` is the angle of the centre line of a tooth, and `B` of an internal mesh the ring, whose `φ` is that of the planet's centre about the
-//! axis. The first central gear has a tooth along the first axis; every other gear follows from one with which it meshes, and a second gear of
-//! a planet that no placed gear meshes with stands as the first one.
+//! `t` is the angle of the centre line of a tooth, and `B` of an internal mesh the ring, whose `φ` is that of
+//! the planet's centre about the axis. The first central gear has a tooth along the first axis; every other
+//! gear follows from one with which it meshes, and a second gear of a planet that no placed gear meshes with
+//! stands as the first one.
 
 use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
 use crate::error::Error;
@@ -24,7 +26,8 @@ use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::spacing::Spacing;
 use std::f64::consts::{PI, TAU};
 
-/// How far the sides of an outline may leave the curve, modules: below what a screen shows of a gear with 300 teeth.
+/// How far the sides of an outline may leave the curve, modules: below what a screen shows of a gear with 300
+/// teeth.
 const DEVIATION: f64 = 4e-3;
 
 /// Rim of a ring beyond its roots, modules.

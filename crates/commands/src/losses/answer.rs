@@ -1,6 +1,7 @@
 //! The losses of a gearbox at work: those of its meshes under load, and drags that do not depend on it.
 //!
-//! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power is against its speed.
+//! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power
+//! is against its speed.
 
 mod heat;
 
@@ -238,8 +239,8 @@ impl Answer for LossMap {
 /// The losses at a speed and a load.
 ///
 /// # Errors
-/// [`Error::NoGear`]; of a gear that is named also why its losses do not follow: [`Error::Gearbox`] and, for a speed outside the curve of
-/// a drag, [`Error::Document`] with its place; [`Error::Cooling`].
+/// [`Error::NoGear`]; of a gear that is named also why its losses do not follow: [`Error::Gearbox`] and, for
+/// a speed outside the curve of a drag, [`Error::Document`] with its place; [`Error::Cooling`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
     if let Some(cooling) = &wanted.cooling {
         cooling.check()?;
@@ -291,7 +292,8 @@ pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter
 /// The losses of a gear over speeds and torques of its input.
 ///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::Gearbox`] for a gear that is not driven; [`Error::Document`] for a speed outside the curve of a drag.
+/// [`Error::NoGear`]; [`Error::Gearbox`] for a gear that is not driven; [`Error::Document`] for a speed
+/// outside the curve of a drag.
 pub fn map(
     subject: &Subject<'_>,
     gear: &str,
@@ -341,7 +343,8 @@ enum Held {
 }
 
 impl Held {
-    /// Whether other speeds and torques of the same gear may do: the losses hold it, or a one-way clutch lets go.
+    /// Whether other speeds and torques of the same gear may do: the losses hold it, or a one-way clutch lets
+    /// go.
     fn is_of_the_place(&self) -> bool {
         match self {
             Self::Released(_) => true,
@@ -514,7 +517,8 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         GivenLoad::Input(InputLoad::Torque(Torque::from_si(torque)))
     }
 
-    /// By hand: seal and open clutch between D and B take from the input, what the meshes leave of the sun's torque.
+    /// By hand: seal and open clutch between D and B take from the input, what the meshes leave of the sun's
+    /// torque.
     #[test]
     fn every_loss_of_a_gear_has_its_name() {
         let document = document(BOX);
@@ -522,7 +526,8 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let found = answer(&subject, &wanted(None, 1000.0, on_input(100.0))).unwrap();
         let [slow, fast] = &found.gears[..] else { panic!("{:?}", found.gears) };
         let omega = rpm(1000.0).si();
-        // 1.5 N·m in the seal; the clutch drags at 3/4 of the input's speed and hands its 3 N·m on to the output.
+        // 1.5 N·m in the seal; the clutch drags at 3/4 of the input's speed and hands its 3 N·m on to the
+        // output.
         let sun = 100.0 - 1.5 - 3.0;
         let output = sun * (1.0 + 3.0 * 0.98 * 0.99) + 3.0;
         assert!((slow.output_torque_n_m + output).abs() < 1e-10 && slow.efficiency.unwrap() > 0.9);
@@ -561,7 +566,8 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         }
     }
 
-    /// What housing and cooler take is what is lost; at the thermal limit the oil has the allowed rise, whatever torque led there.
+    /// What housing and cooler take is what is lost; at the thermal limit the oil has the allowed rise,
+    /// whatever torque led there.
     #[test]
     fn heat_is_balanced_and_the_thermal_limit_has_the_allowed_rise() {
         let document = document(BOX);

@@ -13,35 +13,14 @@ use epicyclic_units::{Physical, Quantity};
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, TemperatureInterval, ThermalConductance, Torque};
 
-/// Losses of a gearbox at work: of its meshes under load, and drags of seals, bearings, oil and open shift elements.
+/// Losses of a gearbox at work: of its meshes under load, and drags of seals, bearings, oil and open shift
+/// elements.
 ///
-/// At a --speed and a load each loss of each gear by its name, and the balance of powers; with --speeds and --torques the
-/// efficiency of one gear over both. With --conductance how warm the oil becomes, and what torque it bears. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
+/// At a --speed and a load each loss of each gear by its name, and the balance of powers; with --speeds and
+/// --torques the efficiency of one gear over both. With --conductance how warm the oil becomes, and what
+/// torque it bears. Meshes lose by their efficiencies or by friction, drags by the curves of the file.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nsets:\\n' > drags.yaml
-  printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> drags.yaml
-  printf '    teeth: [21, 63]\\n    friction: [0.05, 0.05]\\n' >> drags.yaml
-  printf 'brakes: [{ id: K1, link: T1 }]\\n' >> drags.yaml
-  printf 'clutches:\\n  - id: K2\\n    links: [D, B]\\n' >> drags.yaml
-  printf '    drag: { speeds: [0 rpm, 3000 rpm], ' >> drags.yaml
-  printf 'torques: [0.5 N·m, 2 N·m] }\\n' >> drags.yaml
-  printf 'drags:\\n  - id: seal\\n    between: [D, ground]\\n' >> drags.yaml
-  printf '    curve: { speeds: [0 rpm], torques: [1.5 N·m], ' >> drags.yaml
-  printf 'beyond: constant }\\n' >> drags.yaml
-  printf 'gears:\\n  - { name: slow, engaged: [K1] }\\n' >> drags.yaml
-  printf '  - { name: fast, engaged: [K2] }\\n' >> drags.yaml
-  epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m'
-  epicyclic losses drags.yaml --speed '1475 rpm' --load-torque '350 N·m' --gear slow
-  epicyclic losses drags.yaml --speed '1475 rpm' --torque '100 N·m' \\
-    --conductance '12 W/K' --allowed-rise '60 K'
-  epicyclic losses drags.yaml --gear slow --speeds 500rpm..3000rpm/6 --torques 10N·m..100N·m/10
-
-Keys of the file beyond those of `epicyclic analyze`:
-  drags: id, between: [link, link], curve; of brakes and clutches: drag
-  a curve is { speeds: [...], torques: [...], beyond: refused or constant },
-  torques over relative speeds, linear between the points")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     choice: Choice,
@@ -94,7 +73,8 @@ pub struct Args {
 /// A map over speed and torque of the input.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Map {
-    /// A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places; with --torques.
+    /// A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places;
+    /// with --torques.
     #[arg(long, value_name = "FROM..TO/PLACES", requires_all = ["gear", "torques"])]
     speeds: Option<Range<AngularVelocity>>,
 

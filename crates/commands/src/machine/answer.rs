@@ -388,7 +388,8 @@ pub struct Rotor {
     pub wheel: WheelSpeeds,
     /// Discharge parameters, of which the smallest counts.
     pub discharges: Vec<Discharge>,
-    /// The range of its speeds; not above 1 where the wheel would have to turn faster to throw than it may to empty.
+    /// The range of its speeds; not above 1 where the wheel would have to turn faster to throw than it may to
+    /// empty.
     pub range: SpeedRange,
 }
 
@@ -423,7 +424,8 @@ impl Answer for Rotor {
 /// Greatest and least speed of a bucket wheel.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0, and of a throw that does not reach the chute; [`Error::NoChute`].
+/// [`Error::Design`] of a quantity that is not above 0, and of a throw that does not reach the chute;
+/// [`Error::NoChute`].
 pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     let optimal =
         optimal_speed(wheel.boom_radius, wheel.slewing, wheel.chip_width, wheel.buckets, wheel.boom_angle)?;

@@ -13,17 +13,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic machine list
-  epicyclic machine speeds '0.76 m/s, 1.33 m/s, 1.95 m/s'
-  epicyclic machine chain-cutter --pick-spacing '40 cm' --feed '5 m/min' \\
-      --chip '2.5 cm' --force '4 kN' --other-forces '5 kN, 6.5 kN'
-  epicyclic machine drum --diameter '1.4 m' --feed '4 m/min' \\
-      --chip '5 cm' --picks 2
-  epicyclic machine rotor --boom-radius '20 m' --slewing '0.02 rad/s' \\
-      --chip-width '0.3 m' --buckets 8 --boom-angle '60 deg' \\
-      --wheel-radius '3 m' --discharge 0.3")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(subcommand)]
     command: Command,
@@ -51,8 +41,8 @@ struct List {
 
 /// Ratios of a gearbox for some speeds, and how many speeds are recommended for their range.
 ///
-/// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between. Ratios are
-/// listed the fastest speed first.
+/// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between.
+/// Ratios are listed the fastest speed first.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  epicyclic machine speeds '0.8 m/s, 3.15 m/s'")]
 struct Speeds {
@@ -126,19 +116,14 @@ struct Rock {
 
 /// Greatest and least speed of a bucket wheel, and how many speeds their range asks for.
 ///
-/// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the chute. Angles
-/// are about the wheel's axis from the horizontal, in the sense of rotation.
+/// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the
+/// chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "\
 epicyclic machine rotor [OPTIONS] --boom-radius <BOOM_RADIUS>
        --slewing <SLEWING> --chip-width <CHIP_WIDTH> --buckets <NUMBER>
        --boom-angle <BOOM_ANGLE> --wheel-radius <WHEEL_RADIUS>")]
-#[command(after_help = "\
-Example:
-  epicyclic machine rotor --boom-radius '20 m' --slewing '0.02 rad/s' \\
-      --chip-width '0.3 m' --buckets 8 --boom-angle '60 deg' \\
-      --wheel-radius '3 m' --release '70 deg' --chute '95 deg, 110 deg' \\
-      --radius-ratio 0.6")]
+#[command(after_help = include_str!("rotor.txt"))]
 struct Rotor {
     /// Cutting radius of the boom.
     #[arg(long, allow_hyphen_values = true)]

@@ -43,8 +43,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length};
 
-/// A hydromotor. Angles are counter-clockwise from the x axis, which runs through a crest of the stator; torque and flow
-/// are theoretical, without leaks and friction.
+/// A hydromotor. Angles are counter-clockwise from the x axis, which runs through a crest of the stator;
+/// torque and flow are theoretical, without leaks and friction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Motor {
@@ -72,7 +72,8 @@ pub struct Motor {
     pub checks: Vec<Check>,
     /// Limits of the teeth; null where the form gives none on this motor.
     pub tooth_limits: Option<Vec<ToothLimit>>,
-    /// Clearances of the teeth over a revolution, satellites amid their backlash; null where there are no teeth.
+    /// Clearances of the teeth over a revolution, satellites amid their backlash; null where there are no
+    /// teeth.
     pub clearances: Option<Vec<Clearance>>,
     /// Angle of the rotor from where one of its crests faces one of the stator's.
     pub angle_rad: f64,
@@ -120,7 +121,8 @@ pub struct Numbers {
     pub satellite_radius_m: f64,
 }
 
-/// Displacement, torque and flow, without losses; the least and the greatest with satellites that seal at the pitch points.
+/// Displacement, torque and flow, without losses; the least and the greatest with satellites that seal at the
+/// pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Work {
@@ -130,7 +132,8 @@ pub struct Work {
     pub greatest_chamber_m2: f64,
     /// Displacement a revolution over the width.
     pub displacement_per_width_m2: f64,
-    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, satellites sealing at the pitch points; that at the flanks is `flanks.ripple`.
+    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, satellites sealing at the pitch points; that at
+    /// the flanks is `flanks.ripple`.
     pub ripple: f64,
     /// Width of the wheels; null, as all that depends on it, where none is given.
     pub width_m: Option<f64>,

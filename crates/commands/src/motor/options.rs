@@ -51,7 +51,8 @@ pub(crate) struct Design {
     #[arg(long, required_unless_present = "file", allow_hyphen_values = true)]
     pub(crate) module: Option<Quantity<Length>>,
 
-    /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of the family.
+    /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of
+    /// the family.
     #[arg(long, group = "place", allow_hyphen_values = true)]
     pub(crate) l: Option<Quantity<Length>>,
 
@@ -89,7 +90,8 @@ pub(crate) struct Design {
     #[arg(long, requires = "width", allow_hyphen_values = true)]
     pub(crate) speed: Option<Quantity<AngularVelocity>>,
 
-    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and drawings. Default: that of the file, else 0 deg.
+    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites
+    /// and drawings. Default: that of the file, else 0 deg.
     #[arg(long, allow_hyphen_values = true)]
     pub(crate) angle: Option<Quantity<Angle>>,
 
@@ -146,7 +148,8 @@ pub(crate) struct Teeth {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Drawings and curves, each file written whole or not at all")]
 pub(crate) struct Files {
-    /// What is drawn into --svg, --dxf, or an --output that ends in .svg, .dxf, .pdf or .png. Default: the whole motor.
+    /// What is drawn into --svg, --dxf, or an --output that ends in .svg, .dxf, .pdf or .png. Default: the
+    /// whole motor.
     #[arg(long, value_enum)]
     pub(crate) view: Option<View>,
 

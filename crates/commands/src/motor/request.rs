@@ -14,7 +14,8 @@ use crate::shared::page_options::{self as imprint};
 use epicyclic_formats::Path;
 
 use crate::motor::options::{Design, design, files};
-/// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
+/// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth,
+/// drawings.
 ///
 /// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them
 /// that roll on both. Without --zs the satellites that the other numbers admit are listed. The numbers leave
@@ -31,30 +32,7 @@ epicyclic motor [OPTIONS] <FILE>
            --module <MODULE> [--zs <TEETH>]
        epicyclic motor search [OPTIONS]
        epicyclic motor forms [OPTIONS]")]
-#[command(after_help = "\
-Example:
-  printf 'stator: 5\\nrotor: 3\\nz3: 55\\nzs: 10\\n' > motor.yaml
-  printf 'module: 2 mm\\n' >> motor.yaml
-  epicyclic motor motor.yaml --view teeth --svg teeth.svg
-  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
-      --l '80 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm'
-  epicyclic motor --stator 5 --rotor 3 --z3 55 --module '2 mm'
-  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
-      --l '80 mm' --a '31 mm' -o construction.svg
-  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
-      --angle '30 deg' --view chambers --svg chambers.svg
-  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
-      --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
-  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
-      --view dimensions -o dimensions.pdf
-  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
-      --width '50 mm' --pressure '20 MPa' --speed '100 rpm' \\
-      --oil 'viscosity: 46 mm²/s, density: 870 kg/m³, bulk_modulus: 1.4 GPa' \\
-      --gaps 'satellites: 10 µm' --friction 0.05..0.1 --ports 'part: 0.9'
-  epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
-      --stator 5..6 --z3 ..66
-  epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --module '2 mm' \\
-      --stator 6 --z3 66 --zs 10 --addendum 0.75..0.85/3")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(subcommand)]
     command: Option<Command>,

@@ -2,7 +2,8 @@
 
 use maud::{Markup, html};
 
-/// What the answers on a page do not know. What is not given is not on the page, so that the same input gives the same page.
+/// What the answers on a page do not know. What is not given is not on the page, so that the same input gives
+/// the same page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Imprint {
     /// What it is for.

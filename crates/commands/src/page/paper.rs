@@ -6,7 +6,8 @@ pub(crate) const SMALLEST_MM: f64 = 8.0 * 25.4 / 72.0;
 /// Width of one of two columns on A4, the narrower of the papers in common use: `(210 − 2·12 − 5)/2`.
 pub(crate) const COLUMN_MM: f64 = 90.5;
 
-/// Widths that a picture with letters of 2.5 mm may have, which are larger than the smallest on paper: of a column, and of a page.
+/// Widths that a picture with letters of 2.5 mm may have, which are larger than the smallest on paper: of a
+/// column, and of a page.
 pub(crate) const PICTURE_MM: [f64; 2] = [103.0, 220.0];
 
 /// Width and height of the field of a plot, two of which stand side by side.

@@ -1,4 +1,5 @@
-//! A page: the answer first, then chapters of answers, pictures and words, the input last. To be read without a network and printed.
+//! A page: the answer first, then chapters of answers, pictures and words, the input last. To be read without
+//! a network and printed.
 
 use super::imprint::Imprint;
 use super::paper::{COLUMN_MM, SMALLEST_MM};

@@ -32,8 +32,8 @@ const LEAST_EFFICIENCY: f64 = 0.5;
 /// Where the gearbox itself is further out, curves go on to so many times its own value.
 const FURTHER: f64 = 1.25;
 
-/// The gears and the scheme, then all gears, each gear in full, and what another `k` would change; `scale` is that of a layout to
-/// scale, `file` the file as it was written.
+/// The gears and the scheme, then all gears, each gear in full, and what another `k` would change; `scale` is
+/// that of a layout to scale, `file` the file as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a gearbox that cannot be drawn.
@@ -339,7 +339,8 @@ fn over_k(sets: &[OverK]) -> Result<Vec<Block>, Error> {
     Ok(blocks)
 }
 
-/// A curve of each gear that changes with `k`, in the gear's colour; `is_shown` judges a value beside the gearbox's own.
+/// A curve of each gear that changes with `k`, in the gear's colour; `is_shown` judges a value beside the
+/// gearbox's own.
 fn curves(
     set: &OverK,
     values: fn(&GearOverK) -> &[Option<f64>],

@@ -17,17 +17,14 @@ use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, FileKind, Path, Problem};
 use epicyclic_units::visible;
 
-/// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks, sources, the input.
+/// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks,
+/// sources, the input.
 ///
-/// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in its keys: power and
-/// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor; scenario a gearbox
-/// in motion.
+/// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in
+/// its keys: power and ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a
+/// motor; scenario a gearbox in motion.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
-  printf 'gear_set: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
-  epicyclic report drive.yaml -o drive.html")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     choice: Choice,
@@ -149,7 +146,8 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -
     written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &subject.base))
 }
 
-/// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand in lines of their own.
+/// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand
+/// in lines of their own.
 fn own_lines(document: &Document, base: &Path, file: &str) -> String {
     let Some(Segment::Index(place)) = base.segments().last() else { return file.to_owned() };
     let line = |place: usize| {

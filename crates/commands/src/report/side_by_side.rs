@@ -75,7 +75,8 @@ impl Table {
     }
 }
 
-/// Lines of what the gears have in common, in the order in which each first comes; `figure` is nothing where a gear lacks it.
+/// Lines of what the gears have in common, in the order in which each first comes; `figure` is nothing where
+/// a gear lacks it.
 fn lines<'a, T: 'a, const N: usize>(
     gears: &'a [OneGear],
     all: impl Fn(&'a OneGear) -> &'a [T],

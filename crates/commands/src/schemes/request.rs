@@ -13,16 +13,12 @@ use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.
 ///
-/// Three of two speeds (I, II, III: one set, one brake, direct drive) and eleven of three (I-1 to III-3: two sets, two
-/// brakes, direct drive). Without a name all of them; with one its links, formulas and ranges, and for given k or
-/// ratios its numbers. D is the driving shaft, B the driven one, T1 and T2 are braked in gears 1 and 2; k is the ring's
-/// teeth over the sun's.
+/// Three of two speeds (I, II, III: one set, one brake, direct drive) and eleven of three (I-1 to III-3: two
+/// sets, two brakes, direct drive). Without a name all of them; with one its links, formulas and ranges, and
+/// for given k or ratios its numbers. D is the driving shaft, B the driven one, T1 and T2 are braked in gears
+/// 1 and 2; k is the ring's teeth over the sun's.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic schemes
-  epicyclic schemes II-3 --k1 2.15 --k2 2.35
-  epicyclic schemes II-3 --ratio1 1.465 --ratio2 2.56 --efficiency 0.97")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// I, II, III, I-1 … I-4, II-1 … II-4 or III-1 … III-3.
     #[arg(value_name = "SCHEME")]

@@ -53,7 +53,8 @@ pub struct Wanted {
     pub duty: Duty,
 }
 
-/// Gearboxes for two or three speeds: the candidates that meet every required criterion, the best first, then the rejected.
+/// Gearboxes for two or three speeds: the candidates that meet every required criterion, the best first, then
+/// the rejected.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
@@ -68,7 +69,8 @@ pub struct Select {
     pub accepted: usize,
     /// How many do not.
     pub rejected: usize,
-    /// The objective by which the first candidate is ahead of others; `null` where there are no others, or all are equal.
+    /// The objective by which the first candidate is ahead of others; `null` where there are no others, or
+    /// all are equal.
     pub decided_by: Option<Objective>,
     /// The candidates told: accepted, the best first, then rejected.
     pub candidates: Vec<Candidate>,
@@ -76,20 +78,23 @@ pub struct Select {
     pub unreachable: Vec<Unreachable>,
     /// What the first candidate leaves to object to, and how many candidates do not.
     pub remedies: Vec<Remedy>,
-    /// Where nothing is accepted: how many of all structures are; `null` where something is, or those were the mechanisms.
+    /// Where nothing is accepted: how many of all structures are; `null` where something is, or those were
+    /// the mechanisms.
     pub accepted_of_all_structures: Option<usize>,
-    /// Where nothing is accepted: criteria that alone, or the fewest together, keep a candidate out, with the limits that would let the
-    /// nearest pass.
+    /// Where nothing is accepted: criteria that alone, or the fewest together, keep a candidate out, with the
+    /// limits that would let the nearest pass.
     pub relaxations: Vec<Relaxation>,
 }
 
-/// A required criterion that alone, or with the fewest others, keeps candidates out, where nothing is accepted.
+/// A required criterion that alone, or with the fewest others, keeps candidates out, where nothing is
+/// accepted.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Relaxation {
     /// Which criterion.
     pub criterion: Criterion,
-    /// The limit that would let the nearest of them pass, of `k` on the side where it lies; `null` of a yes or no.
+    /// The limit that would let the nearest of them pass, of `k` on the side where it lies; `null` of a yes
+    /// or no.
     pub limit: Option<f64>,
     /// Criteria that keep the same candidates out as well; none where one criterion alone would do.
     pub with: Vec<RelaxedCriterion>,
@@ -109,7 +114,8 @@ pub struct RelaxedCriterion {
     pub limit: Option<f64>,
 }
 
-/// A criterion that is not required and that the first candidate does not meet, and what requiring it would leave.
+/// A criterion that is not required and that the first candidate does not meet, and what requiring it would
+/// leave.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Remedy {
@@ -117,7 +123,8 @@ pub struct Remedy {
     pub criterion: Criterion,
     /// How many candidates meet it, and all that is required, among the same mechanisms.
     pub accepted: usize,
-    /// How many of all structures do; `null` where those were the mechanisms, or some of the same mechanisms do.
+    /// How many of all structures do; `null` where those were the mechanisms, or some of the same mechanisms
+    /// do.
     pub accepted_of_all_structures: Option<usize>,
 }
 
@@ -291,7 +298,8 @@ impl Relaxation {
     }
 }
 
-/// The limit of a criterion that would admit a candidate, and how far it is from the one there is; nothing where none would.
+/// The limit of a criterion that would admit a candidate, and how far it is from the one there is; nothing
+/// where none would.
 fn limit_that_admits(
     one: &selection::Candidate,
     verdict: &selection::Verdict,
@@ -359,8 +367,8 @@ fn ranked(found: &Selection) -> Vec<Ranked<'_>> {
     (1..).zip(all).map(|(no, (candidate, non_dominated))| Ranked { no, candidate, non_dominated }).collect()
 }
 
-/// The first objective in the order in which a design differs from the best, the direction of rotation before all; of each whether it
-/// mixes directions, and its objectives.
+/// The first objective in the order in which a design differs from the best, the direction of rotation before
+/// all; of each whether it mixes directions, and its objectives.
 fn decisive(
     order: Order,
     (best_mixes, best): &(bool, selection::Objectives),

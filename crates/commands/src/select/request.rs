@@ -43,23 +43,13 @@ const PAIRS_IN_A_SECOND: f64 = 3e6;
 
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 ///
-/// The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each mechanism is
-/// tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every required criterion is stated with
-/// what it found. There are no weights: of the designs that meet the criteria, the order of objectives chooses the first. The
-/// non-dominated designs are those that no other beats in everything.
+/// The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each
+/// mechanism is tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every
+/// required criterion is stated with what it found. There are no weights: of the designs that meet the
+/// criteria, the order of objectives chooses the first. The non-dominated designs are those that no other
+/// beats in everything.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic select --speeds '0.8 m/s, 3.15 m/s'
-  epicyclic select --speeds '0.76 m/s, 1.33 m/s, 1.95 m/s' --all-structures
-  epicyclic select --ratios 3.9375 --teeth --torque '500 N·m' --load-factor '2 MPa'
-  epicyclic select --ratios '1.465, 2.56' --teeth --ring ..90 --limit 5
-  epicyclic select --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm
-
-Objectives of --order: efficiency (the least of a gear), speed (the largest of a
-link, or of a planet relative to its carrier), k (distance of ln k from --prefer),
-error (of a ratio), size (of the largest ring at one load of the teeth), and without
---teeth circulation (the largest circulating power of a gear).")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     speeds: Speeds,
@@ -68,7 +58,8 @@ pub struct Args {
     #[arg(long)]
     teeth: bool,
 
-    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table up to 10000.
+    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table
+    /// up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -95,8 +86,8 @@ pub struct Args {
     #[command(flatten)]
     criteria: Criteria,
 
-    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct drive. Default: such
-    /// schemes are marked and ranked last.
+    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in
+    /// direct drive. Default: such schemes are marked and ranked last.
     #[arg(long, help_heading = "Criteria")]
     same_direction: bool,
 
@@ -140,7 +131,8 @@ pub(crate) struct RatioOptions {
     #[arg(long, value_enum, default_value_t = Brakes::Either)]
     brakes: Brakes,
 
-    /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a minus, otherwise alike.
+    /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a
+    /// minus, otherwise alike.
     #[arg(long, value_enum)]
     signs: Option<SignChoice>,
 }
@@ -197,7 +189,8 @@ pub(crate) struct Criteria {
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
     clutch_slip: Number,
 
-    /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an objection.
+    /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an
+    /// objection.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     circulation: Option<Quantity<Ratio>>,
 
@@ -228,7 +221,8 @@ struct Size {
     #[arg(long, value_name = "N", default_value = "3")]
     planets: u32,
 
-    /// Mesh load factors K_γ with 2, 3, … 8 planets: seven numbers; how much more than its share the most loaded mesh carries.
+    /// Mesh load factors K_γ with 2, 3, … 8 planets: seven numbers; how much more than its share the most
+    /// loaded mesh carries.
     #[arg(long, value_name = "NUMBERS")]
     mesh_load_factors: Option<Numbers>,
 
@@ -455,7 +449,7 @@ fn no_such_design(args: &Args, designs: usize) -> Failure {
     Failure::Option { option: "--nth", message: format!("{}: there are designs 1 to {designs}", args.nth) }
 }
 
-/// The file of --save with its content. Without a design that meets every required criterion there is none, unless --nth names a design.
+/// The file of --save with its content; none without a design that meets the criteria or that --nth names.
 fn save(
     call: &Call<'_>,
     args: &Args,

@@ -23,8 +23,8 @@ use uom::si::f64::{AngularVelocity, Torque};
 pub struct Choice {
     /// One transmission of a list: its name, or a part that no other name has.
     pub transmission: Option<String>,
-    /// Efficiency with the carrier fixed of each set for which the file states no losses. Of a compound set each mesh
-    /// takes its square root.
+    /// Efficiency with the carrier fixed of each set for which the file states no losses. Of a compound set
+    /// each mesh takes its square root.
     pub efficiency: Option<MeshEfficiency>,
 }
 

@@ -7,8 +7,8 @@ use std::str::FromStr;
 
 /// Values parted by commas or semicolons.
 ///
-/// A comma between two digits parts nothing, so that `0,8 m/s` is refused with its correction and not read as two
-/// numbers. So `1.465,2.56` wants a space after its comma.
+/// A comma between two digits parts nothing, so that `0,8 m/s` is refused with its correction and not read as
+/// two numbers. So `1.465,2.56` wants a space after its comma.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct List<T>(pub(crate) Vec<T>);
 

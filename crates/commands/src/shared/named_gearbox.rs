@@ -215,7 +215,8 @@ impl Named {
     }
 }
 
-/// The direct-drive clutch stands between the first two links that leave room for it, input and output before others.
+/// The direct-drive clutch stands between the first two links that leave room for it, input and output before
+/// others.
 fn two_sets(sets: [SetRoles; 2], k: [f64; 2], eta: MeshEfficiency) -> Result<Gearbox, Failure> {
     let name = sets.map(|set| set.map(Role::symbol).join(".")).join("+");
     let with = |clutch| gearbox(&name, &[(sets[0], k[0]), (sets[1], k[1])], eta, Some(clutch));

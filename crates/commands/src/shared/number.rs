@@ -9,7 +9,8 @@ pub fn plain(value: f64) -> f64 {
     value + 0.0
 }
 
-/// The number with the fewest digits that is this one but for rounding, `SHORT` of it: `2` for `1.9999999999999996`.
+/// The number with the fewest digits that is this one but for rounding, `SHORT` of it: `2` for
+/// `1.9999999999999996`.
 #[must_use]
 pub fn short(value: f64) -> f64 {
     let of_digits = |digits: usize| format!("{value:.digits$e}").parse::<f64>().ok();

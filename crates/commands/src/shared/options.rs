@@ -11,7 +11,8 @@ use epicyclic_units::Quantity as Given;
 use std::ops::RangeInclusive;
 use uom::si::f64::Ratio;
 
-/// The option that a search for tooth numbers refuses; the number of planets has its own name in each command.
+/// The option that a search for tooth numbers refuses; the number of planets has its own name in each
+/// command.
 pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static str> {
     Some(match error {
         Error::PlanetNumber { .. } => planets,
@@ -52,7 +53,8 @@ pub(crate) fn of_synthesis(error: crate::error::Error) -> Failure {
     }
 }
 
-/// Bounds of the teeth of gearboxes that are proposed, by --sun, --planet and --ring: planets keep the usual gap.
+/// Bounds of the teeth of gearboxes that are proposed, by --sun, --planet and --ring: planets keep the usual
+/// gap.
 pub(crate) fn proposed([sun, planet, ring]: [Span<u32>; 3]) -> Result<Bounds, Failure> {
     let usual = Bounds { tip_gap: USUAL_PLANET_GAP, ..Bounds::default() };
     Ok(Bounds {

@@ -73,7 +73,8 @@ impl PageArgs {
     }
 }
 
-/// The command as it was typed, without the file that its answer goes to: the input of a page that no file describes.
+/// The command as it was typed, without the file that its answer goes to: the input of a page that no file
+/// describes.
 pub(crate) fn command(call: &Call<'_>) -> String {
     words(call.words.iter().cloned())
 }

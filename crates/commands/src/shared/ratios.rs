@@ -1,6 +1,7 @@
 //! Lists of ratios as people write them: `4.714, 3.143`, `4.714,3.143`, `4.714 3.143`, `4,714; 3,143`.
 //!
-//! Spaces, semicolons and commas part the ratios. A comma between two digits, *inner* below, can be that of a decimal fraction:
+//! Spaces, semicolons and commas part the ratios. A comma between two digits, *inner* below, can be that of a
+//! decimal fraction:
 //!
 //! | the list has | an inner comma |
 //! |---|---|
@@ -132,8 +133,8 @@ fn digits<'m>(marks: impl Iterator<Item = &'m char>) -> String {
     marks.take_while(|mark| mark.is_ascii_digit()).collect()
 }
 
-/// The text with one space for each run of them, and none where it parts nothing: at its ends, before `%`, beside `±`, `..` and
-/// within parentheses.
+/// The text with one space for each run of them, and none where it parts nothing: at its ends, before `%`,
+/// beside `±`, `..` and within parentheses.
 fn joined(text: &str) -> String {
     let mut joined = String::new();
     for word in text.split_whitespace() {

@@ -1,6 +1,7 @@
 //! What the files have in common that are written of designs found.
 
-/// Names of gears with these ratios: forward gears by their places in falling order, `1`, `2` …, reverse `R`, several `R1`, `R2` ….
+/// Names of gears with these ratios: forward gears by their places in falling order, `1`, `2` …, reverse `R`,
+/// several `R1`, `R2` ….
 pub(crate) fn names(ratios: &[f64]) -> Vec<String> {
     let reverse = ratios.iter().filter(|ratio| **ratio < 0.0).count();
     let before = |gear: usize, is_first: &dyn Fn(f64, f64) -> bool| {

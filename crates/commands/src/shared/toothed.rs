@@ -8,7 +8,8 @@ use epicyclic_gears::involute::PlanetSet;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
 
-/// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where the file does not say enough of them.
+/// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where
+/// the file does not say enough of them.
 ///
 /// # Errors
 /// [`Error::Document`](crate::error::Error::Document) at the shifts.

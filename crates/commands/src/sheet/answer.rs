@@ -5,8 +5,8 @@
 //! | [`records`] | gears, meshes, sets |
 //! | `output` | backlash and torsional stiffness at the output, gear by gear |
 //!
-//! Names and signs are those of ISO 21771; all figures come from [`epicyclic_gears::involute`]. Diameters and centre distances of internal gears are positive. Root and form
-//! circles are those that a rack leaves.
+//! Names and signs are those of ISO 21771; all figures come from [`epicyclic_gears::involute`]. Diameters and
+//! centre distances of internal gears are positive. Root and form circles are those that a rack leaves.
 
 mod output;
 pub mod records;

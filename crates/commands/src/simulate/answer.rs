@@ -3,22 +3,26 @@
 //! Speeds and torques are positive along the axis; torques act on links from outside.
 //!
 //! # Peaks
-//! Powers and torques are looked for at the start and end, right before and right after every event, and at even instants between, at least two thousand of them;
-//! what is greater only between two instants is not seen.
+//! Powers and torques are looked for at the start and end, right before and right after every event, and at
+//! even instants between, at least two thousand of them; what is greater only between two instants is not
+//! seen.
 //!
 //! # Temperature
-//! What takes the heat of an element is one body over the temperature of the oil, with heat capacity `C` and conductance `G`:
+//! What takes the heat of an element is one body over the temperature of the oil, with heat capacity `C` and
+//! conductance `G`:
 //!
 //! ```text
 //! C·dθ/dt = P − G·θ       θ(t + Δt) = θ·e + (ΔQ/Δt)/G·(1 − e)     e = exp(−G·Δt/C)     G = 0: θ + ΔQ/C
 //! ```
 //!
-//! over the same instants, with the heat `ΔQ` between two of them, which is integrated with the motion. It starts at the oil's temperature.
+//! over the same instants, with the heat `ΔQ` between two of them, which is integrated with the motion. It
+//! starts at the oil's temperature.
 //!
 //! # Shifts
-//! A shift ends, *locked*, when all elements that it applies hold, and go on to hold up to the next shift or the end. Its torque phase is from when
-//! the first applied element carries to when the first released one, or a one-way clutch, lets go; its inertia phase from there to the
-//! lock. The torque of the output is what sets and shift elements exert on it:
+//! A shift ends, *locked*, when all elements that it applies hold, and go on to hold up to the next shift or
+//! the end. Its torque phase is from when the first applied element carries to when the first released one,
+//! or a one-way clutch, lets go; its inertia phase from there to the lock. The torque of the output is what
+//! sets and shift elements exert on it:
 //!
 //! ```text
 //! T = J·ω̇ − Σ T_applied      J, T_applied of the output with what is one piece with it
@@ -178,7 +182,8 @@ pub enum ChangeKind {
 pub enum State {
     /// It carries nothing; a set: it turns as a block; a shaft: it is within its backlash.
     Open,
-    /// It slips, the first link faster than the second; a one-way clutch overruns; the first gear of a set is faster than its carrier.
+    /// It slips, the first link faster than the second; a one-way clutch overruns; the first gear of a set is
+    /// faster than its carrier.
     SlipsForward,
     /// It slips, the first link slower than the second, or the first gear of a set than its carrier.
     SlipsBackward,
@@ -272,13 +277,14 @@ impl Answer for Simulation {
 /// The motion of a scenario; `file` is what `document` says.
 ///
 /// # Errors
-/// [`Error::Document`] and [`Error::Placed`] with the place of the fault; those of [`gearbox::read`] for the gearbox.
+/// [`Error::Document`] and [`Error::Placed`] with the place of the fault; those of [`gearbox::read`] for the
+/// gearbox.
 pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Simulation, Error> {
     answer_watched(document, file, beside, |_| true)
 }
 
-/// The same, watched: told again and again how much of its time is done, from 0 to 1, until it answers `false`. A motion that is ended so has
-/// all up to then, and a warning.
+/// The same, watched: told again and again how much of its time is done, from 0 to 1, until it answers
+/// `false`. A motion that is ended so has all up to then, and a warning.
 ///
 /// # Errors
 /// As [`answer`].

@@ -19,39 +19,11 @@ use std::str::FromStr;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
 ///
-/// A scenario names a gearbox, inertias, torques on links, capacities of shift elements and shifts. Shift elements
-/// are dry friction without smoothing, so that slip, lock and release are exact events. With a file that ends in .svg, .pdf, .png or
-/// .dxf --output draws a plot over time.
+/// A scenario names a gearbox, inertias, torques on links, capacities of shift elements and shifts. Shift
+/// elements are dry friction without smoothing, so that slip, lock and release are exact events. With a file
+/// that ends in .svg, .pdf, .png or .dxf --output draws a plot over time.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'scenario: start of a conveyor\\ngearbox:\\n' > start.yaml
-  printf '  { gearbox: conveyor, input: D, output: B,\\n' >> start.yaml
-  printf '    sets: [{ id: P, sun: D, ring: ground, ' >> start.yaml
-  printf 'carrier: B, k: 3 }] }\\n' >> start.yaml
-  printf 'inertias: { D: 0.2 kg·m², B: 8 kg·m² }\\n' >> start.yaml
-  printf 'torques:\\n  - { id: motor, link: D, ' >> start.yaml
-  printf 'constant: 20 N·m }\\n' >> start.yaml
-  printf '  - { id: belt, link: B, resistance: 40 N·m }\\n' >> start.yaml
-  printf 'duration: 2 s\\n' >> start.yaml
-  epicyclic simulate start.yaml
-  epicyclic simulate start.yaml --csv start.csv
-  epicyclic simulate start.yaml -o start.svg
-  epicyclic simulate start.yaml --sweep 'torques[motor].constant=15N·m..30N·m'
-
-Keys of the file:
-  scenario: its name
-  gearbox: as a gearbox file has it; or gearbox_file, transmission: one beside
-  efficiency, inertias (link: inertia), planets, engaged
-  drags: false to leave out those that the gearbox states
-  gear, start: input_speed, or speeds (link: speed); else at rest
-  duration, sample_every
-  torques: id, link, and one of constant, over_time, over_speed, linear,
-        viscous, quadratic, kloss, harmonic, resistance
-  elements: id, and one of holding, capacity, pressure; static_ratio,
-        friction_area, heat_capacity, conductance
-  shifts: at, to, release, apply, overlap
-  thresholds: id, link, speed")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// The file of the scenario, in YAML; - for standard input.
     #[arg(value_name = "FILE")]

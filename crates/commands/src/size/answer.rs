@@ -1,7 +1,8 @@
-//! The size of a gearbox's simple sets over the duty and against the overloads of its file: module, face width, planets, centre distance, bearing.
+//! The size of a gearbox's simple sets over the duty and against the overloads of its file: module, face
+//! width, planets, centre distance, bearing.
 //!
-//! Each set is sized by itself; why nothing better is lost is told at [`epicyclic_strength::sizing`]. What the file gives of a set is
-//! held.
+//! Each set is sized by itself; why nothing better is lost is told at [`epicyclic_strength::sizing`]. What
+//! the file gives of a set is held.
 
 pub mod records;
 mod saved;
@@ -78,8 +79,8 @@ pub struct Wanted {
 }
 
 impl Default for Wanted {
-    /// Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3 to 6 planets, centre distances in steps of 0.5 mm, the
-    /// bearings of the table, single and in pairs, the least mass.
+    /// Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3 to 6 planets,
+    /// centre distances in steps of 0.5 mm, the bearings of the table, single and in pairs, the least mass.
     fn default() -> Self {
         let mm = Length::from_mm;
         Self {

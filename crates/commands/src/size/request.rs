@@ -19,31 +19,12 @@ use uom::si::f64::Length;
 
 /// Sizes of the simple sets of a gearbox that hold over the duty of its file, with the least mass or ring.
 ///
-/// Complete over the stated modules, face widths, numbers of planets, centre distances and bearings; shifts follow from
-/// the centre distance and the aim. Each design must have faultless gears, the required safeties of flanks and roots by ISO 6336 and bearings that live
-/// as long as required. What the file gives of a set is held: module, face_width, planets, profile_shifts, planet_bore, load_rating, ring_rim.
+/// Complete over the stated modules, face widths, numbers of planets, centre distances and bearings; shifts
+/// follow from the centre distance and the aim. Each design must have faultless gears, the required safeties
+/// of flanks and roots by ISO 6336 and bearings that live as long as required. What the file gives of a set
+/// is held: module, face_width, planets, profile_shifts, planet_bore, load_rating, ring_rim.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'gearbox: hoist\\ninput: s\\noutput: h\\nlife: 5000 h\\n' > hoist.yaml
-  printf 'oil: { viscosity: 220 mm2/s }\\nsets:\\n' >> hoist.yaml
-  printf '  - id: P\\n    sun: s\\n    ring: r\\n    carrier: h\\n' >> hoist.yaml
-  printf '    teeth: [24, 84]\\n' >> hoist.yaml
-  printf '    strength:\\n      materials: [18CrNiMo7-6, ' >> hoist.yaml
-  printf '18CrNiMo7-6, 34CrNiMo6]\\n' >> hoist.yaml
-  printf '      flank_roughness: [4 um, 4 um, 6 um]\\n' >> hoist.yaml
-  printf '      root_roughness: [16 um, 16 um, 20 um]\\n' >> hoist.yaml
-  printf '      shaper: { teeth: 30 }\\n' >> hoist.yaml
-  printf '      ring_factors: { Y_delta_rel_T_stat: 1 }\\n' >> hoist.yaml
-  printf '      factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, ' >> hoist.yaml
-  printf 'K_H_alpha: 1, K_F_alpha: 1 }\\n' >> hoist.yaml
-  printf 'duty: [{ gear: \"1\", share: 1, torque: 60 N*m, ' >> hoist.yaml
-  printf 'speed: 1450 rpm }]\\n' >> hoist.yaml
-  printf 'brakes: [{ id: B, link: r }]\\ngears: [{ name: \"1\", ' >> hoist.yaml
-  printf 'engaged: [B] }]\\n' >> hoist.yaml
-  epicyclic size hoist.yaml --width-ratio 1
-  epicyclic size hoist.yaml --minimise ring --save sized.yaml
-  epicyclic strength sized.yaml")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// The file, in YAML, or - for standard input: what strength reads, but sizes may be missing in its sets.
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
@@ -100,16 +81,18 @@ pub(crate) struct Options {
     #[arg(long, value_name = "MODULES", default_value = "3.5", allow_negative_numbers = true)]
     ring_rim: Number,
 
-    /// Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm, B_mm, C_kN, C0_kN. Default: a table,
-    /// by --bearing-type.
+    /// Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm,
+    /// B_mm, C_kN, C0_kN. Default: a table, by --bearing-type.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     bearings: Option<PathBuf>,
 
-    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or both.
+    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or
+    /// both.
     #[arg(long, value_enum, default_value_t = BearingType::Balls, conflicts_with_all = ["bearings", "no_bearings"])]
     bearing_type: BearingType,
 
-    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row bearing.
+    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row
+    /// bearing.
     #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=2))]
     bearing_rows: u32,
 

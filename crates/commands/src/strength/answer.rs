@@ -1,4 +1,5 @@
-//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of its file, and against its overloads.
+//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of
+//! its file, and against its overloads.
 //!
 //! | module | is |
 //! |---|---|
@@ -15,7 +16,8 @@
 //! | `bearings` | planet bearings over a duty |
 //! | `place` | where in the file a fault is |
 //!
-//! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
+//! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are
+//! relative to the carrier.
 
 mod axial;
 mod bearing_records;
@@ -88,13 +90,15 @@ pub struct Strength {
     pub required: Required,
     /// The steps of the duty; empty at an operating point.
     pub duty: Vec<DutyStep>,
-    /// The safety that is least over what is required of it; `null` where no teeth are rated: where planet bearings alone are, and in a report.
+    /// The safety that is least over what is required of it; `null` where no teeth are rated: where planet
+    /// bearings alone are, and in a report.
     pub governing: Option<Governing>,
     /// Each gear of each mesh at the operating point; empty over a duty.
     pub at_point: Vec<Rated>,
     /// Each gear of each mesh over the duty; empty at an operating point.
     pub over_duty: Vec<OverDuty>,
-    /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of this gear.
+    /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of
+    /// this gear.
     pub overload: Vec<Overloaded>,
     /// The planet bearings with a load rating over the duty; empty at an operating point.
     pub bearings: Vec<BearingOverDuty>,
@@ -111,7 +115,8 @@ pub struct Strength {
 }
 
 impl Strength {
-    /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an overload.
+    /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an
+    /// overload.
     #[must_use]
     pub fn is_rated(&self) -> bool {
         if self.operating_point.is_some() || !self.duty.is_empty() {
@@ -138,9 +143,10 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// The strength of a gearbox from a file.
 ///
 /// # Errors
-/// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`], [`Error::OfOnePoint`] for a gear or speed of a duty.
-/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where neither teeth nor planet bearings can be
-///   rated.
+/// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`],
+///   [`Error::OfOnePoint`] for a gear or speed of a duty.
+/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where neither
+///   teeth nor planet bearings can be rated.
 /// - [`Error::NoGear`], [`Error::Load`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
     let strength = rated(subject, wanted, true)?;
@@ -152,8 +158,9 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
     Ok(strength)
 }
 
-/// What a report says of the strength of a gearbox, with the factors: at an operating point with load and speed, then over the duty of
-/// the file; nothing where the file does not state oil, life and the `strength` of a set.
+/// What a report says of the strength of a gearbox, with the factors: at an operating point with load and
+/// speed, then over the duty of the file; nothing where the file does not state oil, life and the `strength`
+/// of a set.
 ///
 /// # Errors
 /// Those of [`answer`] but [`Error::NothingRated`].

@@ -76,8 +76,8 @@ fn tables(strength: &Strength) -> Vec<Part> {
     parts
 }
 
-/// The same as parts of a page: with all factors of a set in one table, at an operating point those of the gear in which a safety of it is least over what is
-/// required.
+/// The same as parts of a page: with all factors of a set in one table, at an operating point those of the
+/// gear in which a safety of it is least over what is required.
 pub(crate) fn for_page(strength: &Strength) -> Report {
     let mut parts = vec![Part::Facts(strength.facts())];
     parts.extend(tables(strength));
@@ -188,8 +188,8 @@ fn at_point(all: &[Rated]) -> Records {
         .records()
 }
 
-/// A row for each factor of two gears, and two where they have it by different formulas or only one of them has it: of the factor that names it,
-/// and of the values that stand in it.
+/// A row for each factor of two gears, and two where they have it by different formulas or only one of them
+/// has it: of the factor that names it, and of the values that stand in it.
 fn by_formula<'a, F>(
     [first, second]: [&'a [F]; 2],
     symbol: impl Fn(&F) -> &str,

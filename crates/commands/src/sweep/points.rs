@@ -1,5 +1,5 @@
-//! One gear at many speeds and torques of its links, as columns: a power split, a differential, or a gear with one
-//! input at many operating points.
+//! One gear at many speeds and torques of its links, as columns: a power split, a differential, or a gear
+//! with one input at many operating points.
 //!
 //! One point is what [`analyze::inputs`](crate::analyze::answer::inputs) says of it.
 
@@ -43,7 +43,8 @@ pub struct Columns {
     pub moves: Vec<bool>,
     /// What the meshes take.
     pub losses_w: Vec<f64>,
-    /// Power that leaves over power that enters; 0 where [`has_efficiency`](Self::has_efficiency) says that none enters.
+    /// Power that leaves over power that enters; 0 where [`has_efficiency`](Self::has_efficiency) says that
+    /// none enters.
     pub efficiencies: Vec<f64>,
     /// Whether power enters.
     pub has_efficiency: Vec<bool>,
@@ -73,8 +74,8 @@ pub struct Columns {
 /// ```
 ///
 /// # Errors
-/// - [`Error::NoGear`], [`Error::NoLink`] for a name that there is not; [`Error::SweptLength`] unless all columns are
-///   equally long.
+/// - [`Error::NoGear`], [`Error::NoLink`] for a name that there is not; [`Error::SweptLength`] unless all
+///   columns are equally long.
 /// - [`Error::Inputs`] where the speeds or torques are too few, too many or dependent.
 /// - [`Error::SweptVariant`] with the first point of a number that is none or too large.
 pub fn answer(
@@ -191,7 +192,8 @@ mod tests {
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 
-    /// A double planet whose basic ratio is near 1: its losses hold it against a torque at the carrier one way.
+    /// A double planet whose basic ratio is near 1: its losses hold it against a torque at the carrier one
+    /// way.
     fn locking() -> Gearbox {
         let loss = MeshLoss::Set(MeshEfficiency::new(0.97).unwrap());
         Gearbox::builder("locking")

@@ -91,21 +91,21 @@ pub struct Synthesis {
     pub teeth_left_out: Vec<TeethLeftOut>,
     /// Sets of shift elements that have all gears, and what left them out.
     pub left_out: Vec<LeftOut>,
-    /// What a gearbox of use keeps; `null` where the search ended at the first class with gearboxes, whatever they are worth.
+    /// What a gearbox of use keeps; `null` where the search ended at the first class with gearboxes, whatever
+    /// they are worth.
     pub limits_of_use: Option<LimitsOfUse>,
     /// Gearboxes that are not told, since larger classes have some of use: by the limit that they miss first.
     pub left_behind: Vec<LeftOut>,
     /// How many of those found miss no limit of use.
     pub of_use: usize,
-    /// The share of time of each gear wanted, by which the mean efficiency is weighted; none where none are given.
+    /// Shares of time of the wanted gears, which weigh the mean efficiency; `null` where none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shares: Option<Vec<f64>>,
     /// Whether every structure of these classes was searched.
     pub complete: bool,
     /// How many solutions there are.
     pub found: usize,
-    /// Their families: solutions whose gears have equal formulas, up to an exchange of sets of one kind; all of them, in the order of
-    /// their best.
+    /// Families of solutions with equal formulas, up to an exchange of sets of one kind, the best first.
     pub families: Vec<Family>,
     /// Whether the solutions told are the best of each family alone, or all.
     pub listed: Listed,
@@ -117,7 +117,7 @@ pub struct Synthesis {
     pub objectives: Vec<Objective>,
     /// How many of the solutions found no other dominates; of those with as many gears as the first.
     pub non_dominated: usize,
-    /// The objective by which the first is ahead of others; `null` where there are no others, or all are equal.
+    /// The objective that sets the first ahead; `null` where it is alone or all are equal.
     pub decided_by: Option<Objective>,
     /// A given gearbox beside the search; `null` where none was given.
     pub explanation: Option<Explanation>,
@@ -157,7 +157,7 @@ pub struct Searched {
     pub gears: usize,
     /// Structures in the class, each once.
     pub structures: usize,
-    /// Structures times choices of double-planet sets times sets of shift elements, as pairs of links: the space that was searched.
+    /// Space searched: structures × choices of double-planet sets × sets of shift elements.
     pub space: f64,
     /// Structures that were searched; the others were left when the search was ended.
     pub structures_searched: u64,
@@ -193,8 +193,8 @@ pub struct Solution {
     pub gearboxes_of_family: usize,
     /// The scheme of the document that it is; `null` where it is none.
     pub scheme: Option<&'static str>,
-    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others; a double-planet set
-    /// has a star.
+    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
+    /// others; a double-planet set has a star.
     pub structure: String,
     /// The sets.
     pub sets: Vec<Set>,
@@ -217,14 +217,16 @@ pub struct Solution {
     pub reverse_efficiency: Option<f64>,
     /// The limit of use that it misses first; `null` where it misses none.
     pub beyond_limit: Option<Reason>,
-    /// Sets with a carrier and a sun or ring in common: those that share planets are rated as the compound set that they are.
+    /// Sets with a carrier and a sun or ring in common: those that share planets are rated as the compound
+    /// set that they are.
     pub shared_planets: Vec<SharedPlanets>,
     /// The greatest slip of an open shift element in a gear, over the input's speed.
     pub greatest_slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub greatest_link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of a double-planet set, which
-    /// depends on their teeth, what they exceed in any case: `2·|ω_sun − ω_carrier|/(k − 1)`.
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of
+    /// a double-planet set, which depends on their teeth, what they exceed in any case:
+    /// `2·|ω_sun − ω_carrier|/(k − 1)`.
     pub greatest_planet_speed: f64,
     /// What it is worth.
     pub rating: Rating,
@@ -315,8 +317,8 @@ pub fn answer(
     solve(wanted, progress).map(|(answer, _)| answer)
 }
 
-/// The same, with the solutions that are told as the search has them. Before each class is searched `progress` is told of it; a
-/// break ends the search, and what was found is kept.
+/// The same, with the solutions that are told as the search has them. Before each class is searched
+/// `progress` is told of it; a break ends the search, and what was found is kept.
 ///
 /// # Errors
 /// [`Error::Synthesis`] where no class can have the ratios, and for limits of teeth that nothing can keep.

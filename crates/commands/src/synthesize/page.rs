@@ -14,7 +14,8 @@ use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_units::format::trimmed;
 
-/// The best, then what was searched and found, with the schemes of the first; `input` is the command as it was written.
+/// The best, then what was searched and found, with the schemes of the first; `input` is the command as it
+/// was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.

@@ -45,29 +45,16 @@ const DRAWN: usize = 10;
 
 /// Every gearbox of simple planet sets, brakes and clutches that has a list of ratios.
 ///
-/// All structures of so many sets are searched, over all ring-to-sun ratios k in the range, not a grid of them. Numbers of sets
-/// and shift elements that are a range are tried from the smallest up, until one has a gearbox of use: one that can be drawn and
-/// keeps --least-efficiency, --least-reverse-efficiency and --most-circulating.
+/// All structures of so many sets are searched, over all ring-to-sun ratios k in the range, not a grid of
+/// them. Numbers of sets and shift elements that are a range are tried from the smallest up, until one has a
+/// gearbox of use: one that can be drawn and keeps --least-efficiency, --least-reverse-efficiency and
+/// --most-circulating.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Examples:
-  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2
-  epicyclic synthesize --ratios '3.059,1.625,1,0.696,-2.294' --class all-sparse
-  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --save best.yaml
-
-Objectives of --order and --objectives: drawable, shifts (that exchange several
-shift elements), efficiency (the least of a forward gear, or with --shares their
-mean), drag (slips of the open shift elements), torque (the greatest inside),
-speed (the greatest of a link or planet), circulation (power), progression (of
-the steps), deviation (of the ratios), reverse (the least efficiency of a
-reverse gear).
-
-A gear of n sets and L moving links engages L - n - 1 shift elements: of four
-sets and eight links three. How large a search is and about how long it takes is
-told before it begins.")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them. Of a gear 4.714,
-    /// 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in brackets where it may be missing: (-3.295).
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part
+    /// them. Of a gear 4.714, 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in
+    /// brackets where it may be missing: (-3.295).
     #[arg(long, allow_hyphen_values = true)]
     ratios: Ratios,
 
@@ -108,7 +95,8 @@ pub struct Args {
     #[command(flatten)]
     wishes: Wishes,
 
-    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each number is searched.
+    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each
+    /// number is searched.
     #[arg(long, default_value = "0")]
     double_planets: Span<u32>,
 
@@ -120,29 +108,33 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value = "1")]
     equal_k: u32,
 
-    /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set loses as much.
+    /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set
+    /// loses as much.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
 
-    /// Shares of time of forward gears, by their numbers in --ratios: '1:5%, 2:10%, 3:85%'; other gears have none. Gearboxes are ordered
-    /// by the mean efficiency of the forward gears by these shares, in place of the least.
+    /// Shares of time of forward gears, by their numbers in --ratios: '1:5%, 2:10%, 3:85%'; other gears have
+    /// none. Gearboxes are ordered by the mean efficiency of the forward gears by these shares, in place of
+    /// the least.
     #[arg(long, value_name = "GEAR:SHARE,…")]
     shares: Option<List<GearShare>>,
 
     #[command(flatten)]
     usable: UsableOptions,
 
-    /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up to 10000.
+    /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up
+    /// to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// Show every gearbox, not the best of each family alone. Gearboxes of a family have equal formulas for all gears, up to an exchange of
-    /// sets of one kind.
+    /// Show every gearbox, not the best of each family alone. Gearboxes of a family have equal formulas for
+    /// all gears, up to an exchange of sets of one kind.
     #[arg(long)]
     all_gearboxes: bool,
 
-    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table, in the file of --output. If
-    /// it is ended, the same command goes on from --output with .progress at its end.
+    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table,
+    /// in the file of --output. If it is ended, the same command goes on from --output with .progress at its
+    /// end.
     #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
     shard: Option<Share>,
 
@@ -168,7 +160,8 @@ pub struct Args {
     #[command(flatten)]
     teeth: TeethOptions,
 
-    /// Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where --teeth found any.
+    /// Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where
+    /// --teeth found any.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
@@ -176,7 +169,8 @@ pub struct Args {
     #[arg(long, value_name = "N", requires = "save", default_value = "1")]
     nth: usize,
 
-    /// A gearbox to be placed beside the search: which ratio it misses, its number among those found, or why it is not found.
+    /// A gearbox to be placed beside the search: which ratio it misses, its number among those found, or why
+    /// it is not found.
     #[arg(long, value_name = "FILE")]
     explain: Option<PathBuf>,
 
@@ -231,8 +225,8 @@ struct Wishes {
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     link_speed: Option<Number>,
 
-    /// Greatest speed of a planet relative to its carrier over the input's; of a double-planet set the speed that its planets exceed with
-    /// any teeth.
+    /// Greatest speed of a planet relative to its carrier over the input's; of a double-planet set the speed
+    /// that its planets exceed with any teeth.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     planet_speed: Option<Number>,
 

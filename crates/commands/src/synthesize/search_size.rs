@@ -28,8 +28,8 @@ const LONGEST_S: f64 = 3600.0;
 /// The most memory of such a search, in GB.
 const MOST_GB: f64 = 4.0;
 
-/// Tells the size of a search that begins, where it is not small; of a large one also how long it will take, and refuses one that
-/// takes too long.
+/// Tells the size of a search that begins, where it is not small; of a large one also how long it will take,
+/// and refuses one that takes too long.
 pub(crate) fn check(
     call: &Call<'_>,
     searching: &Searching,

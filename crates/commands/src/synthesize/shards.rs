@@ -1,8 +1,9 @@
 //! `synthesize` in parts on many machines: the search through one share, and all shares together.
 //!
-//! A share in work keeps what is done beside its part, in a file with `.progress` at the end of its name: a part that is not complete.
-//! It is written whole or not at all. The same command goes on from there, and the part it ends with is byte for byte that of a run
-//! that was never ended: what is found in a structure depends on nothing but the question.
+//! A share in work keeps what is done beside its part, in a file with `.progress` at the end of its name: a
+//! part that is not complete. It is written whole or not at all. The same command goes on from there, and the
+//! part it ends with is byte for byte that of a run that was never ended: what is found in a structure
+//! depends on nothing but the question.
 
 use crate::desk::{Call, Hearing, Text};
 use crate::failure::Failure;
@@ -31,8 +32,8 @@ const KEPT_EVERY: f64 = 0.2;
 /// Keeping takes at most one part in so many of the time.
 const KEPT_SHARE: f64 = 20.0;
 
-/// Searches a share of all classes that may have to be searched, and writes what it finds. Whether a class has solutions in other
-/// shares is not known here, so all of them are searched.
+/// Searches a share of all classes that may have to be searched, and writes what it finds. Whether a class
+/// has solutions in other shares is not known here, so all of them are searched.
 pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path) -> Result<(), Failure> {
     let questions = tried(wanted).map_err(of_synthesis)?;
     let asked = asked_of(&questions);

@@ -70,7 +70,8 @@ impl AsReport for Synthesis {
     }
 }
 
-/// A wanted gear: its ratio, with its bounds where they are not those of the tolerance; in brackets where it may be missing.
+/// A wanted gear: its ratio, with its bounds where they are not those of the tolerance; in brackets where it
+/// may be missing.
 #[must_use]
 pub fn wanted(gear: &WantedGear, tolerance: f64) -> String {
     let bounds = || format!("{} to {}", trimmed(gear.least_ratio, 4), trimmed(gear.greatest_ratio, 4));

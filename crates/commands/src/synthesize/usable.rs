@@ -14,8 +14,8 @@ use uom::si::f64::Ratio;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "When the search stops")]
 pub(crate) struct UsableOptions {
-    /// Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or cannot be drawn, larger
-    /// classes are searched.
+    /// Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or
+    /// cannot be drawn, larger classes are searched.
     #[arg(long, value_name = "SHARE", default_value = "0.9", allow_hyphen_values = true)]
     least_efficiency: Quantity<Ratio>,
 

@@ -28,8 +28,8 @@ pub enum Figure {
     Count(u32),
     /// A plain number.
     Number(f64),
-    /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many decimals as
-    /// its neighbours above and below.
+    /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many
+    /// decimals as its neighbours above and below.
     Multiple(f64),
     /// A figure of a source, with its decimals.
     Printed(f64, usize),
@@ -273,7 +273,8 @@ fn in_usual(si: f64, dimension: Dimension) -> f64 {
     si / dimension.usual_unit().factor
 }
 
-/// Four decimals; of what is smaller than 0.01 four significant digits, but for the zero that rounding leaves.
+/// Four decimals; of what is smaller than 0.01 four significant digits, but for the zero that rounding
+/// leaves.
 fn shown_multiple(value: f64) -> String {
     match value.abs() {
         size if size < NOTHING => format!("{:.DECIMALS$}", 0.0),

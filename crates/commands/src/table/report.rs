@@ -1,8 +1,8 @@
 //! An answer of several parts as tables, as CSV, and as part of a page.
 //!
-//! Tables and CSV show figures in the units of drawings. CSV is written
-//! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
-//! with the units in its header.
+//! Tables and CSV show figures in the units of drawings. CSV is written as a list of sections, items and
+//! quantities, or, where the answer is one list of like things, as a table of them with the units in its
+//! header.
 
 pub(crate) mod html;
 
@@ -234,7 +234,8 @@ impl Column {
 pub struct View {
     /// Its heading.
     pub title: String,
-    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed over.
+    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed
+    /// over.
     pub columns: Vec<&'static str>,
     /// A note below the table; empty for none.
     pub note: String,
@@ -426,8 +427,8 @@ impl Records {
     }
 }
 
-/// Names of columns in CSV, no two alike: where a thing is called as if its column were another, a point parts its name from the rest, as in
-/// `output.torque_n_m` of a brake called `output`.
+/// Names of columns in CSV, no two alike: where a thing is called as if its column were another, a point
+/// parts its name from the rest, as in `output.torque_n_m` of a brake called `output`.
 fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
     let all: Vec<String> = columns.clone().map(Column::key).collect();
     let is_taken = |key: &String| all.iter().filter(|other| *other == key).count() > 1;
@@ -453,7 +454,8 @@ fn rows_as_csv<'a>(
     text::csv(&header, rows, out)
 }
 
-/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `list` is the key of the list.
+/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `list` is the key
+/// of the list.
 pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     list: &'static str,
     columns: &[Column],

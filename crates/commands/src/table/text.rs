@@ -67,8 +67,9 @@ pub fn csv_text(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) ->
 
 /// A plain table; the columns at `right` are aligned to the right.
 ///
-/// No word or number is parted between two lines. Where the columns do not fit side by side so, the table goes on below, the columns that
-/// name its rows repeated. A word that is still too wide is parted, a number stands out over the edge.
+/// No word or number is parted between two lines. Where the columns do not fit side by side so, the table
+/// goes on below, the columns that name its rows repeated. A word that is still too wide is parted, a number
+/// stands out over the edge.
 pub fn table(
     header: &[&str],
     rows: impl IntoIterator<Item = Vec<String>>,

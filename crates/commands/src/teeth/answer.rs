@@ -39,7 +39,8 @@ pub struct Wanted {
     pub mode: Mode,
     /// How far the ratio may be off, as a share of it.
     pub tolerance: f64,
-    /// Bounds of tooth numbers, of planets, of a double-planet set of each of its two and of the pairs, of k, and the rack.
+    /// Bounds of tooth numbers, of planets, of a double-planet set of each of its two and of the pairs, of k,
+    /// and the rack.
     pub bounds: Bounds,
     /// How many of the sets are told.
     pub most: usize,
@@ -108,7 +109,8 @@ impl Answer for Teeth {
     const NAME: &'static str = "teeth";
 }
 
-/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
+/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1; a break
+/// ends the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
@@ -167,7 +169,8 @@ pub struct Stages {
 /// The most sets in series that [`stages`] tries.
 const MOST_STAGES: u32 = 4;
 
-/// How many sets in series have a ratio that one has not: each has the same root of it within its share of the tolerance.
+/// How many sets in series have a ratio that one has not: each has the same root of it within its share of
+/// the tolerance.
 ///
 /// A mode with negative ratios, the carrier at rest, is that of one set, and the carrier of the others turns.
 ///

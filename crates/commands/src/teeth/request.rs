@@ -28,21 +28,20 @@ const SHOWN_IN_TABLE: usize = 20;
 
 /// Every set of tooth numbers of a simple or double-planet gear set for a ratio.
 ///
-/// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets clear each other and
-/// assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun and ring stands once, with one choice of planets. With --ring-offset the ring may depart from the rule of equal centre distances, and profile shifts make up for it. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
+/// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets
+/// clear each other and assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun
+/// and ring stands once, with one choice of planets. With --ring-offset the ring may depart from the rule of
+/// equal centre distances, and profile shifts make up for it. The most exact come first. Ranges include both
+/// ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  epicyclic teeth --ratio 6 --planets 4 --no-undercut
-  epicyclic teeth --ratio 6 --planets 4 --save set.yaml --nth 2
-  epicyclic teeth --ratio -1.6 --double-planet --no-undercut
-  epicyclic teeth --ratio 6.17 --planets 3 --ring-offset -3..3")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
     #[arg(long, allow_negative_numbers = true)]
     ratio: Number,
 
-    /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier H.
+    /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier
+    /// H.
     #[arg(long, default_value = "aH^b", value_parser = mode)]
     mode: Mode,
 
@@ -50,7 +49,8 @@ pub struct Args {
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
-    /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the ring.
+    /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the
+    /// ring.
     #[arg(long, conflicts_with = "ring_offset")]
     double_planet: bool,
 

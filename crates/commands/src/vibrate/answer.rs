@@ -1,4 +1,5 @@
-//! Vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances and forces over the speed.
+//! Vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances
+//! and forces over the speed.
 //!
 //! | module | is |
 //! |---|---|
@@ -15,8 +16,9 @@
 //! | `branches` | natural frequencies over the speed, and where orders meet them |
 //! | `response` | forces of the meshes by transmission errors, over the speed |
 //!
-//! Each set stands alone, planar, on its supports; sets with helical teeth are left out. A member whose link is held in a gear does not rotate, or rotates against its
-//! tangential support; any other member is free to rotate.
+//! Each set stands alone, planar, on its supports; sets with helical teeth are left out. A member whose link
+//! is held in a gear does not rotate, or rotates against its tangential support; any other member is free to
+//! rotate.
 
 mod branches;
 mod coupled;
@@ -58,7 +60,8 @@ use train_records::{CoupledModes, TorsionalModes};
 use wanted::Settled;
 pub use wanted::Wanted;
 
-/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given speeds what excites them.
+/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given
+/// speeds what excites them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Vibration {
@@ -74,7 +77,8 @@ pub struct Vibration {
     pub campbell: Vec<Campbell>,
     /// Forces that transmission errors make over the speeds; empty without such.
     pub responses: Vec<Response>,
-    /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks something.
+    /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks
+    /// something.
     pub torsional: Vec<TorsionalModes>,
     /// Modes of the whole gearbox in the plane in each gear; empty unless asked for.
     pub coupled: Vec<CoupledModes>,
@@ -99,7 +103,8 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// The vibration of the sets of a gearbox, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::NothingVibrates`] where no set says enough, and those of [`Wanted`].
+/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::NothingVibrates`] where no set says enough, and those of
+///   [`Wanted`].
 /// - [`Error::Document`] for what the file says wrong, with its place.
 pub fn answer(
     subject: &Subject<'_>,
@@ -325,7 +330,8 @@ impl Of<'_> {
     }
 }
 
-/// What of sun, ring and carrier a set has held in a gear, or by permanent connections alone; `None` where two of them are joined otherwise.
+/// What of sun, ring and carrier a set has held in a gear, or by permanent connections alone; `None` where
+/// two of them are joined otherwise.
 fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
     let joined = joined(gearbox, gear, &[]);
     let roots = [0, 1, 2].map(|member| joined[set.members()[member].index()]);
@@ -334,8 +340,8 @@ fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[b
     (!are_one(0, 1) && !are_one(1, 2) && !are_one(0, 2)).then_some(held)
 }
 
-/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which its members are joined, or several of them held
-/// and none of these elastically, is told to `locked`.
+/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which its
+/// members are joined, or several of them held and none of these elastically, is told to `locked`.
 fn holdings(
     gearbox: &Gearbox,
     set: &PlanetSet,
@@ -365,7 +371,8 @@ fn holdings(
     all
 }
 
-/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`], where these ties are springs.
+/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`], where these
+/// ties are springs.
 fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
     let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
     let engaged = gear.map_or(&[][..], Gear::engaged).iter();

@@ -17,36 +17,12 @@ use uom::si::f64::{AngularVelocity, Length, Ratio};
 
 /// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
 ///
-/// Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With --speeds also what excites it
-/// in each gear, which modes the phases of the planets let it excite, and the speeds of the input at which it meets them;
-/// with --transmission-error the forces in the meshes. Torsional modes are of the whole gearbox, and with --coupled also its modes in the plane.
+/// Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With --speeds
+/// also what excites it in each gear, which modes the phases of the planets let it excite, and the speeds of
+/// the input at which it meets them; with --transmission-error the forces in the meshes. Torsional modes are
+/// of the whole gearbox, and with --coupled also its modes in the plane.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  printf 'gearbox: hoist\\ninput: s\\noutput: h\\nsets:\\n' > hoist.yaml
-  printf '  - id: P\\n    sun: s\\n    ring: ground\\n    carrier: h\\n' >> hoist.yaml
-  printf '    teeth: [24, 84]\\n    planets: 4\\n' >> hoist.yaml
-  printf '    module: 3 mm\\n    face_width: 40 mm\\n' >> hoist.yaml
-  printf '    vibration:\\n      planet_bearing: 300 N/um\\n' >> hoist.yaml
-  printf '      sun: { support: 0 N/um }\\n' >> hoist.yaml
-  printf '      carrier: { mass: 9 kg, inertia: 0.05 kg·m2, ' >> hoist.yaml
-  printf 'support: 200 N/um }\\n' >> hoist.yaml
-  printf 'gears: [{ name: only }]\\n' >> hoist.yaml
-  epicyclic vibrate hoist.yaml --shapes modes.svg
-  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --harmonics 2
-  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --campbell c.pdf
-  epicyclic vibrate hoist.yaml --coupled
-  epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/100 \\
-    --transmission-error 3um,1um --damping 3% --response forces.svg
-
-Keys of the file beyond those of `epicyclic analyze`:
-  sets: vibration: planet_bearing, mesh_stiffness, pressure_angles, base_radii;
-        sun, ring, carrier, planet: mass, inertia or rotary_mass, support,
-        tangential_support; sun: bore; ring: outside_diameter
-  vibration: speeds, harmonics, transmission_error, ring_transmission_error,
-        damping, in place of the options; link_inertias, shafts
-  A centre without a support is held. Meshes without a stiffness have that of
-  ISO 6336.")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     /// The file, in YAML, or - for standard input.
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
@@ -63,11 +39,13 @@ pub struct Args {
     #[command(flatten)]
     exciting: Exciting,
 
-    /// File for a picture of the forces by the transmission error of one set in one gear over the speed, as for --campbell.
+    /// File for a picture of the forces by the transmission error of one set in one gear over the speed, as
+    /// for --campbell.
     #[arg(long, value_name = "FILE")]
     response: Option<PathBuf>,
 
-    /// File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png, otherwise SVG.
+    /// File for a Campbell diagram of one set in one gear, by the end of its name: .dxf, .pdf, .png,
+    /// otherwise SVG.
     #[arg(long, value_name = "FILE")]
     campbell: Option<PathBuf>,
 
@@ -86,7 +64,8 @@ pub struct Args {
 /// What excites a vibration, and where it is looked at. What is not given here the file may say.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Exciting {
-    /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many places.
+    /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many
+    /// places.
     #[arg(long, value_name = "FROM..TO/PLACES", allow_hyphen_values = true)]
     speeds: Option<Range<AngularVelocity>>,
 

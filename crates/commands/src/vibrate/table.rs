@@ -22,7 +22,8 @@ pub use train::torsional_campbell;
 /// By this a turn a minute becomes hertz.
 const SECONDS_A_MINUTE: f64 = 60.0;
 
-/// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
+/// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer.
+/// Zero modes are left out.
 #[must_use]
 pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     let one = all.campbell.get(place)?;
@@ -67,7 +68,8 @@ fn ray_name(of: Source, harmonic: u32) -> String {
     }
 }
 
-/// The forces that transmission errors make in a set in a gear over the speed as a plot; its place is that in the answer.
+/// The forces that transmission errors make in a set in a gear over the speed as a plot; its place is that in
+/// the answer.
 #[must_use]
 pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
     let one = all.responses.get(place)?;

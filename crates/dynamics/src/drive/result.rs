@@ -66,12 +66,14 @@ pub struct TeethDesign {
     pub ratio_error: f64,
     /// Where the planets sit.
     pub spacing: PlanetSpacing,
-    /// Limit of the number of planets by the clearance between them, `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each
-    /// other. `None` where two already touch.
+    /// Limit of the number of planets by the clearance between them,
+    /// `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each other. `None` where two already
+    /// touch.
     pub clearance_limit: Option<f64>,
     /// The most equally spaced planets that clear each other.
     pub most_planets: u32,
-    /// Gap between the tip circles of the planets that stand nearest to each other; negative where they overlap.
+    /// Gap between the tip circles of the planets that stand nearest to each other; negative where they
+    /// overlap.
     pub tip_gap: Length,
 }
 
@@ -143,10 +145,10 @@ pub struct GearSetGeometry {
 
 /// Forces at the nominal power, mesh load factor `K_γ` = 1.
 ///
-/// They are one system: the forces of both meshes add to that of the planet bearings. They hold the friction of the teeth, which gives the planet a
-/// torque of its own: the nominal forces, with the whole torque at the pitch circle, would leave a planet out of balance
-/// by `1 − η` of a mesh, and their sum is larger than that of the planet bearings, by 1.7 % with efficiencies 0.97 and 0.98 at
-/// ratio 6.
+/// They are one system: the forces of both meshes add to that of the planet bearings. They hold the friction
+/// of the teeth, which gives the planet a torque of its own: the nominal forces, with the whole torque at the
+/// pitch circle, would leave a planet out of balance by `1 − η` of a mesh, and their sum is larger than that
+/// of the planet bearings, by 1.7 % with efficiencies 0.97 and 0.98 at ratio 6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
     /// Tangential force at each mesh with the sun, `(T_1 + T_2)/(N·a_w)`.
@@ -218,11 +220,13 @@ pub struct Masses {
     pub carrier_shape: Option<Carrier>,
 }
 
-/// Flanges, splines and pockets are not in a shape; a real part has at most this many times its mass, or this part of it.
+/// Flanges, splines and pockets are not in a shape; a real part has at most this many times its mass, or this
+/// part of it.
 const LIKE_SHAPE: f64 = 5.0;
 
 impl Masses {
-    /// Warns of known masses and inertias beyond [`LIKE_SHAPE`] of these shapes: a unit, a digit or the shape is wrong.
+    /// Warns of known masses and inertias beyond [`LIKE_SHAPE`] of these shapes: a unit, a digit or the shape
+    /// is wrong.
     pub(super) fn unlike(&self, known: &KnownParts) -> Vec<Warning> {
         let carrier = self.carrier_shape.is_some().then_some(self.carrier_inertia);
         let all = [
@@ -301,14 +305,15 @@ pub struct EquivalentInertia {
 /// How the drive moves under the starting torques.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
-    /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses; where it is held, that of forward motion.
+    /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses; where it is held, that of
+    /// forward motion.
     pub inertia: MomentOfInertia,
     /// Generalized force from rest, friction taken off; 0 where it is held.
     pub generalized_force: Torque,
     /// Accelerations of the links from rest; 0 where it is held.
     pub accelerations: Accelerations,
-    /// Loads on the carrier that keep it at rest, the least and the greatest: below it starts forward, above it runs
-    /// backward. One load without losses.
+    /// Loads on the carrier that keep it at rest, the least and the greatest: below it starts forward, above
+    /// it runs backward. One load without losses.
     pub held: [Torque; 2],
     /// Whether and when it reaches its speed.
     pub start: Start,
@@ -319,7 +324,8 @@ pub struct Motion {
 pub enum Start {
     /// After this time, both torques constant.
     After(Time),
-    /// Never: driving torque and load balance. A drive that turns forward keeps turning, one at rest stays so.
+    /// Never: driving torque and load balance. A drive that turns forward keeps turning, one at rest stays
+    /// so.
     InBalance,
     /// Never: the friction of the meshes holds it. A drive that turns forward slows down and stays.
     Held,

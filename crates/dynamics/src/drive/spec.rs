@@ -59,7 +59,8 @@ pub enum TeethSpec {
     Given {
         /// The set.
         teeth: ToothNumbers,
-        /// How its planets may be placed: a set that needs unequal angles is warned of unless they are allowed.
+        /// How its planets may be placed: a set that needs unequal angles is warned of unless they are
+        /// allowed.
         placement: Placement,
         /// Least gap between the tip circles of adjacent planets, in modules; a smaller one is warned of.
         tip_gap: f64,
@@ -211,7 +212,8 @@ impl DriveSpec {
 
 /// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut gears.
 ///
-/// Where a flat pressure angle asks for more than 200 teeth, sun and planet have just the fewest that are not undercut.
+/// Where a flat pressure angle asks for more than 200 teeth, sun and planet have just the fewest that are not
+/// undercut.
 #[must_use]
 pub fn default_bounds(rack: BasicRack) -> Bounds {
     let usual = Bounds::default();

@@ -134,8 +134,8 @@ fn the_excavators_forces() {
     close(found.sun_nominal.si(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
     close(found.ring_nominal.si(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
-    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point, by
-    // η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
+    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point,
+    // by η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
     let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
     let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
     close(found.sun_mesh.si(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);

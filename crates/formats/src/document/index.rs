@@ -14,8 +14,9 @@ use epicyclic_units as quantity;
 /// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
 pub(super) const DEPTH_LIMIT: usize = 100;
 
-/// How many values a file may have: scalars, maps and sequences, without keys. The largest file of [`super::SIZE_LIMIT`] bytes
-/// could hold two million, and each takes some hundred bytes here and in the value tree.
+/// How many values a file may have: scalars, maps and sequences, without keys. The largest file of
+/// [`super::SIZE_LIMIT`] bytes could hold two million, and each takes some hundred bytes here and in the
+/// value tree.
 pub(super) const VALUE_LIMIT: usize = 200_000;
 
 /// A problem, the position of it, and the path of the node it is in.

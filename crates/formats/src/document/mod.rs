@@ -1,8 +1,8 @@
 //! YAML documents that know where everything stands.
 //!
-//! Values come from one parser and positions from another, run over the same bytes; where the two would see a different
-//! structure the document is refused. Also refused, each by name: repeated keys, merge keys, anchors and aliases,
-//! tags, and numbers that are not finite.
+//! Values come from one parser and positions from another, run over the same bytes; where the two would see a
+//! different structure the document is refused. Also refused, each by name: repeated keys, merge keys,
+//! anchors and aliases, tags, and numbers that are not finite.
 
 mod index;
 pub(crate) mod path;
@@ -32,7 +32,8 @@ use crate::{
 use epicyclic_units::QuantityError;
 pub use renamed::RENAMED;
 
-/// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is not one.
+/// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is
+/// not one.
 pub const SIZE_LIMIT: u64 = 4 << 20;
 
 /// A YAML document: its value, and the position of each key and value in it.
@@ -47,7 +48,8 @@ impl Document {
     /// Every document of a file; they are parted by `---`. There is at least one.
     ///
     /// # Errors
-    /// More than [`SIZE_LIMIT`] bytes, bytes that are not UTF-8, invisible characters, nothing to read, broken syntax, and whatever this module refuses.
+    /// More than [`SIZE_LIMIT`] bytes, bytes that are not UTF-8, invisible characters, nothing to read,
+    /// broken syntax, and whatever this module refuses.
     pub fn parse_all(file_name: &str, bytes: &[u8]) -> Result<Vec<Self>, Error> {
         let file: Arc<str> = file_name.into();
         let size = bytes.len() as u64;
@@ -131,14 +133,15 @@ impl Document {
         }
     }
 
-    /// Where the value at `path` stands, or else its nearest ancestor. A map stands where its first key does, or its
-    /// brace; a value left out stands where its key does.
+    /// Where the value at `path` stands, or else its nearest ancestor. A map stands where its first key does,
+    /// or its brace; a value left out stands where its key does.
     #[must_use]
     pub fn position(&self, path: &Path) -> Position {
         self.nearest(path).at
     }
 
-    /// Where the last key of `path` stands; for an index or an unknown key, the same as [`Document::position`].
+    /// Where the last key of `path` stands; for an index or an unknown key, the same as
+    /// [`Document::position`].
     #[must_use]
     pub fn key_position(&self, path: &Path) -> Position {
         let mut parent = path.clone();
@@ -187,8 +190,8 @@ impl Document {
         Err(self.error(&parent, Problem::MissingKey { key: missing }))
     }
 
-    /// A value made from the one at `base` as a `T`; positions are those of this document. What has no place in it, since
-    /// the caller put it there, gets that of its nearest ancestor.
+    /// A value made from the one at `base` as a `T`; positions are those of this document. What has no place
+    /// in it, since the caller put it there, gets that of its nearest ancestor.
     ///
     /// # Errors
     /// As [`Document::read`].
@@ -241,7 +244,8 @@ impl Document {
     }
 }
 
-/// The error for a file of more than [`SIZE_LIMIT`] bytes, for who reads no further; with the size, if it is known.
+/// The error for a file of more than [`SIZE_LIMIT`] bytes, for who reads no further; with the size, if it is
+/// known.
 #[must_use]
 pub fn too_large(file_name: &str, size: Option<u64>) -> Error {
     let place = Place { file: file_name.into(), position: Position::START, path: Path::root() };
@@ -272,8 +276,8 @@ fn decode(bytes: &[u8]) -> Result<&str, (Position, Problem)> {
     }
 }
 
-/// JSON with each pair of surrogates in its strings, `\ud83d\ude00`, as the one escape that YAML has for it, `\U0001f600`; two columns
-/// shorter. Of what does not begin as JSON does nothing changes.
+/// JSON with each pair of surrogates in its strings, `\ud83d\ude00`, as the one escape that YAML has for it,
+/// `\U0001f600`; two columns shorter. Of what does not begin as JSON does nothing changes.
 fn joined_surrogates(text: &str) -> Cow<'_, str> {
     if !text.trim_start().starts_with(['{', '[']) || !text.contains("\\u") && !text.contains("\\U") {
         return Cow::Borrowed(text);
@@ -335,7 +339,8 @@ fn compare(value: &Value, node: &Node, path: &mut Path) -> Result<(), index::Fou
             Ok(())
         }
         (Value::Mapping(values), Content::Map(nodes)) if values.len() == nodes.entries().len() => {
-            // Both in the order of the text. A key that YAML takes for a number may not look as written: `0x10`.
+            // Both in the order of the text. A key that YAML takes for a number may not look as written:
+            // `0x10`.
             for ((key, value), entry) in values.iter().zip(nodes.entries()) {
                 if key.as_str().is_some_and(|key| key != entry.key) || words::scalar(key).is_none() {
                     return Err(two_ways(path));

@@ -7,8 +7,8 @@ use super::position::Position;
 use crate::yaml::Value;
 
 impl Document {
-    /// The document of the same text with another number at a place, where that is all that changes: a plain number in decimals, before and
-    /// after. Otherwise nothing changes, and the text is to be read anew.
+    /// The document of the same text with another number at a place, where that is all that changes: a plain
+    /// number in decimals, before and after. Otherwise nothing changes, and the text is to be read anew.
     ///
     /// ```
     /// use epicyclic_formats::{Document, Path, Position};

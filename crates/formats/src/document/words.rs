@@ -52,7 +52,8 @@ fn found_text(text: &str) -> String {
     }
 }
 
-/// How many entries a visitor expects: it says `an array of length 3`, `a tuple of size 3`, `3 elements in sequence`.
+/// How many entries a visitor expects: it says `an array of length 3`, `a tuple of size 3`,
+/// `3 elements in sequence`.
 pub(super) fn expected_count(expected: &str) -> String {
     let count = expected.split(' ').find(|word| word.parse::<usize>().is_ok());
     count.map_or_else(|| self::expected(expected), |count| format!("exactly {count}"))

@@ -17,8 +17,8 @@ use uom::si::f64::{Angle, Force, Length, Mass, Ratio};
 
 /// A set gear by gear: any central gears, any planets, any tree of meshes.
 ///
-/// Central gears are named as their links; in a list of transmissions as members, which nodes join. A planet's gear
-/// is named as the planet, or `planet.1`, `planet.2`… where it has several.
+/// Central gears are named as their links; in a list of transmissions as members, which nodes join. A
+/// planet's gear is named as the planet, or `planet.1`, `planet.2`… where it has several.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompoundEntry<P = PlanetSizeEntry> {
@@ -38,14 +38,15 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// Bevel gears on the right.
     #[serde(default)]
     pub bevels_right: BTreeMap<String, f64>,
-    /// Teeth are not known: the numbers of suns, rings and bevel gears are proportional to them, and planets have none.
+    /// Teeth are not known: the numbers of suns, rings and bevel gears are proportional to them, and planets
+    /// have none.
     #[serde(default)]
     pub proportional: bool,
     /// Links that turn as fast as a planet about its own axis (K-H-V, cycloidal drives): link and planet.
     #[serde(default)]
     pub planet_shafts: BTreeMap<String, String>,
-    /// Planets: name, and the teeth of each of its gears; an empty list of a planet with one gear whose teeth are not
-    /// known, which changes no ratio of the others.
+    /// Planets: name, and the teeth of each of its gears; an empty list of a planet with one gear whose teeth
+    /// are not known, which changes no ratio of the others.
     pub planet_gears: BTreeMap<String, Vec<u32>>,
     /// The meshes: a tree over all gears.
     pub meshes: Vec<MeshEntry>,
@@ -55,7 +56,8 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// Spacing of the planets. Default `equal`.
     #[serde(default)]
     pub spacing: Option<Spacing>,
-    /// Angle on the carrier of each planet of one kind, in place of `spacing`. Only differences of angles matter.
+    /// Angle on the carrier of each planet of one kind, in place of `spacing`. Only differences of angles
+    /// matter.
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// Module of its meshes, for the forces on the bearings of planets.
@@ -81,13 +83,14 @@ pub struct MeshEntry {
     /// Its module, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
-    /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive direction
-    /// of rotation. The forces on their bearings depend on it.
+    /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive
+    /// direction of rotation. The forces on their bearings depend on it.
     #[serde(default)]
     pub behind: bool,
 }
 
-/// The size of a planet of a compound set, for the forces on its bearing, and what its bearing bears over the duty.
+/// The size of a planet of a compound set, for the forces on its bearing, and what its bearing bears over the
+/// duty.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetSizeEntry {
@@ -118,7 +121,8 @@ pub struct PlanetSizeEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
-    /// Mesh load factor `K_γ` of its meshes, for the load of its bearings over the duty. Default: by the number of planets, a floating member assumed.
+    /// Mesh load factor `K_γ` of its meshes, for the load of its bearings over the duty. Default: by the
+    /// number of planets, a floating member assumed.
     #[serde(default)]
     pub load_sharing: Option<Number>,
 }

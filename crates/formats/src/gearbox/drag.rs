@@ -67,8 +67,8 @@ impl GearboxFile {
     /// The drags of the file: first those of `drags`, then those of brakes and of clutches.
     ///
     /// # Errors
-    /// [`epicyclic_train::Error::Drag`] for a curve that is none, [`epicyclic_train::Error::Unknown`] for a link, and
-    /// [`epicyclic_train::Error::Duplicate`] for a name that stands twice.
+    /// [`epicyclic_train::Error::Drag`] for a curve that is none, [`epicyclic_train::Error::Unknown`] for a
+    /// link, and [`epicyclic_train::Error::Duplicate`] for a name that stands twice.
     pub fn drags(&self, gearbox: &Gearbox) -> Result<Vec<Drag>, DescriptionError> {
         if self.drags.len() > MOST_DRAGS {
             let (what, count, limit) = (Named::Drag, self.drags.len(), MOST_DRAGS);

@@ -337,7 +337,8 @@ impl File<'_> {
         if self.document.value_at(&inner).is_some() { self.within(inner, rest) } else { path }
     }
 
-    /// A name under one of the keys of an entry whose values are names; of an entry without keys, itself a list of names.
+    /// A name under one of the keys of an entry whose values are names; of an entry without keys, itself a
+    /// list of names.
     fn reference(&self, entry: &Path, keys: &[&str], name: &str) -> Option<Path> {
         let lists = keys.iter().map(|key| entry.clone().key(*key)).chain([entry.clone()]);
         lists.flat_map(|list| self.listed(&list, name)).next()

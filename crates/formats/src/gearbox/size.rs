@@ -74,7 +74,8 @@ impl GearboxFile {
                 Some(Angle::from_si(pair.working_angle_rad()))
             };
             let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
-            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse module.
+            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
+            // module.
             let transverse =
                 |module: Length| set.short().map_or(module, |spec| spec.transverse_module(module));
             return SetSize {

@@ -25,7 +25,8 @@ pub struct StrengthEntry {
     /// Thickness of the rim outside the ring's teeth. Default: thick.
     #[serde(default)]
     pub ring_rim: Option<Quantity<Length>>,
-    /// Factors given for both meshes by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`, `K_v`, `K_H_beta`.
+    /// Factors given for both meshes by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`,
+    /// `K_v`, `K_H_beta`.
     #[serde(default)]
     pub factors: BTreeMap<String, Number>,
     /// Factors given for the mesh of sun and planets; they go before `factors`.
@@ -85,11 +86,12 @@ pub struct ShaperEntry {
     /// Its profile shift coefficient. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches take the dedendum of the rack.
+    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches
+    /// take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
-    /// Radius of its tip corners, which is the fillet of the rack that stands for it in the standard, in modules. Default 0.38 in the standard's formulas,
-    /// 0.3 for the teeth as it cuts them.
+    /// Radius of its tip corners, which is the fillet of the rack that stands for it in the standard, in
+    /// modules. Default 0.38 in the standard's formulas, 0.3 for the teeth as it cuts them.
     #[serde(default)]
     pub fillet: Option<Number>,
 }

@@ -12,8 +12,9 @@ use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// What cuts sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper of 30 teeth with corners of
-/// 0.3 modules, or with 18 less than a smaller ring has, and a form tool for rings of fewer than 42 teeth.
+/// What cuts sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
+/// of 30 teeth with corners of 0.3 modules, or with 18 less than a smaller ring has, and a form tool for
+/// rings of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolsEntry {
@@ -77,7 +78,8 @@ pub struct CutterEntry {
     /// Its profile shift coefficient; sharpening lowers it from about 0.15 to -0.15. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches take the dedendum of the rack.
+    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches
+    /// take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
     /// Radius of its tip corners, in modules. Default 0.3.

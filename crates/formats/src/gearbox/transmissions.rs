@@ -218,8 +218,8 @@ pub enum Rounding {
 impl PublishedGear {
     /// Whether the published digits stand for this ratio `ω_in/ω_out`.
     ///
-    /// Half a unit of the last digit either way, both ends included; a truncated figure stands for the unit above it
-    /// in size. The comparison leaves itself 4 ε.
+    /// Half a unit of the last digit either way, both ends included; a truncated figure stands for the unit
+    /// above it in size. The comparison leaves itself 4 ε.
     #[must_use]
     pub fn stands_for(&self, ratio: f64) -> bool {
         let ratio = if self.invert { 1.0 / ratio } else { ratio };

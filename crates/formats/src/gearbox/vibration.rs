@@ -47,7 +47,8 @@ pub struct ShaftEntry {
     pub between: [String; 2],
     /// Its torsional stiffness.
     pub stiffness: Quantity<TorsionalStiffness>,
-    /// Its lateral stiffness between the centres of the two links, for their motion in the plane. Default: none.
+    /// Its lateral stiffness between the centres of the two links, for their motion in the plane. Default:
+    /// none.
     #[serde(default)]
     pub lateral_stiffness: Option<Quantity<Stiffness>>,
 }
@@ -70,10 +71,12 @@ pub struct VibrationEntry {
     pub planet: PlanetEntry,
     /// Radial stiffness of the bearings of one planet together.
     pub planet_bearing: Quantity<Stiffness>,
-    /// Read as `planet_angles` of the set, where files before version 2 have them; a file gives one of the two.
+    /// Read as `planet_angles` of the set, where files before version 2 have them; a file gives one of the
+    /// two.
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
-    /// Stiffness of one mesh of the sun and of one of the ring along the line of action. Default: `c_γα·b` by ISO 6336.
+    /// Stiffness of one mesh of the sun and of one of the ring along the line of action. Default: `c_γα·b` by
+    /// ISO 6336.
     #[serde(default)]
     pub mesh_stiffness: Option<[Quantity<Stiffness>; 2]>,
     /// Transverse working pressure angles of the meshes of sun and ring. Default: those of the teeth.
@@ -103,7 +106,8 @@ pub struct SunEntry {
     /// Radial stiffness of its bearings; 0 of a floating sun. Default: rigid.
     #[serde(default)]
     pub support: Option<Quantity<Stiffness>>,
-    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness over `r_b²`. Default: rigid.
+    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness
+    /// over `r_b²`. Default: rigid.
     #[serde(default)]
     pub tangential_support: Option<Quantity<Stiffness>>,
 }
@@ -127,7 +131,8 @@ pub struct RingEntry {
     /// Radial stiffness of its bearings or fixing; 0 of a floating ring. Default: rigid.
     #[serde(default)]
     pub support: Option<Quantity<Stiffness>>,
-    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness over `r_b²`. Default: rigid.
+    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness
+    /// over `r_b²`. Default: rigid.
     #[serde(default)]
     pub tangential_support: Option<Quantity<Stiffness>>,
 }
@@ -148,7 +153,8 @@ pub struct CarrierEntry {
     /// Radial stiffness of its bearings; 0 of a floating carrier. Default: rigid.
     #[serde(default)]
     pub support: Option<Quantity<Stiffness>>,
-    /// Stiffness of what holds it against rotation in gears in which its link is held, over the square of that radius. Default: rigid.
+    /// Stiffness of what holds it against rotation in gears in which its link is held, over the square of
+    /// that radius. Default: rigid.
     #[serde(default)]
     pub tangential_support: Option<Quantity<Stiffness>>,
 }

@@ -1,7 +1,8 @@
 //! A gearbox as the text of a file in our own format.
 //!
-//! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
-//! planets and losses, compound sets gear by gear, shift elements, permanent connections, gears with their inputs and outputs.
+//! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets
+//! with their `k` or teeth, planets and losses, compound sets gear by gear, shift elements, permanent
+//! connections, gears with their inputs and outputs.
 
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::tool::{Shaper, Tool};

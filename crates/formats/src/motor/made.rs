@@ -51,7 +51,8 @@ pub struct OilGroup {
     pub density: Option<Quantity<MassDensity>>,
     /// Bulk modulus `K`, for pressure trapped and oil compressed.
     pub bulk_modulus: Option<Quantity<Pressure>>,
-    /// Law of the gaps beyond the laminar range, measured by the user. Default: there is none, and such gaps are refused.
+    /// Law of the gaps beyond the laminar range, measured by the user. Default: there is none, and such gaps
+    /// are refused.
     pub turbulence: Option<TurbulenceGroup>,
 }
 
@@ -85,7 +86,8 @@ pub struct GapsGroup {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PortsGroup {
-    /// Round holes at the ideal places, their diameter as a part of the greatest that a satellite covers; in place of `high`.
+    /// Round holes at the ideal places, their diameter as a part of the greatest that a satellite covers; in
+    /// place of `high`.
     pub part: Option<Number>,
     /// The port at high pressure before a crest.
     pub high: Option<PortGroup>,
@@ -99,7 +101,8 @@ pub struct PortsGroup {
     pub most_trapped: Option<Quantity<Pressure>>,
 }
 
-/// A port: a round hole of `diameter` and `pitch_radius`, or a kidney of `inner_radius`, `outer_radius` and `span`.
+/// A port: a round hole of `diameter` and `pitch_radius`, or a kidney of `inner_radius`, `outer_radius` and
+/// `span`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PortGroup {

@@ -4,7 +4,8 @@ use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Path};
 
-/// The path that a key with its entries means: `shifts[0].overlap`, or of an entry by its name `elements[C].holding`.
+/// The path that a key with its entries means: `shifts[0].overlap`, or of an entry by its name
+/// `elements[C].holding`.
 ///
 /// # Errors
 /// Why it is none, in words.

@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{AngularVelocity, Area, HeatCapacity, Length, Pressure, ThermalConductance, Time, Torque};
 
-/// A shift element that carries by friction or by dogs, and what it is made of. Its capacity has one of four sources.
+/// A shift element that carries by friction or by dogs, and what it is made of. Its capacity has one of four
+/// sources.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ElementEntry {
@@ -67,7 +68,8 @@ pub struct OverSlipEntry {
     pub factors: Vec<Number>,
 }
 
-/// A pressure over time, and how a capacity follows: `μ·z·r_m·A·(p − p_kiss)`, 0 below the kiss point and while the piston fills.
+/// A pressure over time, and how a capacity follows: `μ·z·r_m·A·(p − p_kiss)`, 0 below the kiss point and
+/// while the piston fills.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PressureEntry {
@@ -96,8 +98,8 @@ pub struct PressureEntry {
     pub coefficient: Number,
 }
 
-/// A shift from the gear before to another. What it releases falls from its `holding` to 0, what it applies rises from 0 to its
-/// `holding`, both linearly; the ramp that is first begins at `at`.
+/// A shift from the gear before to another. What it releases falls from its `holding` to 0, what it applies
+/// rises from 0 to its `holding`, both linearly; the ramp that is first begins at `at`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShiftEntry {
@@ -109,7 +111,8 @@ pub struct ShiftEntry {
     pub release: Quantity<Time>,
     /// How long the ramp of the applied elements takes, above 0.
     pub apply: Quantity<Time>,
-    /// From the beginning of the applied ramp to the end of the released one; below 0 there is a gap. Default 0.
+    /// From the beginning of the applied ramp to the end of the released one; below 0 there is a gap. Default
+    /// 0.
     #[serde(default)]
     pub overlap: Option<Quantity<Time>>,
 }

@@ -44,7 +44,8 @@ pub struct TorqueEntry {
     /// An engine by its throttle over time.
     #[serde(default)]
     pub throttle: Option<ThrottleEntry>,
-    /// Of this size against the motion; it holds the link at rest while it can: rolling resistance, a tool in the ground.
+    /// Of this size against the motion; it holds the link at rest while it can: rolling resistance, a tool in
+    /// the ground.
     #[serde(default)]
     pub resistance: Option<Quantity<Torque>>,
 }

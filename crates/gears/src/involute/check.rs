@@ -54,7 +54,8 @@ pub enum Rule {
     Undercut,
     /// Normal thickness of a tip, modules.
     TipThickness,
-    /// The shaper leaves the tips of its work: radius of curvature between tip and the end of its involute, modules.
+    /// The shaper leaves the tips of its work: radius of curvature between tip and the end of its involute,
+    /// modules.
     ToolTips,
     /// Tips of shaper and ring miss each other outside their mesh: angle of the ring, rad.
     ToolTrochoidal,
@@ -68,7 +69,8 @@ pub enum Rule {
     Backlash,
     /// A tip stays outside the base circle of its mate: radius of curvature of the mate's flank, modules.
     Involute,
-    /// A tip stays out of the fillet of its mate: radius of curvature between the tip and the end of the mate's involute, modules.
+    /// A tip stays out of the fillet of its mate: radius of curvature between the tip and the end of the
+    /// mate's involute, modules.
     Fillet,
     /// Tips of planet and ring miss each other outside the mesh: angle of the ring, rad.
     Trochoidal,

@@ -16,7 +16,8 @@ pub struct Limits {
     pub tip_clearance: f64,
     /// Gap between the tip circles of neighbouring planets that must be exceeded: 0 by default.
     pub planet_gap: f64,
-    /// Whether the planets must enter the ring radially; they need not by default, since they enter it along the axis.
+    /// Whether the planets must enter the ring radially; they need not by default, since they enter it along
+    /// the axis.
     pub radial_assembly: bool,
 }
 
@@ -79,8 +80,8 @@ pub fn mesh_checks<P: Clone>(
         check(Rule::TipClearance, tip, clearance, limits.tip_clearance);
     }
     check(Rule::Backlash, place, pair.backlash(), 0.0);
-    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's involute ends; on a ring it
-    // ends outwards.
+    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's
+    // involute ends; on a ring it ends outwards.
     let [first, second] = pair.gears();
     let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
     let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));

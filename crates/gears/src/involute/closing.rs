@@ -1,7 +1,8 @@
 //! Which tooth numbers near `z_r = z_s + 2·z_p` make a set with profile shift.
 //!
-//! A set closes where, at its centre distance, some shifts leave no fault by the [`Limits`]. Every ring within the offsets is tried; none
-//! is left out beforehand. How a stretch of shifts may be missed is told at [`Family::choose`].
+//! A set closes where, at its centre distance, some shifts leave no fault by the [`Limits`]. Every ring
+//! within the offsets is tried; none is left out beforehand. How a stretch of shifts may be missed is told at
+//! [`Family::choose`].
 
 use super::family::{Aim, Choice, Family, natural_centre_distance};
 use super::profile::Profiles;
@@ -28,7 +29,8 @@ use std::ops::RangeInclusive;
 pub struct Closing {
     /// Number of planets; 3 by default.
     pub planets: u32,
-    /// Basic racks and tools of sun, planet and ring; a shaper without an addendum of its own has the dedendum of its rack.
+    /// Basic racks and tools of sun, planet and ring; a shaper without an addendum of its own has the
+    /// dedendum of its rack.
     pub profiles: Profiles,
     /// The centre distance; by default the [natural one](natural_centre_distance) of each set.
     pub centre_distance: Option<f64>,
@@ -63,7 +65,8 @@ impl Closing {
         Family::new(teeth, self.planets, self.profiles, a)?.choose(self.aim, &self.limits)
     }
 
-    /// For each offset `z_r − z_s − 2·z_p` the ring and its set, or why it does not close; rings without teeth are passed over.
+    /// For each offset `z_r − z_s − 2·z_p` the ring and its set, or why it does not close; rings without
+    /// teeth are passed over.
     #[must_use]
     pub fn rings(
         &self,

@@ -1,7 +1,8 @@
-//! The exact outline of a tooth in the transverse plane: involute flank and the fillet that a hob or a shaper leaves.
+//! The exact outline of a tooth in the transverse plane: involute flank and the fillet that a hob or a shaper
+//! leaves.
 //!
-//! A point is given by its radius and its angle from the centre line of the tooth; the other flank is its mirror image. Lengths in
-//! modules, angles in rad.
+//! A point is given by its radius and its angle from the centre line of the tooth; the other flank is its
+//! mirror image. Lengths in modules, angles in rad.
 //!
 //! # Involute
 //! ```text
@@ -11,8 +12,9 @@
 //! Fillets are in [`tool`](super::tool) by their kind: by a hob, a shaper or a form tool.
 //!
 //! # Undercut
-//! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the involute and crosses it further
-//! out; there the outline goes over. Otherwise both have a tangent in common where the flank of the tool ends.
+//! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the
+//! involute and crosses it further out; there the outline goes over. Otherwise both have a tangent in common
+//! where the flank of the tool ends.
 //!
 //! Left out: chamfers, the feed of the tool.
 
@@ -106,13 +108,15 @@ impl ToothCurve {
         self.gear.flank().half_angle(self.gear.shift(), radius)
     }
 
-    /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner of the tool ends.
+    /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner
+    /// of the tool ends.
     #[must_use]
     pub fn fillet(&self, t: f64) -> Point {
         self.fillet.at(t)
     }
 
-    /// Half the angle of the tooth at a radius between root and tip; within the root it is the whole pitch, beyond the tip nothing.
+    /// Half the angle of the tooth at a radius between root and tip; within the root it is the whole pitch,
+    /// beyond the tip nothing.
     #[must_use]
     pub fn half_angle(&self, radius: f64) -> f64 {
         let sign = self.gear.sign();
@@ -289,7 +293,8 @@ mod tests {
         }
     }
 
-    /// Contact by the curves alone: the normal of each sampled point, by differences, through the pitch point.
+    /// Contact by the curves alone: the normal of each sampled point, by differences, through the pitch
+    /// point.
     fn contact_ratio_by_curves(pair: &Pair, curves: [&ToothCurve; 2]) -> f64 {
         let [first, second] = curves;
         let pitch_point = pair.working_diameters()[0] / 2.0;
@@ -329,7 +334,8 @@ mod tests {
         ((turns.1 - turns.0) * first.gear().teeth().as_f64() / TAU).max(0.0)
     }
 
-    /// The deepest that a point of one outline stands in a tooth of the other, as an arc in modules; below 0 the nearest distance.
+    /// The deepest that a point of one outline stands in a tooth of the other, as an arc in modules; below 0
+    /// the nearest distance.
     fn overlap(pair: &Pair, curves: [&ToothCurve; 2]) -> f64 {
         let [first, second] = curves;
         let [z1, z2] = curves.map(|curve| curve.gear().teeth().as_f64());
@@ -347,7 +353,8 @@ mod tests {
         let steps = 24;
         for step in 0..steps {
             let turn1 = TAU / z1 * f64::from(step) / f64::from(steps);
-            // A tooth of the first faces a space of the second at the angle 0: the second lies beyond, or is a ring about it.
+            // A tooth of the first faces a space of the second at the angle 0: the second lies beyond, or is
+            // a ring about it.
             let turn2 = if sign > 0.0 { PI / z2 - turn1 * z1 / z2 } else { PI / z2 + turn1 * z1 / z2 };
             for tooth in -3..=3 {
                 for side in [-1.0, 1.0] {
@@ -398,7 +405,8 @@ mod tests {
             };
             for (pair, curves) in [(set.sun_mesh(), [&sun, &planet]), (set.ring_mesh(), [&planet, &ring])] {
                 let by_curves = contact_ratio_by_curves(pair, curves);
-                // A shaper may leave a ring less involute than the rack that the formulas take; then tips reach into its fillets.
+                // A shaper may leave a ring less involute than the rack that the formulas take; then tips
+                // reach into its fillets.
                 let reach = pair.mate(curves[0].gear().curvature_radius(2.0 * curves[0].tip_radius()));
                 if pair.is_internal() && reach > curves[1].gear().curvature_radius(2.0 * curves[1].joint_radius()) {
                     prop_assert!(by_curves <= pair.transverse_contact_ratio() + 1e-3);
@@ -413,7 +421,8 @@ mod tests {
         }
     }
 
-    /// Two gears closer than their shifts allow, and a ring whose tips reach into the fillets of its pinion: the curves overlap.
+    /// Two gears closer than their shifts allow, and a ring whose tips reach into the fillets of its pinion:
+    /// the curves overlap.
     #[test]
     fn faults_are_seen_on_the_curves() {
         let set = Closing::default().close([count(21), count(43), count(107)]).unwrap().set;

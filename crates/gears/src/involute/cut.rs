@@ -1,4 +1,5 @@
-//! What a tool leaves of a gear: its root circle, the end of its involute, and where the tips of a shaper's work are spoilt.
+//! What a tool leaves of a gear: its root circle, the end of its involute, and where the tips of a shaper's
+//! work are spoilt.
 //!
 //! Lengths in modules, transverse section; index 0 the cutter.
 //!
@@ -12,7 +13,8 @@
 //! ```
 //!
 //! # Source
-//! Derived from the meshing of tool and gear; the form circles of the NREL reference wind gearbox are met to their printed digits.
+//! Derived from the meshing of tool and gear; the form circles of the NREL reference wind gearbox are met to
+//! their printed digits.
 
 use super::fault::ToolFault;
 use super::fillet::{Cutter, Fillet, Point};
@@ -36,15 +38,16 @@ pub(super) struct Cut {
     pub(super) reach: f64,
     /// The shaper in mesh, where one cuts the gear.
     pub(super) shaped: Option<Shaped>,
-    /// Why the tool does not cut the gear. Root and end are then those that a shaper without room for its corners would leave, or the root circle of the
-    /// basic rack.
+    /// Why the tool does not cut the gear. Root and end are then those that a shaper without room for its
+    /// corners would leave, or the root circle of the basic rack.
     pub(super) fault: Option<ToolFault>,
 }
 
 /// What a shaper leaves free of the tips of its work, each 0 or more where it spoils nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Room {
-    /// Radius of curvature between the tip and where the base circle of the shaper touches the line of action, modules.
+    /// Radius of curvature between the tip and where the base circle of the shaper touches the line of
+    /// action, modules.
     pub(super) flank: f64,
     /// Angle of the ring, rad, by which tips of shaper and ring miss each other outside the mesh.
     pub(super) trochoidal: f64,
@@ -122,7 +125,8 @@ impl Cut {
         Some(Room { flank: flank_room, trochoidal, radial })
     }
 
-    /// Radius of curvature of the flank beyond which the shaper leaves no involute, of a ring below which; `None` of other tools.
+    /// Radius of curvature of the flank beyond which the shaper leaves no involute, of a ring below which;
+    /// `None` of other tools.
     pub(super) fn tip_end(&self) -> Option<f64> {
         self.shaped.map(|shaped| shaped.distance * libm::sin(shaped.working_angle))
     }
@@ -201,7 +205,8 @@ fn shaped(flank: &Flank, nominal: f64, shift: f64, shaper: &Shaper) -> Result<Sh
     Ok(Shaped { shaper: *shaper, addendum, tip, base, distance, working_angle })
 }
 
-/// Angle `θ_c` of the centre of a shaper's corner from the middle of its tooth; below 0 there is no room for the corner.
+/// Angle `θ_c` of the centre of a shaper's corner from the middle of its tooth; below 0 there is no room for
+/// the corner.
 fn corner_angle(flank: &Flank, shaper: &Shaper, base: f64, length: f64, radius: f64) -> f64 {
     let half = (FRAC_PI_2 + 2.0 * shaper.shift * flank.tan_alpha_n) / shaper.teeth.as_f64();
     let tan = (length - radius) / base;

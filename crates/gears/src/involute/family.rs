@@ -1,4 +1,5 @@
-//! The shifts with which sun, planets and ring of given teeth share a centre distance, and the ones that an aim picks.
+//! The shifts with which sun, planets and ring of given teeth share a centre distance, and the ones that an
+//! aim picks.
 //!
 //! At a centre distance the sum of the shifts in each mesh is fixed, so that one of the three shifts is free:
 //!
@@ -11,14 +12,16 @@
 //! This holds whether or not `z_r = z_s + 2·z_p`.
 //!
 //! # Tips
-//! The tips of sun and planets are shortened by `k = a − a_d − S_1` for the clearance of the basic rack, which the free shift does not
-//! change. Where a tip would still reach into the fillet of a mate it is shortened further, to where the involute of the mate ends: with
-//! fillets by a rack of `h_FfP* = h_aP*` the tips of a ring without shift always would. This costs no contact.
+//! The tips of sun and planets are shortened by `k = a − a_d − S_1` for the clearance of the basic rack,
+//! which the free shift does not change. Where a tip would still reach into the fillet of a mate it is
+//! shortened further, to where the involute of the mate ends: with fillets by a rack of `h_FfP* = h_aP*` the
+//! tips of a ring without shift always would. This costs no contact.
 //!
 //! # Centre distance
-//! [`natural_centre_distance`] is the one at which the meshes depart least from the clearance of the basic rack: the alteration `−k` of
-//! the sun–planet mesh and the additional clearance `|a_d| − a − S_2` of the planet–ring mesh, both 0 or more and convex in `a`, have the
-//! least sum. Their derivatives are `sin α_w1/sin α_t − 1` and `sin α_w2/sin α_t − 1`, so that there
+//! [`natural_centre_distance`] is the one at which the meshes depart least from the clearance of the basic
+//! rack: the alteration `−k` of the sun–planet mesh and the additional clearance `|a_d| − a − S_2` of the
+//! planet–ring mesh, both 0 or more and convex in `a`, have the least sum. Their derivatives are
+//! `sin α_w1/sin α_t − 1` and `sin α_w2/sin α_t − 1`, so that there
 //!
 //! ```text
 //! sin α_w1 + sin α_w2 = 2·sin α_t
@@ -27,12 +30,12 @@
 //! Without an offset of the ring it is `(z_s + z_p)/(2·cos β)`, with sums of 0.
 //!
 //! # Aims
-//! [`Aim`] picks the free shift. Where the set that it picks has a fault, the nearest one without takes its place, and
-//! [`Choice::limited_by`] says which fault stands between.
+//! [`Aim`] picks the free shift. Where the set that it picks has a fault, the nearest one without takes its
+//! place, and [`Choice::limited_by`] says which fault stands between.
 //!
 //! # Source
-//! Derived from the formulas of the [module](super). The course example 21/43/108 and the stages of the NREL and DTU wind gearboxes are
-//! members of their families to the printed digits.
+//! Derived from the formulas of the [module](super). The course example 21/43/108 and the stages of the NREL
+//! and DTU wind gearboxes are members of their families to the printed digits.
 
 use super::check::{Check, Place, Rule};
 use super::fault::ShiftFault;
@@ -51,15 +54,18 @@ use std::ops::RangeInclusive;
 /// What picks the free shift.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Aim {
-    /// The specific sliding at the roots of sun and planet in their mesh is equal; tips are shortened for clearance and fillets alone.
+    /// The specific sliding at the roots of sun and planet in their mesh is equal; tips are shortened for
+    /// clearance and fillets alone.
     #[default]
     BalancedSliding,
-    /// Tips of all gears shortened as little as clearance, tip thickness and the fillets of their mates allow, by the sum of the three, sought
-    /// from the best of 64 equal steps of the range; of shifts with equal sums the one with balanced sliding.
+    /// Tips of all gears shortened as little as clearance, tip thickness and the fillets of their mates
+    /// allow, by the sum of the three, sought from the best of 64 equal steps of the range; of shifts with
+    /// equal sums the one with balanced sliding.
     LeastTipAlteration,
 }
 
-/// Sun, planets and ring of given teeth at a centre distance: all shifts without backlash. Lengths in modules.
+/// Sun, planets and ring of given teeth at a centre distance: all shifts without backlash. Lengths in
+/// modules.
 ///
 /// ```
 /// use epicyclic_gears::ToothCount;
@@ -95,8 +101,8 @@ pub struct Choice {
     pub limited_by: Option<Check>,
 }
 
-/// Parts into which the range of shifts is cut where the set that meets an aim has a fault. A stretch without faults that is shorter than
-/// a part may be missed.
+/// Parts into which the range of shifts is cut where the set that meets an aim has a fault. A stretch without
+/// faults that is shorter than a part may be missed.
 pub(super) const PARTS: u32 = 64;
 
 /// Halvings of a stretch: below the rounding of its ends.
@@ -106,8 +112,8 @@ impl Family {
     /// The family of sun, planet and ring at a centre distance.
     ///
     /// # Errors
-    /// [`Error::NotAbove`] or [`Error::OutOfRange`] for a centre distance out of reach of a mesh; those of [`Profile::check`] and
-    /// [`Pair::at_centre_distance`]; [`Error::TooFew`] for no planets.
+    /// [`Error::NotAbove`] or [`Error::OutOfRange`] for a centre distance out of reach of a mesh; those of
+    /// [`Profile::check`] and [`Pair::at_centre_distance`]; [`Error::TooFew`] for no planets.
     pub fn new(
         teeth: [ToothCount; 3],
         planets: u32,
@@ -182,9 +188,9 @@ impl Family {
     /// The set that an aim picks among those without faults.
     ///
     /// # Errors
-    /// [`Error::NoShifts`], with the fault of the set that the aim would pick, where none is without; [`Error::ShiftOutOfRange`] where that
-    /// set has a gear without teeth; [`Error::Negative`] for limits below 0. A stretch of faultless shifts shorter than 1/64 of those without
-    /// undercut may be missed.
+    /// [`Error::NoShifts`], with the fault of the set that the aim would pick, where none is without;
+    /// [`Error::ShiftOutOfRange`] where that set has a gear without teeth; [`Error::Negative`] for limits
+    /// below 0. A stretch of faultless shifts shorter than 1/64 of those without undercut may be missed.
     pub fn choose(&self, aim: Aim, limits: &Limits) -> Result<Choice, Error> {
         match aim {
             Aim::BalancedSliding => self.balanced_by(limits, imbalance_of_sliding),
@@ -192,8 +198,8 @@ impl Family {
         }
     }
 
-    /// The set without faults at which a measure that rises with the shift of the sun is 0, or as near to it as the limits allow: balanced
-    /// sliding, or, with a measure from outside, balanced safety.
+    /// The set without faults at which a measure that rises with the shift of the sun is 0, or as near to it
+    /// as the limits allow: balanced sliding, or, with a measure from outside, balanced safety.
     ///
     /// # Errors
     /// As [`choose`](Self::choose).
@@ -236,8 +242,8 @@ impl Family {
         if total(balanced).is_some_and(|sum| sum <= least + TOUCH) {
             return self.nearest(balanced, &range, limits, at);
         }
-        // Thirds close in on a least sum beside the best part. That the sum has no second valley between two parts is not proved; what is
-        // found is never worse than the best part.
+        // Thirds close in on a least sum beside the best part. That the sum has no second valley between two
+        // parts is not proved; what is found is never worse than the best part.
         let sum = |shift: f64| total(shift).unwrap_or(f64::INFINITY);
         let (mut low, mut high) = (shift(part.saturating_sub(1)), shift((part + 1).min(PARTS)));
         for _ in 0..HALVINGS {
@@ -267,7 +273,8 @@ impl Family {
         std::array::from_fn(|place| gears[place].shortened_to(by_fillets[place]))
     }
 
-    /// The tip alterations that clearance, fillets and the least tip thickness need, for thickness at most one module.
+    /// The tip alterations that clearance, fillets and the least tip thickness need, for thickness at most
+    /// one module.
     fn needed_tips(&self, sun_shift: f64, limits: &Limits) -> [f64; 3] {
         let shifts = self.shifts(sun_shift);
         let clear = self.clear_tips(sun_shift);
@@ -354,7 +361,8 @@ impl Refused {
     }
 }
 
-/// Where a measure that rises with the shift is 0 within a range, or the end of the range that is nearest to it.
+/// Where a measure that rises with the shift is 0 within a range, or the end of the range that is nearest to
+/// it.
 fn zero(
     range: &RangeInclusive<f64>,
     at: &impl Fn(f64) -> Result<PlanetSet, Refused>,
@@ -384,18 +392,19 @@ fn imbalance_of_sliding(set: &PlanetSet) -> f64 {
     ratio * ratio * from * to - pair.mate(from) * pair.mate(to)
 }
 
-/// The centre distance at which the meshes of a set depart least from the clearance of the basic rack ([module](self)), in modules.
+/// The centre distance at which the meshes of a set depart least from the clearance of the basic rack
+/// ([module](self)), in modules.
 ///
-/// With `C_1 = (z_s + z_p)·cos α_t/(2·cos β)`, `C_2 = (z_r − z_p)·cos α_t/(2·cos β)`, `P = C_1² + C_2²`, `D = C_1² − C_2²`,
-/// `s = 2·sin α_t` the condition `sin α_w1 + sin α_w2 = s` has the one solution
+/// With `C_1 = (z_s + z_p)·cos α_t/(2·cos β)`, `C_2 = (z_r − z_p)·cos α_t/(2·cos β)`, `P = C_1² + C_2²`,
+/// `D = C_1² − C_2²`, `s = 2·sin α_t` the condition `sin α_w1 + sin α_w2 = s` has the one solution
 ///
 /// ```text
 /// a² = (s²·P + √(s⁴·P² + s²·(4 − s²)·D²))/(s²·(4 − s²))
 /// ```
 ///
 /// # Errors
-/// Those of [`Profile::check`]; [`Error::InternalNotLarger`]; [`Error::OutOfRange`], for the teeth of the ring, where the offset is so large that no
-/// centre distance fulfils it.
+/// Those of [`Profile::check`]; [`Error::InternalNotLarger`]; [`Error::OutOfRange`], for the teeth of the
+/// ring, where the offset is so large that no centre distance fulfils it.
 pub fn natural_centre_distance(teeth: [ToothCount; 3], profile: Profile) -> Result<f64, Error> {
     profile.check()?;
     let [sun, planet, ring] = teeth.map(ToothCount::as_f64);
@@ -553,7 +562,8 @@ mod tests {
                 // Tips of sun and planet keep the clearance, those of ring and planet at least as much.
                 let [outer, inner] = [set.sun_mesh(), set.ring_mesh()].map(Pair::tip_clearances);
                 prop_assert!(outer.iter().all(|gap| *gap > 0.25 - 1e-9));
-                // A shaper of one addendum leaves a shifted ring a little shallower than its basic rack would.
+                // A shaper of one addendum leaves a shifted ring a little shallower than its basic rack
+                // would.
                 let ring = set.gears()[2];
                 let nominal = ring.reference_diameter() / 2.0 + 1.25 - ring.shift();
                 prop_assert!(inner[0] + nominal - ring.root_diameter() / 2.0 > 0.25 - 1e-9 && inner[1] > 0.25 - 1e-9);

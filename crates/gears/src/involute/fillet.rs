@@ -1,10 +1,12 @@
 //! The fillet that a tool leaves at the root of a tooth, as a curve in the transverse plane.
 //!
-//! A point is given by its radius and its angle from the centre line of the tooth. Lengths in modules, angles in rad.
+//! A point is given by its radius and its angle from the centre line of the tooth. Lengths in modules, angles
+//! in rad.
 //!
 //! # By a rack
-//! The corner of the rack, of radius `ρ` about `(ξ_c, η_c)` from the middle of its tooth and from the reference line of the gear, touches
-//! the gear where its normal passes through the pitch point. With the angle `θ` of the corner, from 0 at its crest to `90° − α_n` at its flank,
+//! The corner of the rack, of radius `ρ` about `(ξ_c, η_c)` from the middle of its tooth and from the
+//! reference line of the gear, touches the gear where its normal passes through the pitch point. With the
+//! angle `θ` of the corner, from 0 at its crest to `90° − α_n` at its flank,
 //!
 //! ```text
 //! x_E = x + q/sin α_n
@@ -13,23 +15,25 @@
 //! r_y = √(u² + (r + η)²),   angle from the middle of the space: atan(u/(r + η)) + (ξ − u)/r
 //! ```
 //!
-//! The factors `cos β` carry the corner, a circle in the normal section, into the transverse one. A protuberance `p_r` moves it beyond the flank of
-//! the tool, a stock `q` moves the whole tool outwards.
+//! The factors `cos β` carry the corner, a circle in the normal section, into the transverse one. A
+//! protuberance `p_r` moves it beyond the flank of the tool, a stock `q` moves the whole tool outwards.
 //!
 //! # By a shaper
-//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute; its centre has the radius
-//! `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal of the arc in the direction `δ` passes through the pitch point
-//! when the cutter has turned by `γ`:
+//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute;
+//! its centre has the radius `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal
+//! of the arc in the direction `δ` passes through the pitch point when the cutter has turned by `γ`:
 //!
 //! ```text
 //! θ_c = (π/2 + 2·x_0·tan α_n)/z_0 + inv α_t − ρ_a0/r_b0 − (t − atan t),   t = √(r_c² − r_b0²)/r_b0
 //! sin(δ + γ) = r_c·sin(δ − θ_c)/r_w0
 //! ```
 //!
-//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is the one of the fillet. `ρ_a0` is of the transverse section.
+//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is the one of the fillet. `ρ_a0`
+//! is of the transverse section.
 //!
 //! # By a form tool
-//! One arc of radius `ρ` about a point at the radius `r_f ∓ ρ` (− of a ring) that touches the root circle and the involute.
+//! One arc of radius `ρ` about a point at the radius `r_f ∓ ρ` (− of a ring) that touches the root circle and
+//! the involute.
 
 use super::flank::Flank;
 use super::profile::Profile;
@@ -66,12 +70,13 @@ pub(super) struct Fillet {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Corner {
-    /// Centre of the corner in the normal section, `η` from the reference line of the gear, its radius, the last angle of the curve, and
-    /// the parameter where the corner ends at the flank of the tool.
+    /// Centre of the corner in the normal section, `η` from the reference line of the gear, its radius, the
+    /// last angle of the curve, and the parameter where the corner ends at the flank of the tool.
     Rack { xi: f64, eta: f64, radius: f64, end: f64, corner: f64 },
     /// Of a cutter.
     Shaper(Cutter),
-    /// Radius and angle from the middle of the space of the centre of the arc, its radius, and the angle of the arc.
+    /// Radius and angle from the middle of the space of the centre of the arc, its radius, and the angle of
+    /// the arc.
     Form { centre: Point, radius: f64, end: f64 },
 }
 
@@ -102,7 +107,8 @@ impl Fillet {
         let radius = profile.fillet;
         let depth = profile.dedendum() - radius;
         let at_flank = FRAC_PI_2 - alpha;
-        // A protuberance goes on cutting on the far side of its round, beyond where it is parallel to the flank.
+        // A protuberance goes on cutting on the far side of its round, beyond where it is parallel to the
+        // flank.
         let end = if profile.protuberance > profile.stock { FRAC_PI_2 } else { at_flank };
         let corner = Corner::Rack {
             xi: FRAC_PI_4 - depth * tan - (radius - profile.protuberance) / cos,
@@ -123,7 +129,8 @@ impl Fillet {
         let pitch = PI / flank.z.abs();
         let base = flank.base();
         let centre_radius = root + flank.sign() * radius;
-        // The normal of the involute is tangent to the base circle; the centre of the arc lies on it, in the space.
+        // The normal of the involute is tangent to the base circle; the centre of the arc lies on it, in the
+        // space.
         let at_flank = libm::hypot(base, end);
         let flank_angle = pitch - flank.half_angle(shift, at_flank);
         let along = end + flank.sign() * radius;
@@ -136,7 +143,8 @@ impl Fillet {
         Self { flank, shift, corner: Corner::Form { centre, radius, end } }
     }
 
-    /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner of the tool ends.
+    /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner
+    /// of the tool ends.
     pub(super) fn at(&self, t: f64) -> Point {
         let flank = &self.flank;
         let (radius, from_space) = match self.corner {
@@ -170,11 +178,12 @@ impl Fillet {
         Point { radius, angle: PI / flank.z.abs() - from_space }
     }
 
-    /// Parameter at which the involute takes over, and whether the fillet takes a part of it away, from the radius of curvature of the flank at which
-    /// the flank of the tool ends: below 0 the tool reaches below the tangent point of the base circle.
+    /// Parameter at which the involute takes over, and whether the fillet takes a part of it away, from the
+    /// radius of curvature of the flank at which the flank of the tool ends: below 0 the tool reaches below
+    /// the tangent point of the base circle.
     ///
-    /// There, and with a protuberance, the fillet crosses the involute further out; otherwise both have a tangent in common where the flank of the tool
-    /// ends.
+    /// There, and with a protuberance, the fillet crosses the involute further out; otherwise both have a
+    /// tangent in common where the flank of the tool ends.
     pub(super) fn joint(&self, reach: f64) -> (f64, bool) {
         let excess = |t: f64| {
             let point = self.at(t);
@@ -191,7 +200,8 @@ impl Fillet {
         if reach >= -TOUCH {
             return (corner, false);
         }
-        // The corner ends on the other branch of the involute, beyond the base circle, and has cut into the tooth before.
+        // The corner ends on the other branch of the involute, beyond the base circle, and has cut into the
+        // tooth before.
         let base = self.flank.base();
         let [_, at_base] = bisected([0.0, corner], HALVINGS, |t| self.at(t).radius <= base);
         (crossing(at_base, corner), true)

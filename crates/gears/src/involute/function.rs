@@ -18,11 +18,12 @@ pub fn involute(angle_rad: f64) -> f64 {
     libm::tan(angle_rad) - angle_rad
 }
 
-/// The angle in 0…90°, rad, whose involute function has this value; `None` below 0 and for what is not finite.
+/// The angle in 0…90°, rad, whose involute function has this value; `None` below 0 and for what is not
+/// finite.
 ///
 /// Newton's method on `tan α − α − v`, which is convex: from a start above the root it falls to it and never
-/// passes it. The start `tan α₀ = (3·v)^(1/3) + v` is above it for every `v`, since `tan³α/3 ≥ inv α` for no angle and
-/// `tan α ≥ inv α` for all.
+/// passes it. The start `tan α₀ = (3·v)^(1/3) + v` is above it for every `v`, since `tan³α/3 ≥ inv α` for no
+/// angle and `tan α ≥ inv α` for all.
 #[must_use]
 pub fn angle_of_involute(value: f64) -> Option<f64> {
     if !(value.is_finite() && value >= 0.0) {

@@ -46,7 +46,8 @@ impl InvoluteGear {
     /// A gear with its profile shift `x`, tips as they come.
     ///
     /// # Errors
-    /// Those of [`Profile::check`]; [`Error::ShiftOutOfRange`] where the shift leaves no root or tip circle or makes the teeth pointed.
+    /// Those of [`Profile::check`]; [`Error::ShiftOutOfRange`] where the shift leaves no root or tip circle
+    /// or makes the teeth pointed.
     pub fn new(kind: GearKind, teeth: ToothCount, profile: Profile, shift: f64) -> Result<Self, Error> {
         profile.check()?;
         let flank = Flank::new(kind, teeth, &profile);
@@ -56,8 +57,8 @@ impl InvoluteGear {
         Self { kind, teeth, profile, shift, tip_alteration: 0.0, tool, flank, cut }.checked()
     }
 
-    /// A gear without shift for a search: a shaper that has no addendum of its own has the dedendum of the rack, since a cutter that exists cuts the candidates
-    /// and none is made for each of them.
+    /// A gear without shift for a search: a shaper that has no addendum of its own has the dedendum of the
+    /// rack, since a cutter that exists cuts the candidates and none is made for each of them.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -88,8 +89,8 @@ impl InvoluteGear {
     /// The same cut by another tool.
     ///
     /// # Errors
-    /// Those of [`Tool::check`]; [`Error::ShiftOutOfRange`] where it leaves no tooth. A tool that does not cut this gear is no error: see
-    /// [`tool_fault`](Self::tool_fault).
+    /// Those of [`Tool::check`]; [`Error::ShiftOutOfRange`] where it leaves no tooth. A tool that does not
+    /// cut this gear is no error: see [`tool_fault`](Self::tool_fault).
     pub fn with_tool(self, tool: Tool) -> Result<Self, Error> {
         tool.check(self.kind)?;
         let cut = Cut::new(&self.flank, &self.profile, self.shift, &tool);
@@ -179,8 +180,8 @@ impl InvoluteGear {
         self.cut.shaped.map(|shaped| shaped.addendum)
     }
 
-    /// Tip alteration with which the tip is no longer than to a radius of curvature of the flank, of an internal gear no further in, nor longer than
-    /// its shaper leaves it.
+    /// Tip alteration with which the tip is no longer than to a radius of curvature of the flank, of an
+    /// internal gear no further in, nor longer than its shaper leaves it.
     pub(super) fn shortened_to(&self, curvature: f64) -> f64 {
         let sign = self.sign();
         let bound = match self.cut.tip_end() {
@@ -241,7 +242,8 @@ impl InvoluteGear {
         self.signed_tip().abs()
     }
 
-    /// Root diameter `d_f`, as its tool leaves it; as the basic rack has it where the tool does not cut the gear.
+    /// Root diameter `d_f`, as its tool leaves it; as the basic rack has it where the tool does not cut the
+    /// gear.
     #[must_use]
     pub const fn root_diameter(&self) -> f64 {
         2.0 * self.cut.root
@@ -284,7 +286,8 @@ impl InvoluteGear {
         self.thickness_at(diameter) / libm::hypot(tan_beta, 1.0)
     }
 
-    /// Least diameter, of an internal gear the greatest, where the flank that the tool leaves is an involute: the root form diameter `d_Ff`.
+    /// Least diameter, of an internal gear the greatest, where the flank that the tool leaves is an involute:
+    /// the root form diameter `d_Ff`.
     ///
     /// ```text
     /// hob, without undercut      d_Ff² = d_b² + (d·sin α_t − 2·(h_FfP* − x_E)/sin α_t)²,    h_FfP* = h_fP* − ρ_fP*·(1 − sin α_n)
@@ -292,7 +295,8 @@ impl InvoluteGear {
     /// form tool of a ring        d_Ff² = d_b² + 4·(ρ + √((d_f/2 − ρ)² − r_b²))²
     /// ```
     ///
-    /// Of an undercut gear it is where the fillet meets the involute. Where the tool does not cut the gear it is the root circle.
+    /// Of an undercut gear it is where the fillet meets the involute. Where the tool does not cut the gear it
+    /// is the root circle.
     #[must_use]
     pub fn form_diameter(&self) -> f64 {
         libm::hypot(self.base_diameter(), 2.0 * self.cut.end)
@@ -309,8 +313,8 @@ impl InvoluteGear {
     /// x_min = h_FfP* − z·sin²α_t/(2·cos β) − q/sin α_n       by a hob
     /// ```
     ///
-    /// By a shaper it is where the corner of the shaper begins at the tangent point of the base circle. `None` of an internal gear and of a form tool, and of a
-    /// shaper that undercuts at any shift up to 2.
+    /// By a shaper it is where the corner of the shaper begins at the tangent point of the base circle.
+    /// `None` of an internal gear and of a form tool, and of a shaper that undercuts at any shift up to 2.
     #[must_use]
     pub fn least_shift_without_undercut(&self) -> Option<f64> {
         if self.kind == GearKind::Internal {
@@ -347,8 +351,8 @@ impl InvoluteGear {
         libm::cos(alpha_n) * pitches + self.sign() * 2.0 * self.shift * libm::sin(alpha_n)
     }
 
-    /// Teeth, of an internal gear spaces, over which the span is measured nearest to half the height of the flanks: the plates touch at
-    /// the circle `d + 2·x`.
+    /// Teeth, of an internal gear spaces, over which the span is measured nearest to half the height of the
+    /// flanks: the plates touch at the circle `d + 2·x`.
     #[must_use]
     pub fn spanned_teeth(&self) -> u32 {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
@@ -362,20 +366,23 @@ impl InvoluteGear {
         teeth.clamp(1.0, self.flank.z.abs() / 2.0 + 1.0) as u32
     }
 
-    /// Diameter of the balls that touch the flanks at the circle `d + 2·x`, or at the base circle where that is larger.
+    /// Diameter of the balls that touch the flanks at the circle `d + 2·x`, or at the base circle where that
+    /// is larger.
     ///
     /// ```text
     /// α_Kt = tan α_yt − inv α_t − (2·x·tan α_n − π/2)/z        cos α_yt = d_b/(d + 2·x)
     /// D_M  = d_b·cos β_b·|tan α_Kt − tan α_yt|
     /// ```
     ///
-    /// `d`, `z` negative of an internal gear, `d_b` not. The normal at the point of contact is tangent to the base circle and leads through the centre of the ball.
+    /// `d`, `z` negative of an internal gear, `d_b` not. The normal at the point of contact is tangent to the
+    /// base circle and leads through the centre of the ball.
     #[must_use]
     pub fn ball_diameter(&self) -> f64 {
         self.ball_touching((self.signed_reference() + 2.0 * self.shift).abs())
     }
 
-    /// Least and greatest diameter of a ball that touches the flanks: at the form circle and at the tip circle.
+    /// Least and greatest diameter of a ball that touches the flanks: at the form circle and at the tip
+    /// circle.
     #[must_use]
     pub fn ball_diameters(&self) -> [f64; 2] {
         [self.form_diameter(), self.tip_diameter()].map(|diameter| self.ball_touching(diameter))
@@ -433,8 +440,8 @@ mod tests {
     use uom::si::f64::Angle;
 
     proptest! {
-        /// Along the normal from the base circle the centre of the ball is its radius beyond the flank at `d + 2·x`, and its measure says how far the
-        /// centre is from the axis.
+        /// Along the normal from the base circle the centre of the ball is its radius beyond the flank at
+        /// `d + 2·x`, and its measure says how far the centre is from the axis.
         #[test]
         fn balls_touch_the_flanks_at_the_middle_circle(
             teeth in 17..120_u32, shift in -0.3..0.6_f64, helix in 0.0..30.0_f64, is_ring: bool,

@@ -1,12 +1,15 @@
-//! Whether an internal pair turns without its teeth meeting where they must not, and whether it can be put together.
+//! Whether an internal pair turns without its teeth meeting where they must not, and whether it can be put
+//! together.
 //!
-//! Between an internal gear and one with few teeth less, tips meet outside the line of action. Three ways are told apart:
+//! Between an internal gear and one with few teeth less, tips meet outside the line of action. Three ways are
+//! told apart:
 //!
 //! - *Involute interference*: the ring's tip reaches below the base circle of the pinion, or into its fillet.
 //! - *Trochoidal interference*: the tips meet after they have left the mesh.
 //! - *Trimming*: the gears cannot be put together, or the ring be cut, by moving them radially.
 //!
-//! With `α_a` the transverse pressure angle at a tip and `a` the centre distance, 1 the external gear and 2 the ring:
+//! With `α_a` the transverse pressure angle at a tip and `a` the centre distance, 1 the external gear and 2
+//! the ring:
 //!
 //! ```text
 //! trochoidal   θ_1·z_1/z_2 + inv α_wt − inv α_a2 ≥ θ_2
@@ -25,16 +28,16 @@ use super::tips::Tips;
 /// What an internal pair keeps free, each 0 or more where nothing meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interference {
-    /// Radius of curvature of the lowest point of the pinion's flank that the ring's tip meets, modules; below 0 beyond the base circle,
-    /// where there is no involute.
+    /// Radius of curvature of the lowest point of the pinion's flank that the ring's tip meets, modules;
+    /// below 0 beyond the base circle, where there is no involute.
     pub base: f64,
     /// The same, less that at which the involute of the pinion ends and its fillet begins.
     pub fillet: f64,
-    /// Angle of the ring, rad, by which the tips miss each other outside the mesh; −∞ where the tip circle of the pinion encloses that of the ring,
-    /// +∞ where the tip circles do not meet.
+    /// Angle of the ring, rad, by which the tips miss each other outside the mesh; −∞ where the tip circle of
+    /// the pinion encloses that of the ring, +∞ where the tip circles do not meet.
     pub trochoidal: f64,
-    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially; −∞ where the ring's tips reach
-    /// within its base circle, +∞ where they never meet.
+    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially; −∞
+    /// where the ring's tips reach within its base circle, +∞ where they never meet.
     pub trimming: f64,
 }
 
@@ -91,7 +94,8 @@ mod tests {
         InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), Profile::default(), shift).ok()
     }
 
-    /// How far corners of tips of one gear stand inside teeth of the other at any angle, rad of the other: by coordinates, step by step.
+    /// How far corners of tips of one gear stand inside teeth of the other at any angle, rad of the other: by
+    /// coordinates, step by step.
     fn deepest(pair: &Pair) -> f64 {
         let [pinion, ring] = pair.gears();
         let a = pair.centre_distance();

@@ -1,8 +1,10 @@
-//! Cylindrical gears with profile shift: circles, tooth thickness, the mesh of a pair, measures, interference.
+//! Cylindrical gears with profile shift: circles, tooth thickness, the mesh of a pair, measures,
+//! interference.
 //!
-//! Names and signs are those of ISO 21771. All lengths are in normal modules `m_n`; multiply by the module for
-//! millimetres. Diameters and centre distances are given as positive numbers, of internal gears too; in formulas the
-//! teeth `z` of an internal gear, its diameters, and the centre distance of its mesh are negative.
+//! Names and signs are those of ISO 21771. All lengths are in normal modules `m_n`; multiply by the module
+//! for millimetres. Diameters and centre distances are given as positive numbers, of internal gears too; in
+//! formulas the teeth `z` of an internal gear, its diameters, and the centre distance of its mesh are
+//! negative.
 //!
 //! ```text
 //! tan α_t = tan α_n/cos β                d = z/cos β                     d_b = d·cos α_t
@@ -22,8 +24,8 @@
 //! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |
 //! | `a`, `a_d` | centre distance: of the mesh, and of the reference circles | modules |
 //!
-//! Root circles, fillets and the ends of involutes are those that the [`tool`] of each gear leaves. Left out: deviations, tip
-//! chamfers, deflection.
+//! Root circles, fillets and the ends of involutes are those that the [`tool`] of each gear leaves. Left out:
+//! deviations, tip chamfers, deflection.
 //!
 //! | file | answers |
 //! |---|---|
@@ -49,8 +51,8 @@
 //! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
-//! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
-//! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
+//! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the
+//! NREL reference wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
 pub mod check;
 pub mod checks;

@@ -31,7 +31,8 @@ impl ToothCurve {
         Ok(points)
     }
 
-    /// The closed outline of the gear, counterclockwise: coordinates about its axis, the centre line of a tooth along the first axis.
+    /// The closed outline of the gear, counterclockwise: coordinates about its axis, the centre line of a
+    /// tooth along the first axis.
     ///
     /// The first point is not repeated at the end.
     ///

@@ -37,8 +37,9 @@ impl Pair {
     /// The mesh without backlash that the shifts of two gears give.
     ///
     /// # Errors
-    /// [`Error::BothInternal`], [`Error::WrongGearKind`] for a first gear that is internal, [`Error::InternalNotLarger`];
-    /// [`Error::PressureAnglesDiffer`], [`Error::HelixAnglesDiffer`]; [`Error::ShiftSumOutOfRange`] where no working angle has their sum.
+    /// [`Error::BothInternal`], [`Error::WrongGearKind`] for a first gear that is internal,
+    /// [`Error::InternalNotLarger`]; [`Error::PressureAnglesDiffer`], [`Error::HelixAnglesDiffer`];
+    /// [`Error::ShiftSumOutOfRange`] where no working angle has their sum.
     pub fn without_backlash(first: InvoluteGear, second: InvoluteGear) -> Result<Self, Error> {
         let teeth = check(&first, &second)?;
         let profile = first.profile();
@@ -66,8 +67,8 @@ impl Pair {
     /// The mesh at a centre distance, with the backlash that is left.
     ///
     /// # Errors
-    /// Those of the gears as for [`without_backlash`](Self::without_backlash); [`Error::NotAbove`] for a centre distance at which the base
-    /// circles leave no line of action.
+    /// Those of the gears as for [`without_backlash`](Self::without_backlash); [`Error::NotAbove`] for a
+    /// centre distance at which the base circles leave no line of action.
     pub fn at_centre_distance(
         first: InvoluteGear,
         second: InvoluteGear,
@@ -161,8 +162,8 @@ impl Pair {
 
     /// Radii of curvature of the first gear's flank where contact begins and ends: `A`, and `E`.
     ///
-    /// `A` is where the second gear's tip meets it, `E` its own tip; each not further than the involute of the mate's root, or of its own,
-    /// goes.
+    /// `A` is where the second gear's tip meets it, `E` its own tip; each not further than the involute of
+    /// the mate's root, or of its own, goes.
     #[must_use]
     pub fn contact(&self) -> [f64; 2] {
         let [first, second] = &self.gears;
@@ -173,7 +174,8 @@ impl Pair {
         [from_mates_tip.max(root), tip.min(mates_root)]
     }
 
-    /// Transverse contact ratio `ε_α`: the length of contact over the base pitch `π·cos α_t/cos β`; 0 where the gears do not meet.
+    /// Transverse contact ratio `ε_α`: the length of contact over the base pitch `π·cos α_t/cos β`; 0 where
+    /// the gears do not meet.
     #[must_use]
     pub fn transverse_contact_ratio(&self) -> f64 {
         let [from, to] = self.contact();
@@ -207,7 +209,8 @@ impl Pair {
     /// ζ_1 = 1 − ρ_2·z_1/(ρ_1·|z_2|),    ζ_2 = 1 − ρ_1·|z_2|/(ρ_2·z_1)
     /// ```
     ///
-    /// The first of each pair is at the tip, where it is at most 1, the second at the root, below 0 as a rule and without end at the base circle.
+    /// The first of each pair is at the tip, where it is at most 1, the second at the root, below 0 as a rule
+    /// and without end at the base circle.
     #[must_use]
     pub fn specific_sliding(&self) -> [[f64; 2]; 2] {
         let [from, to] = self.contact();
@@ -236,7 +239,8 @@ impl Pair {
         }
     }
 
-    /// Transverse backlash at the working circles `j_wt`: the pitch less both thicknesses. Below 0 the flanks press into each other.
+    /// Transverse backlash at the working circles `j_wt`: the pitch less both thicknesses. Below 0 the flanks
+    /// press into each other.
     #[must_use]
     pub fn backlash(&self) -> f64 {
         let working = self.working_diameters();
@@ -244,8 +248,8 @@ impl Pair {
         pitch - self.gears[0].thickness_at(working[0]) - self.gears[1].thickness_at(working[1])
     }
 
-    /// The same with the tips of an internal second gear shortened to where they stay out of the fillets of the first, and its shaper leaves them; this
-    /// costs no contact. External pairs stay as they are.
+    /// The same with the tips of an internal second gear shortened to where they stay out of the fillets of
+    /// the first, and its shaper leaves them; this costs no contact. External pairs stay as they are.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth vanish.
@@ -258,7 +262,8 @@ impl Pair {
         Ok(self.with_gears([first, second.with_tip_alteration(shortened)?]))
     }
 
-    /// The tip alteration that keeps the tip clearance of the basic rack: `k = a − a_d − (x_1 + x_2)`, and 0 of an internal pair.
+    /// The tip alteration that keeps the tip clearance of the basic rack: `k = a − a_d − (x_1 + x_2)`, and 0
+    /// of an internal pair.
     #[must_use]
     pub fn tip_alteration(&self) -> f64 {
         if self.is_internal() {
@@ -368,7 +373,8 @@ mod tests {
         let [first, second] = pair.gears();
         let a = pair.centre_distance();
         let [w1, w2] = pair.working_diameters();
-        // The first centre at 0, the pitch point on the x axis, the second beyond it or, of a ring, behind the first.
+        // The first centre at 0, the pitch point on the x axis, the second beyond it or, of a ring, behind
+        // the first.
         let pitch = w1 / 2.0;
         let centre = if pair.is_internal() { pitch - w2 / 2.0 } else { pitch + w2 / 2.0 };
         assert!((centre.abs() - a).abs() < 1e-9 * w2);

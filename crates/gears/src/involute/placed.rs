@@ -1,14 +1,14 @@
 //! How the gears of a set stand in mesh: the angles at which sun, planets and ring are drawn.
 //!
-//! A tooth of the sun points along the first axis, where the first planet stands. Planet `j` stands at `θ_j`; a space of it faces the sun's
-//! tooth there, so that it is turned by
+//! A tooth of the sun points along the first axis, where the first planet stands. Planet `j` stands at `θ_j`;
+//! a space of it faces the sun's tooth there, so that it is turned by
 //!
 //! ```text
 //! φ_j = θ_j·(1 + z_s/z_p) + π − π/z_p
 //! ```
 //!
-//! and the ring, whose spaces take the teeth of the first planet, by `(π − π/z_p)·z_p/z_r + π/z_r`. At the assembly positions,
-//! `θ_j = 2π·p_j/(z_s + z_r)`, this fits all planets.
+//! and the ring, whose spaces take the teeth of the first planet, by `(π − π/z_p)·z_p/z_r + π/z_r`. At the
+//! assembly positions, `θ_j = 2π·p_j/(z_s + z_r)`, this fits all planets.
 
 use super::curve::ToothCurve;
 use super::set::PlanetSet;

@@ -1,8 +1,10 @@
-//! Gears without profile shift that cannot be cut or turned together: what a search for tooth numbers leaves out.
+//! Gears without profile shift that cannot be cut or turned together: what a search for tooth numbers leaves
+//! out.
 //!
-//! Each gear is cut by its [usual tool](super::tool::Tool::usual), the tips of the ring are shortened to stay out of the fillets of the planets. Undercut is no reason:
-//! such gears turn, and are marked. Nor are tips of planets that reach into the fillets of a ring by a small
-//! shaper, which a larger shaper or shorter tips avoid.
+//! Each gear is cut by its [usual tool](super::tool::Tool::usual), the tips of the ring are shortened to stay
+//! out of the fillets of the planets. Undercut is no reason: such gears turn, and are marked. Nor are tips of
+//! planets that reach into the fillets of a ring by a small shaper, which a larger shaper or shorter tips
+//! avoid.
 
 use super::check::{Check, Place, Rule, SetMesh, Severity};
 use super::checks::{Limits, gear_checks, mesh_checks};

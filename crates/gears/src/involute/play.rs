@@ -1,7 +1,8 @@
-//! Backlash that tooth-thickness allowances and the tolerance of the centre distance leave, of a mesh and at the output of a set, and the
-//! torsional stiffness there.
+//! Backlash that tooth-thickness allowances and the tolerance of the centre distance leave, of a mesh and at
+//! the output of a set, and the torsional stiffness there.
 //!
-//! A gear whose teeth are thinner by `E_sn` is one that was generated with the smaller shift `x_E`, its tips where they were:
+//! A gear whose teeth are thinner by `E_sn` is one that was generated with the smaller shift `x_E`, its tips
+//! where they were:
 //!
 //! ```text
 //! x_E  = x + E_sn/(2·tan α_n)                                   E_sn below 0: thinner
@@ -18,21 +19,22 @@
 //! | `φ` | angle of rotation that the backlash allows | rad |
 //!
 //! # Output of a set
-//! The flanks of both meshes bear along their lines of action with the same force, so that their plays and their deflections add:
+//! The flanks of both meshes bear along their lines of action with the same force, so that their plays and
+//! their deflections add:
 //!
 //! ```text
 //! r_bs·(φ_s − φ_H) + r_br·(φ_r − φ_H) = j_bt1 + j_bt2 + F·(1/k_1 + 1/k_2)/N
 //! ```
 //!
-//! With the two other members held, the output turns by `φ = (j_bt1 + j_bt2)/r` and has the stiffness `T/φ = r²·N/(1/k_1 + 1/k_2)` with
-//! the lever `r = r_bs` of the sun, `r_br` of the ring, `r_bs + r_br` of the carrier; `j_bt = j_wt·cos α_wt`, `k = c_γ·b`. Which of
-//! the other members is the input does not matter.
+//! With the two other members held, the output turns by `φ = (j_bt1 + j_bt2)/r` and has the stiffness
+//! `T/φ = r²·N/(1/k_1 + 1/k_2)` with the lever `r = r_bs` of the sun, `r_br` of the ring, `r_bs + r_br` of
+//! the carrier; `j_bt = j_wt·cos α_wt`, `k = c_γ·b`. Which of the other members is the input does not matter.
 //!
 //! Left out: play and deflection of bearings, pins, shafts and carrier, unequal planets; `c_γ` is given.
 //!
 //! # Gears in a train
-//! By virtual work a set on whose member the torque is `τ` times that at the output of the whole adds `|τ|·φ` to the play there and `τ²/k` to
-//! the compliance: [`at_output`].
+//! By virtual work a set on whose member the torque is `τ` times that at the output of the whole adds `|τ|·φ`
+//! to the play there and `τ²/k` to the compliance: [`at_output`].
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; derived from the involute.
@@ -57,7 +59,8 @@ pub struct Extent {
 
 /// A pair of limits of a deviation from the nominal value, in modules; both 0 by default.
 ///
-/// Of a tooth thickness the allowances `E_sni` and `E_sns`, below 0 of thinner teeth; of a centre distance `A_ai` and `A_as`.
+/// Of a tooth thickness the allowances `E_sni` and `E_sns`, below 0 of thinner teeth; of a centre distance
+/// `A_ai` and `A_as`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Lower limit.
@@ -120,7 +123,8 @@ impl Pair {
     /// Least and greatest play with allowances of both gears and a tolerance of the centre distance.
     ///
     /// # Errors
-    /// Those of [`Deviation::check`]; [`Error::ShiftOutOfRange`], [`Error::NotAbove`] for allowances and deviations that leave no mesh.
+    /// Those of [`Deviation::check`]; [`Error::ShiftOutOfRange`], [`Error::NotAbove`] for allowances and
+    /// deviations that leave no mesh.
     pub fn plays(&self, thickness: [Deviation; 2], centre_distance: Deviation) -> Result<[Play; 2], Error> {
         centre_distance.check(Quantity::CentreDistanceDeviation)?;
         for deviation in &thickness {
@@ -155,8 +159,8 @@ impl PlanetSet {
         }
     }
 
-    /// Angle, rad, by which a member turns while the two others are held: least and greatest with allowances of sun, planets and ring and a
-    /// tolerance of the centre distance.
+    /// Angle, rad, by which a member turns while the two others are held: least and greatest with allowances
+    /// of sun, planets and ring and a tolerance of the centre distance.
     ///
     /// ```
     /// use epicyclic_gears::involute::closing::Closing;
@@ -185,7 +189,8 @@ impl PlanetSet {
         for deviation in &thickness {
             deviation.check(Quantity::ThicknessAllowance)?;
         }
-        // The sum of both plays rises with the centre distance where α_w1 > α_w2 and falls otherwise, and which it is does not change with it.
+        // The sum of both plays rises with the centre distance where α_w1 > α_w2 and falls otherwise, and
+        // which it is does not change with it.
         let at = |allowances: [f64; 3], deviation: f64| {
             let [sun, planet, ring] = allowances;
             let outer = self.sun_mesh().deviating([sun, planet], deviation)?;
@@ -202,8 +207,8 @@ impl PlanetSet {
         })
     }
 
-    /// Torque per radian with which a member resists while the two others are held, from the mesh stiffness `c_γ` and face width `b` of the
-    /// sun–planet and the planet–ring mesh.
+    /// Torque per radian with which a member resists while the two others are held, from the mesh stiffness
+    /// `c_γ` and face width `b` of the sun–planet and the planet–ring mesh.
     ///
     /// ```text
     /// T/φ = (m·r)²·N/(1/(c_γ1·b_1) + 1/(c_γ2·b_2))
@@ -242,14 +247,15 @@ pub struct Part {
     pub backlash: Extent,
 }
 
-/// Torsional stiffness per radian and backlash, rad, at the output of a train while its input is held, in one gear.
+/// Torsional stiffness per radian and backlash, rad, at the output of a train while its input is held, in one
+/// gear.
 ///
 /// ```text
 /// 1/k = Σ τ_j²/k_j        φ = Σ |τ_j|·φ_j
 /// ```
 ///
-/// The shares follow from the torques of that gear; a set without torque adds nothing. Without a set that has torque the stiffness is infinite, and where one of them has none that
-/// is known, there is none.
+/// The shares follow from the torques of that gear; a set without torque adds nothing. Without a set that has
+/// torque the stiffness is infinite, and where one of them has none that is known, there is none.
 ///
 /// # Errors
 /// [`Error::NotPositive`] for a stiffness of 0 or less.

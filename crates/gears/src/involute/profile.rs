@@ -1,4 +1,5 @@
-//! What fixes the teeth of a gear beside their number and profile shift: its basic rack, its helix, and what cuts it.
+//! What fixes the teeth of a gear beside their number and profile shift: its basic rack, its helix, and what
+//! cuts it.
 
 use super::tool::Tool;
 use crate::checks::not_negative;
@@ -174,8 +175,8 @@ impl Profile {
     /// Refuses proportions that no rack has.
     ///
     /// # Errors
-    /// Those of [`BasicRack::check`]; [`Error::OutOfRange`] unless `0 ≤ β < 60°`, or for a fillet that the rack has no room for;
-    /// [`Error::Negative`] for fillet, protuberance or stock.
+    /// Those of [`BasicRack::check`]; [`Error::OutOfRange`] unless `0 ≤ β < 60°`, or for a fillet that the
+    /// rack has no room for; [`Error::Negative`] for fillet, protuberance or stock.
     pub fn check(&self) -> Result<(), Error> {
         self.rack.check()?;
         not_negative(Quantity::RootFillet, self.fillet, "modules")?;
@@ -210,7 +211,8 @@ impl Profile {
         self.rack.addendum + self.rack.clearance
     }
 
-    /// Generating profile shift `x_E = x + q/sin α_n` with which a hob leaves the stock of a gear of shift `x`.
+    /// Generating profile shift `x_E = x + q/sin α_n` with which a hob leaves the stock of a gear of shift
+    /// `x`.
     #[must_use]
     pub fn generating_shift(&self, shift: f64) -> f64 {
         shift + self.stock / libm::sin(self.rack.pressure_angle.si())
@@ -225,7 +227,8 @@ impl Profile {
     pub fn most_fillet(&self) -> f64 {
         let alpha = self.rack.pressure_angle.si();
         let half = PI / 4.0 - self.dedendum() * libm::tan(alpha) + self.protuberance / libm::cos(alpha);
-        // ISO 53 rounds what there is room for: 0.39 of profile D at 0.3978, so nothing more is asked than the arc's own width.
+        // ISO 53 rounds what there is room for: 0.39 of profile D at 0.3978, so nothing more is asked than
+        // the arc's own width.
         half / libm::tan(PI / 4.0 - alpha / 2.0) + ROUNDED_FILLET
     }
 

@@ -51,7 +51,8 @@ fn wind() -> [Pair; 2] {
     [pair(sun, planet), pair(planet, ring)]
 }
 
-/// Sets that break `z_r = z_s + 2·z_p`: each is a member of its family, with its printed shifts and without a fault.
+/// Sets that break `z_r = z_s + 2·z_p`: each is a member of its family, with its printed shifts and without a
+/// fault.
 #[test]
 fn published_sets_are_members_of_their_families() {
     let [straight, helical] =
@@ -70,7 +71,8 @@ fn published_sets_are_members_of_their_families() {
         }
         let set = family.at(printed[0]).unwrap();
         assert_eq!(set.faults(&Limits { tip_thickness: 0.4, ..Limits::default() }), []);
-        // The tips of two rings reach into the fillets that a hob of profile A leaves on planets: they are shortened a little.
+        // The tips of two rings reach into the fillets that a hob of profile A leaves on planets: they are
+        // shortened a little.
         let [sun, planet, ring] = set.gears().map(InvoluteGear::tip_alteration);
         assert_eq!([sun, planet], [family.tip_alteration(); 2]);
         assert!((-0.08..=0.0).contains(&ring) && (ring < 0.0) == (printed[2] <= 0.0), "{ring}");
@@ -89,8 +91,8 @@ fn a_stage_of_a_wind_gearbox_is_a_set() {
     is_but_for(21.0 * set.planet_gap(), 1e-3, "195.855");
 }
 
-/// Rings by shapers and a form tool, external gears by hobs and a pinion cutter, in millimetres: root, form and active root diameters calculated by trial of all
-/// positions, the first as a report prints it.
+/// Rings by shapers and a form tool, external gears by hobs and a pinion cutter, in millimetres: root, form
+/// and active root diameters calculated by trial of all positions, the first as a report prints it.
 #[test]
 fn roots_are_those_that_the_tools_leave() {
     let shaper = |teeth, shift, addendum, tip_radius| {
@@ -149,7 +151,8 @@ fn roots_are_those_that_the_tools_leave() {
     near(pinion.form_diameter(), 38.7800, 6e-5);
 }
 
-/// Of rings without shift the smallest whose tips a shaper leaves whole, and the planets whose tip circles enclose that of their ring.
+/// Of rings without shift the smallest whose tips a shaper leaves whole, and the planets whose tip circles
+/// enclose that of their ring.
 #[test]
 fn shapers_and_planets_that_spoil_the_tips_of_rings() {
     let ring = |teeth: i32, cutter: u32| {

@@ -1,10 +1,12 @@
-//! Tooth numbers with profile shift: *every* simple set within bounds whose ring departs from `z_s + 2·z_p` by an offset, of a ratio or of any.
+//! Tooth numbers with profile shift: *every* simple set within bounds whose ring departs from `z_s + 2·z_p`
+//! by an offset, of a ratio or of any.
 //!
-//! Sun, planet, offset and number of planets are gone through, and each set whose ratio is near is [closed](super::closing). Nothing is
-//! left out beforehand but by ratio, bounds and assembly; what [`Family::choose`](super::family::Family::choose) may miss is told there.
+//! Sun, planet, offset and number of planets are gone through, and each set whose ratio is near is
+//! [closed](super::closing). Nothing is left out beforehand but by ratio, bounds and assembly; what
+//! [`Family::choose`](super::family::Family::choose) may miss is told there.
 //!
-//! [`ShiftedSearch::first_for_ratio`] ranks the sets of one ratio; [`ShiftedSearch::of_sun`] gives all of a sun to searches that combine
-//! sets.
+//! [`ShiftedSearch::first_for_ratio`] ranks the sets of one ratio; [`ShiftedSearch::of_sun`] gives all of a
+//! sun to searches that combine sets.
 
 use super::check::{Check, Rule};
 use super::closing::Closing;
@@ -21,13 +23,14 @@ use std::ops::{ControlFlow, RangeInclusive};
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
 pub const MOST_OFFSET: i32 = 9;
 
-/// By how much rings may depart from equal centre distances without shift, and how such sets are closed, each at its
-/// [natural centre distance](super::family::natural_centre_distance).
+/// By how much rings may depart from equal centre distances without shift, and how such sets are closed, each
+/// at its [natural centre distance](super::family::natural_centre_distance).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileShift {
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// How the sets are closed; their number of planets is that of each set, and their centre distance the natural one.
+    /// How the sets are closed; their number of planets is that of each set, and their centre distance the
+    /// natural one.
     pub closing: Closing,
 }
 
@@ -48,8 +51,8 @@ impl ProfileShift {
         closing.close([teeth.sun, teeth.planet, teeth.ring])
     }
 
-    /// Working over reference diameters of sun and planets, `2·a·cos β/(z_a + z_g)`: 1 without an offset of the ring. Sets with the same
-    /// ratios of teeth have the same.
+    /// Working over reference diameters of sun and planets, `2·a·cos β/(z_a + z_g)`: 1 without an offset of
+    /// the ring. Sets with the same ratios of teeth have the same.
     ///
     /// # Errors
     /// Those of [`natural_centre_distance`]; none of a set that [`ShiftedSearch`] found.
@@ -67,7 +70,8 @@ impl ProfileShift {
 /// What is sought.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftedSearch {
-    /// Ranges of teeth, planets and `k`, and how the planets may be placed. Its rack and tip gap are those of `closing`.
+    /// Ranges of teeth, planets and `k`, and how the planets may be placed. Its rack and tip gap are those of
+    /// `closing`.
     pub bounds: Bounds,
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
@@ -99,8 +103,9 @@ impl Shifted {
 }
 
 impl ShiftedSearch {
-    /// How many sets there are for a ratio, and the first `most` of them: the most exact first, equally exact ones by the size of the offset,
-    /// ring, sun and number of planets. `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
+    /// How many sets there are for a ratio, and the first `most` of them: the most exact first, equally exact
+    /// ones by the size of the offset, ring, sun and number of planets. `done` is told, from 0 to 1, how much
+    /// of the bounds has been gone through; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::involute::closing::Closing;
@@ -120,7 +125,8 @@ impl ShiftedSearch {
     /// ```
     ///
     /// # Errors
-    /// As [`Bounds::for_ratio`]; [`Error::Cancelled`]; [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of
+    /// As [`Bounds::for_ratio`]; [`Error::Cancelled`]; [`Error::RingOffset`] for offsets beyond
+    /// [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of
     /// [`Profile::check`](super::Profile::check).
     pub fn first_for_ratio(
         &self,
@@ -184,7 +190,8 @@ impl ShiftedSearch {
         Ok(Ranked { found, first: held, left_out })
     }
 
-    /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close, ascending.
+    /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close,
+    /// ascending.
     ///
     /// ```
     /// use epicyclic_gears::ToothCount;
@@ -223,7 +230,8 @@ impl ShiftedSearch {
         Ok(found)
     }
 
-    /// How many combinations of sun, planet, ring and number of planets are gone through, before assembly and shifts are looked at.
+    /// How many combinations of sun, planet, ring and number of planets are gone through, before assembly and
+    /// shifts are looked at.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -242,8 +250,8 @@ impl ShiftedSearch {
     /// Refuses what cannot be sought.
     ///
     /// # Errors
-    /// [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of [`Bounds`] and of
-    /// [`Profile::check`](super::Profile::check).
+    /// [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0;
+    /// those of [`Bounds`] and of [`Profile::check`](super::Profile::check).
     pub fn check(&self) -> Result<(), Error> {
         self.bounds.check()?;
         self.closing.profiles.check()?;
@@ -281,7 +289,8 @@ impl ShiftedSearch {
         Ok(())
     }
 
-    /// The numbers of planets with which sun, planet and ring close, and what else is in the way of those that assemble.
+    /// The numbers of planets with which sun, planet and ring close, and what else is in the way of those
+    /// that assemble.
     fn each_closed(
         &self,
         gears @ [sun, planet, ring]: [ToothCount; 3],

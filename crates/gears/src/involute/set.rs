@@ -1,10 +1,11 @@
 //! A simple set as two meshes on one centre distance, and what keeps its gears from running together.
 //!
-//! The teeth need not obey `z_r = z_s + 2·z_p`: profile shifts make up for a ring with some teeth more or fewer
-//! ([`family`](super::family)). The number of assembly positions is `z_s + z_r` all the same.
+//! The teeth need not obey `z_r = z_s + 2·z_p`: profile shifts make up for a ring with some teeth more or
+//! fewer ([`family`](super::family)). The number of assembly positions is `z_s + z_r` all the same.
 //!
 //! # Checks
-//! [`PlanetSet::checks`] has each with its numbers, by the limits of [`Limits`], [`PlanetSet::faults`] those that do not hold:
+//! [`PlanetSet::checks`] has each with its numbers, by the limits of [`Limits`], [`PlanetSet::faults`] those
+//! that do not hold:
 //!
 //! | check | condition |
 //! |---|---|
@@ -18,7 +19,8 @@
 //! | involute, fillet, trochoidal interference, radial assembly | as in [`interference`](super::interference) |
 //! | planets | `2·a·sin(γ/2) − d_a > 0` |
 //!
-//! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter the ring radially is a remark, unless the limits ask for it.
+//! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter
+//! the ring radially is a remark, unless the limits ask for it.
 
 use super::check::{Check, Place, Rule, SetMesh, Severity};
 pub use super::checks::Limits;
@@ -59,7 +61,8 @@ pub struct PlanetSet {
 }
 
 impl PlanetSet {
-    /// Sun, planet and ring in mesh at a centre distance, so many planets at the assembly positions nearest to equal angles.
+    /// Sun, planet and ring in mesh at a centre distance, so many planets at the assembly positions nearest
+    /// to equal angles.
     ///
     /// # Errors
     /// Those of [`Pair::at_centre_distance`]; [`Error::TooFew`] for no planets.
@@ -75,8 +78,8 @@ impl PlanetSet {
         })
     }
 
-    /// The same with the tips of sun and planets moved to where they keep the clearance of the basic rack in their mesh, and
-    /// those of the ring as they come: towards the ring there is as much clearance or more.
+    /// The same with the tips of sun and planets moved to where they keep the clearance of the basic rack in
+    /// their mesh, and those of the ring as they come: towards the ring there is as much clearance or more.
     ///
     /// ```text
     /// k_s = k_p = a − a_d − (x_s + x_p),    k_r = 0
@@ -157,8 +160,9 @@ impl PlanetSet {
         self.planet_circle().gap_to_alike(self.spacing().half_gap_sine())
     }
 
-    /// The same with the tips of the ring shortened to where they stay out of the fillets of the planets and its shaper leaves them; this costs no contact.
-    /// With fillets by a rack of `h_FfP* = h_aP*` the tips of a ring without shift always reach 0.05 to 0.15 modules into them.
+    /// The same with the tips of the ring shortened to where they stay out of the fillets of the planets and
+    /// its shaper leaves them; this costs no contact. With fillets by a rack of `h_FfP* = h_aP*` the tips of
+    /// a ring without shift always reach 0.05 to 0.15 modules into them.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth vanish.
@@ -166,7 +170,8 @@ impl PlanetSet {
         Ok(Self { ring_mesh: self.ring_mesh.with_clear_ring_tips()?, ..self })
     }
 
-    /// All that keeps the gears from being cut, put together and turned: the [checks](Self::checks) that do not hold but for remarks.
+    /// All that keeps the gears from being cut, put together and turned: the [checks](Self::checks) that do
+    /// not hold but for remarks.
     #[must_use]
     pub fn faults(&self, limits: &Limits) -> Vec<Check> {
         let mut faults = Vec::new();

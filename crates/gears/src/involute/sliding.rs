@@ -12,15 +12,17 @@
 //! | `n` | | pairs of teeth in contact, which share the load alike | 1 |
 //! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tip of the first and of the second gear; below 0 where the pitch point lies outside the path | 1 |
 //!
-//! With one or two pairs in contact and the pitch point where there is one, `0 ≤ ε_1, ε_2 ≤ 1`, the integral is
-//! `(1 − ε_α + ε_1² + ε_2²)/2`: the loss factor after Ohlendorf. Elsewhere that formula does not hold; the integral is exact
-//! for any contact ratio of 1 and more.
+//! With one or two pairs in contact and the pitch point where there is one, `0 ≤ ε_1, ε_2 ≤ 1`, the integral
+//! is `(1 − ε_α + ε_1² + ε_2²)/2`: the loss factor after Ohlendorf. Elsewhere that formula does not hold; the
+//! integral is exact for any contact ratio of 1 and more.
 //!
-//! Left out: rolling friction, and whatever does not grow with the load. `μ_m` is an input: it depends on oil, roughness, speed and load.
+//! Left out: rolling friction, and whatever does not grow with the load. `μ_m` is an input: it depends on
+//! oil, roughness, speed and load.
 //!
 //! # Source
-//! The model of Ohlendorf's loss factor: one coefficient of friction, the load shared alike. The NREL reference wind gearbox (Nejad, Guo, Gao,
-//! Moan 2016) prints 0.149 for its sun's mesh, and takes the closed form for its ring, too, where the integral is less.
+//! The model of Ohlendorf's loss factor: one coefficient of friction, the load shared alike. The NREL
+//! reference wind gearbox (Nejad, Guo, Gao, Moan 2016) prints 0.149 for its sun's mesh, and takes the closed
+//! form for its ring, too, where the integral is less.
 
 use super::pair::Pair;
 use crate::checks::positive;
@@ -55,8 +57,8 @@ pub fn loss_factor(pair: &Pair) -> Result<f64, Error> {
 /// `η`.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a friction of 0 or less, [`Error::OutOfRange`] above 1, [`Error::Efficiency`] where it takes all power;
-/// those of [`loss_factor`].
+/// [`Error::NotPositive`] for a friction of 0 or less, [`Error::OutOfRange`] above 1, [`Error::Efficiency`]
+/// where it takes all power; those of [`loss_factor`].
 ///
 /// # Example
 /// ```
@@ -112,8 +114,8 @@ mod tests {
         InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), Profile::default(), shift)
     }
 
-    /// Part of the power that sliding takes at a friction of 1: normal forces times sliding speeds over a base pitch, from the radii
-    /// of curvature alone.
+    /// Part of the power that sliding takes at a friction of 1: normal forces times sliding speeds over a
+    /// base pitch, from the radii of curvature alone.
     fn sampled(pair: &Pair) -> f64 {
         const SAMPLES: u32 = 20_000;
         let [first, second] = pair.gears();

@@ -1,6 +1,7 @@
 //! What cuts the teeth of a gear: a hob, a pinion-type cutter (shaper), or a form tool.
 //!
-//! Hobs cut external gears, shapers both kinds, form tools (broaches, moulds, electrodes) both kinds. No rack cuts a ring.
+//! Hobs cut external gears, shapers both kinds, form tools (broaches, moulds, electrodes) both kinds. No rack
+//! cuts a ring.
 
 use crate::gear_kind::GearKind;
 use crate::{Error, Quantity, ToothCount};
@@ -12,14 +13,16 @@ pub enum Tool {
     Rack,
     /// A pinion-type cutter.
     Shaper(Shaper),
-    /// A broach, mould or electrode: root circle as the basic rack has it, with a fillet that touches it and the flank.
+    /// A broach, mould or electrode: root circle as the basic rack has it, with a fillet that touches it and
+    /// the flank.
     Form {
         /// Radius of the fillet.
         fillet: f64,
     },
 }
 
-/// A shaper (pinion-type cutter), with the pressure and helix angle of the gear that it cuts; lengths in modules.
+/// A shaper (pinion-type cutter), with the pressure and helix angle of the gear that it cuts; lengths in
+/// modules.
 ///
 /// | symbol | field | meaning | usual |
 /// |---|---|---|---|
@@ -33,7 +36,8 @@ pub struct Shaper {
     pub teeth: ToothCount,
     /// Profile shift coefficient `x_0`.
     pub shift: f64,
-    /// Addendum `h_aP0*`; `None`: the one that cuts the root circle `d − 2·(h_fP* − x)` of the gear's basic rack.
+    /// Addendum `h_aP0*`; `None`: the one that cuts the root circle `d − 2·(h_fP* − x)` of the gear's basic
+    /// rack.
     pub addendum: Option<f64>,
     /// Radius of the tip corners `ρ_a0*`.
     pub tip_radius: f64,
@@ -42,10 +46,12 @@ pub struct Shaper {
 /// Teeth of the usual shaper.
 const USUAL_TEETH: u32 = 30;
 
-/// Teeth that a ring must have more than a shaper without shift so that it can be fed radially, nearly whatever their number.
+/// Teeth that a ring must have more than a shaper without shift so that it can be fed radially, nearly
+/// whatever their number.
 const RADIAL_FEED: u32 = 18;
 
-/// Teeth of the smallest ring without shift whose tips the usual shaper leaves whole: 24 teeth are the fewest that reach them.
+/// Teeth of the smallest ring without shift whose tips the usual shaper leaves whole: 24 teeth are the fewest
+/// that reach them.
 const SMALLEST_SHAPED: u32 = 42;
 
 /// Radius of the tip corners of the usual shaper, and of the fillet of the usual form tool.
@@ -63,9 +69,10 @@ impl Shaper {
 }
 
 impl Tool {
-    /// The tool of a gear whose own is not known: a hob for external gears; for rings a shaper with 30 teeth, or with 18 less than the ring
-    /// where that is fewer; for rings of fewer than 42 teeth, whose tips such a shaper would cut away, a form tool. Corners are rounded by 0.3, or
-    /// by what the cutter of a steep rack has room for.
+    /// The tool of a gear whose own is not known: a hob for external gears; for rings a shaper with 30 teeth,
+    /// or with 18 less than the ring where that is fewer; for rings of fewer than 42 teeth, whose tips such a
+    /// shaper would cut away, a form tool. Corners are rounded by 0.3, or by what the cutter of a steep rack
+    /// has room for.
     #[must_use]
     pub fn usual(kind: GearKind, teeth: ToothCount) -> Self {
         if kind == GearKind::External {
@@ -78,7 +85,8 @@ impl Tool {
         }
     }
 
-    /// The same, a shaper without an addendum of its own with this one: a search takes a cutter that exists, not one made for each ring.
+    /// The same, a shaper without an addendum of its own with this one: a search takes a cutter that exists,
+    /// not one made for each ring.
     #[must_use]
     pub fn with_addendum(self, addendum: f64) -> Self {
         match self {
@@ -92,7 +100,8 @@ impl Tool {
     /// Refuses a tool that does not cut gears of this kind, or that is none.
     ///
     /// # Errors
-    /// [`Error::WrongGearKind`] for a hob of a ring; [`Error::Negative`] for radii; [`Error::NotPositive`] for the addendum; [`Error::OutOfRange`] for a shift beyond ±1.
+    /// [`Error::WrongGearKind`] for a hob of a ring; [`Error::Negative`] for radii; [`Error::NotPositive`]
+    /// for the addendum; [`Error::OutOfRange`] for a shift beyond ±1.
     pub fn check(&self, kind: GearKind) -> Result<(), Error> {
         match self {
             Self::Rack if kind == GearKind::Internal => {

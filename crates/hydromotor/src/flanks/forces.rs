@@ -1,24 +1,28 @@
 //! The forces on the flanks with contacts at the pitch points, and the load of the rotor's bearing.
 //!
 //! # Who carries
-//! With ideal ports a satellite parts high from low pressure exactly while it is within `π/N` of a crest, where `f` is greatest, or of a
-//! trough: the chamber behind it grows from `Φ = −π/N` to `π/n` and the one in front from `π/N` on. By a crest it is pushed
-//! forward, by a trough back; `2n` satellites are loaded and `N − n` idle at any angle.
+//! With ideal ports a satellite parts high from low pressure exactly while it is within `π/N` of a crest,
+//! where `f` is greatest, or of a trough: the chamber behind it grows from `Φ = −π/N` to `π/n` and the one in
+//! front from `π/N` on. By a crest it is pushed forward, by a trough back; `2n` satellites are loaded and
+//! `N − n` idle at any angle.
 //!
 //! # Flank forces
-//! The pressure force `F = σ·Δp·b·2·r·cos μ` across the ray through the satellite's centre and the forces in both lines of action
-//! balance: about the centre, where both have the arm `r·cos α`, they are equal, along the ray they cancel, across it
+//! The pressure force `F = σ·Δp·b·2·r·cos μ` across the ray through the satellite's centre and the forces in
+//! both lines of action balance: about the centre, where both have the arm `r·cos α`, they are equal, along
+//! the ray they cancel, across it
 //!
 //! ```text
 //! 2·N·cos(α + σ·μ) = Δp·b·2·r·cos μ        N = Δp·b·r·cos μ/cos(α + σ·μ) = Δp·b·r/(cos α − σ·sin α·tan μ)
 //! ```
 //!
-//! so that `N` grows with `σ·μ`, and is greatest where the slope is steepest. From `α + σ·μ = 90°` on no force holds the satellite.
+//! so that `N` grows with `σ·μ`, and is greatest where the slope is steepest. From `α + σ·μ = 90°` on no
+//! force holds the satellite.
 //!
 //! # The rotor
-//! The pressures of the chambers act on its outline from contact to contact, `−p·b·(y_B − y_A, x_A − x_B)` and the torque
-//! `½·p·b·(ρ_B² − ρ_A²)` from `A` counter-clockwise to `B`, the flank forces in the contacts. The torque is that of the volumes; what is left of the forces
-//! the bearing carries. It vanishes where `N` and `n` have a common divisor, since the pressures then repeat about the axis.
+//! The pressures of the chambers act on its outline from contact to contact, `−p·b·(y_B − y_A, x_A − x_B)`
+//! and the torque `½·p·b·(ρ_B² − ρ_A²)` from `A` counter-clockwise to `B`, the flank forces in the contacts.
+//! The torque is that of the volumes; what is left of the forces the bearing carries. It vanishes where `N`
+//! and `n` have a common divisor, since the pressures then repeat about the axis.
 
 use crate::quantity::Quantity;
 use epicyclic_units::Physical;
@@ -135,7 +139,8 @@ impl Motor {
         Instant { contacts, high }
     }
 
-    /// The forces on the flanks of all satellites after a rotation, with ideal ports and contacts at the pitch points.
+    /// The forces on the flanks of all satellites after a rotation, with ideal ports and contacts at the
+    /// pitch points.
     ///
     /// | symbol | argument | meaning | unit |
     /// |---|---|---|---|
@@ -144,8 +149,8 @@ impl Motor {
     /// | `Δp` | `pressure_drop` | high less low pressure; negative, every push is reversed | Pa |
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for the pressure angle, [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the others,
-    /// [`Error::CannotHold`] where the flanks hold no satellite.
+    /// [`Error::OutOfRange`] for the pressure angle, [`Error::NotPositive`] for the width,
+    /// [`Error::NotFinite`] for the others, [`Error::CannotHold`] where the flanks hold no satellite.
     ///
     /// # Example
     /// ```
@@ -203,8 +208,8 @@ impl Motor {
 
     /// The greatest flank forces over a revolution: of the satellites by a crest, and of those by a trough.
     ///
-    /// Exact: `N` grows with `σ·μ`, and the steepest slopes are ends of the loaded ranges, junctions of the arcs, or roots of
-    /// `κ₃ = cos μ/ρ₃`.
+    /// Exact: `N` grows with `σ·μ`, and the steepest slopes are ends of the loaded ranges, junctions of the
+    /// arcs, or roots of `κ₃ = cos μ/ρ₃`.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).
@@ -273,8 +278,8 @@ impl Motor {
         Ok((sum, torque))
     }
 
-    /// The torque on the rotor by the forces on it: the pressures on its outline and the flank forces. It is that of the volumes,
-    /// [`torque`](Self::torque), got without them.
+    /// The torque on the rotor by the forces on it: the pressures on its outline and the flank forces. It is
+    /// that of the volumes, [`torque`](Self::torque), got without them.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).
@@ -308,7 +313,8 @@ impl Motor {
     }
 
     fn bearing(&self, rotation: f64, load: &Load) -> Result<BearingLoad, Error> {
-        // With reversed pressures everything is the mirror image, in the stator's crest, of the opposite rotation.
+        // With reversed pressures everything is the mirror image, in the stator's crest, of the opposite
+        // rotation.
         let mirror = load.sign();
         let ([x, y], _) = self.on_rotor(mirror * rotation, load.alpha)?;
         let force = |number| load.force(self, number);
@@ -322,8 +328,9 @@ impl Motor {
 
     /// The greatest load of the rotor's bearing over a revolution.
     ///
-    /// Looked at on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of chambers, where it jumps, and passages of
-    /// junctions; where the load vanishes throughout, at 0. Of a greatest load right before or behind a jump the rotation is a hair within.
+    /// Looked at on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of chambers, where it
+    /// jumps, and passages of junctions; where the load vanishes throughout, at 0. Of a greatest load right
+    /// before or behind a jump the rotation is a hair within.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).

@@ -1,8 +1,9 @@
 //! What the flanks' modules share: directions of the forces, loaded phases, greatest values on smooth pieces.
 //!
 //! # Places
-//! Ranges are looked at in the quantity in which the shape is explicit ([`Shape::explicit`]), so that a contact there costs no search, and one
-//! contact serves everything that is asked of it. The ends are sought once.
+//! Ranges are looked at in the quantity in which the shape is explicit ([`Shape::explicit`]), so that a
+//! contact there costs no search, and one contact serves everything that is asked of it. The ends are sought
+//! once.
 
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
@@ -30,8 +31,8 @@ pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
     Err(Error::OutOfRange { quantity: Quantity::PressureAngle, value, low: 10.0, high: 40.0, unit: "°" })
 }
 
-/// Unit vector, in the frame of the ray, of the force of a flank on a satellite that is pushed by `sigma`; of the back flank for
-/// the opposite sign.
+/// Unit vector, in the frame of the ray, of the force of a flank on a satellite that is pushed by `sigma`; of
+/// the back flank for the opposite sign.
 pub(super) fn direction(side: Side, sigma: f64, alpha: f64, mu: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(alpha + sigma * mu);
     let out = match side {
@@ -59,7 +60,8 @@ pub(super) fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
 }
 
 impl Motor {
-    /// Phases between which a satellite by a crest, or by a trough, parts high from low pressure: `±π/N` about it.
+    /// Phases between which a satellite by a crest, or by a trough, parts high from low pressure: `±π/N`
+    /// about it.
     pub(super) fn loaded(&self, crest: bool) -> [f64; 2] {
         let half = PI / f64::from(self.numbers().stator_lobes());
         let middle = if crest { 0.0 } else { self.shape.trough().phase };
@@ -72,7 +74,8 @@ impl Motor {
         if pressure_drop < 0.0 { -forward } else { forward }
     }
 
-    /// The sign of the force on a satellite at a phase for a pressure drop of this sign; none while it is idle.
+    /// The sign of the force on a satellite at a phase for a pressure drop of this sign; none while it is
+    /// idle.
     pub(super) fn pushed(&self, phase: f64, pressure_drop: f64) -> Option<f64> {
         let end = self.shape.trough().phase;
         let half = PI / f64::from(self.numbers().stator_lobes());
@@ -127,11 +130,11 @@ impl Motor {
         TAU * f64::from(numbers.common_divisor()) / f64::from(numbers.stator_lobes() * numbers.rotor_lobes())
     }
 
-    /// The phases of steepest slope `μ` on a half-lobe, to the last bits: where the stator's curvature passes that of the circle
-    /// about the axis that touches the same ray, `κ₃ = cos μ/ρ₃`, or `dμ/dθ₁ = 0`.
+    /// The phases of steepest slope `μ` on a half-lobe, to the last bits: where the stator's curvature passes
+    /// that of the circle about the axis that touches the same ray, `κ₃ = cos μ/ρ₃`, or `dμ/dθ₁ = 0`.
     ///
-    /// On two arcs there are none but the ends and the junction: on arc 1 `κ₃ < 0`, and on arc 2 it would be where `cos x = −a/R₂`, 90° from
-    /// the crest as seen from the axis.
+    /// On two arcs there are none but the ends and the junction: on arc 1 `κ₃ < 0`, and on arc 2 it would be
+    /// where `cos x = −a/R₂`, 90° from the crest as seen from the axis.
     pub(super) fn steepest(&self) -> Vec<f64> {
         const PLACES: u32 = 64;
         let trough = self.shape.trough();
@@ -162,9 +165,10 @@ pub(super) struct Top {
 
 /// The greatest values of some functions at once that are smooth on some pieces.
 ///
-/// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does not, but jumps, is taken a
-/// `hair` of the piece within. Each piece is sampled, all functions in the same places; of each function those samples that no neighbour exceeds are
-/// refined if they reach the best of all by rising from there by twice as much as they have come from the lower neighbour.
+/// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does
+/// not, but jumps, is taken a `hair` of the piece within. Each piece is sampled, all functions in the same
+/// places; of each function those samples that no neighbour exceeds are refined if they reach the best of all
+/// by rising from there by twice as much as they have come from the lower neighbour.
 pub(super) fn greatest_of<const N: usize>(
     pieces: &[[f64; 2]],
     hair: f64,

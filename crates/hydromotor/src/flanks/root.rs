@@ -1,21 +1,25 @@
 //! Bending at the roots of the teeth, after Lewis, and the pressure that a shape allows.
 //!
 //! # The model
-//! A tooth is a cantilever. The force `N` acts at a point of its flank along the line of action, and in the section at `x` on the
-//! tooth's middle line, of thickness `s`, it bends with the moment `M` about the section's middle:
+//! A tooth is a cantilever. The force `N` acts at a point of its flank along the line of action, and in the
+//! section at `x` on the tooth's middle line, of thickness `s`, it bends with the moment `M` about the
+//! section's middle:
 //!
 //! ```text
 //! σ_F = 6·M/(b·s²)        greatest over the sections down to the root
 //! ```
 //!
-//! The sections are those below the place where the line of action crosses the middle line: above it `N` bends the tooth's tip the other way.
-//! Where the stress is greatest, the parabola of equal strength from that place touches the outline from within (Lewis). The sections are
-//! those of the generated outline: flank, the fillet that the tool leaves, undercut if there is any. With `N ∝ Δp·b·m` the width and the module drop out.
+//! The sections are those below the place where the line of action crosses the middle line: above it `N`
+//! bends the tooth's tip the other way. Where the stress is greatest, the parabola of equal strength from
+//! that place touches the outline from within (Lewis). The sections are those of the generated outline:
+//! flank, the fillet that the tool leaves, undercut if there is any. With `N ∝ Δp·b·m` the width and the
+//! module drop out.
 //!
-//! The stress is nominal: the compression by the force's part along the tooth, shear and the notch of the fillet are left out. The load is `N` of
-//! contacts at the pitch points, whole on one pair of flanks, at the worst point of the path of contact that [`LoadedPath`] says.
-//! For the satellite this is a usual model; for the teeth of stator and rotor, whose two flanks differ and whose rims and hollow roots carry in other ways,
-//! it is a comparison of shapes. The values are reported; they certify nothing.
+//! The stress is nominal: the compression by the force's part along the tooth, shear and the notch of the
+//! fillet are left out. The load is `N` of contacts at the pitch points, whole on one pair of flanks, at the
+//! worst point of the path of contact that [`LoadedPath`] says. For the satellite this is a usual model; for
+//! the teeth of stator and rotor, whose two flanks differ and whose rims and hollow roots carry in other
+//! ways, it is a comparison of shapes. The values are reported; they certify nothing.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
@@ -31,7 +35,8 @@ use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
 use crate::ranges::positive_pressure;
 
-/// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of that of many more.
+/// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of
+/// that of many more.
 const POINTS: u32 = 24;
 
 /// The greatest nominal bending stress at the roots of a wheel's teeth.
@@ -45,7 +50,8 @@ pub struct RootStress {
     pub push: Push,
     /// Rotation of the rotor at which satellite 0 loads, or is, the wheel so.
     pub rotation: Angle,
-    /// Point of load: `e` along the line of action from the pitch point, positive towards the satellite's base circle.
+    /// Point of load: `e` along the line of action from the pitch point, positive towards the satellite's
+    /// base circle.
     pub offset: Length,
     /// Thickness of the section that is stressed most.
     pub thickness: Length,
@@ -98,11 +104,12 @@ struct Worst {
 }
 
 impl Profile {
-    /// The greatest nominal bending stresses of stator, rotor and satellite over a revolution, in this order; a wheel is left out that no
-    /// loaded satellite meets on such a path.
+    /// The greatest nominal bending stresses of stator, rotor and satellite over a revolution, in this order;
+    /// a wheel is left out that no loaded satellite meets on such a path.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the pressure drop, [`Error::CannotHold`] where the flanks hold no satellite.
+    /// [`Error::NotPositive`] for the pressure drop, [`Error::CannotHold`] where the flanks hold no
+    /// satellite.
     ///
     /// # Example
     /// ```

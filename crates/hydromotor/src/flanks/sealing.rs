@@ -1,33 +1,38 @@
 //! Where the flanks seal, and what the chambers take there: flow and ripple at the flanks.
 //!
 //! # The swept area
-//! The line that parts two chambers runs from the contact `K₃` of the satellite and the stator to the contact `K₁` of the satellite
-//! and the rotor, at the distances `e₃` and `e₁` along the lines of action from the pitch points. What passes it a radian of the rotor is
-//! the rotor's sector under `K₁` and what the satellite, which turns about `P` at `ρ₁/c` of the rotor's speed, sweeps between:
+//! The line that parts two chambers runs from the contact `K₃` of the satellite and the stator to the contact
+//! `K₁` of the satellite and the rotor, at the distances `e₃` and `e₁` along the lines of action from the
+//! pitch points. What passes it a radian of the rotor is the rotor's sector under `K₁` and what the
+//! satellite, which turns about `P` at `ρ₁/c` of the rotor's speed, sweeps between:
 //!
 //! ```text
 //! f′ = ½·|OK₁|² + ½·(ρ₁/c)·(|PK₁|² − |PK₃|²) = ½·ρ₁·ρ₃ + (ρ₃·e₁² − ρ₁·e₃²)/(2·c)        c = ρ₃ − ρ₁ = 2·r·cos μ
 //! ```
 //!
-//! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
+//! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and
+//! `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
 //!
 //! # The contacts
-//! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at their back, as seen along the
-//! tracks ([`crate::profile`]); pushed back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
-//! space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
+//! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at
+//! their back, as seen along the tracks ([`crate::profile`]); pushed back the other way round. The contact on
+//! a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a space,
+//! `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For
+//! `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
 //!
-//! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes over, `f′` has a kink if
-//! both are at `p_b/2`, and jumps if they are not. The satellite is taken to stand in the middle of its backlash, which moves a contact by less
-//! than half of it.
+//! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes
+//! over, `f′` has a kink if both are at `p_b/2`, and jumps if they are not. The satellite is taken to stand
+//! in the middle of its backlash, which moves a contact by less than half of it.
 //!
 //! # Flow
-//! `Q′ = b·Σ σ·f′` over the loaded satellites. It is smooth between changeovers of chambers, where it jumps, passages of junctions, and
-//! changes of the sealing contacts, all known phases; on each smooth piece the extremes are ends, taken from within, or zeros of
-//! `dQ′/dφ` in closed form. So nothing hinges on a sample but the number of zeros on a piece, which is looked at in four parts. A zero is
-//! sought only where the tangents at both ends of its part reach beyond the extremes known so far.
+//! `Q′ = b·Σ σ·f′` over the loaded satellites. It is smooth between changeovers of chambers, where it jumps,
+//! passages of junctions, and changes of the sealing contacts, all known phases; on each smooth piece the
+//! extremes are ends, taken from within, or zeros of `dQ′/dφ` in closed form. So nothing hinges on a sample
+//! but the number of zeros on a piece, which is looked at in four parts. A zero is sought only where the
+//! tangents at both ends of its part reach beyond the extremes known so far.
 //!
-//! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`: it drops out of the
-//! displacement but for the change of the radii within a pitch.
+//! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`:
+//! it drops out of the displacement but for the change of the radii within a pitch.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area, Length};
@@ -48,7 +53,8 @@ use std::f64::consts::PI;
 /// Parts of a smooth piece between which zeros of the slope are sought.
 const PARTS: u32 = 4;
 
-/// Weights of the values at the parts' ends in the integral over a piece (Boole), exact up to the fifth power.
+/// Weights of the values at the parts' ends in the integral over a piece (Boole), exact up to the fifth
+/// power.
 const BOOLE: [f64; 5] = [7.0 / 90.0, 32.0 / 90.0, 12.0 / 90.0, 32.0 / 90.0, 7.0 / 90.0];
 
 /// Which of two contacts in mesh seals.
@@ -238,7 +244,8 @@ impl Piece<'_> {
         self.with(|j| (*contact_of(self.motor, known, rotation, j), None))
     }
 
-    /// The same at an end, with contacts that the neighbouring piece may know already; what jumps there is taken at a place within.
+    /// The same at an end, with contacts that the neighbouring piece may know already; what jumps there is
+    /// taken at a place within.
     fn at_end(&self, end: f64, within: f64, known: &mut Known) -> (f64, f64) {
         self.with(|j| {
             let motor = self.motor;
@@ -413,8 +420,9 @@ impl Extremes {
 }
 
 impl Motor {
-    /// The area that a satellite sweeps a radian of the rotor, `f′`, with contacts at `e₃` and `e₁` along the lines of action from
-    /// the pitch points, positive towards the satellite's base circle; `rotation` since the satellite stood between two crests.
+    /// The area that a satellite sweeps a radian of the rotor, `f′`, with contacts at `e₃` and `e₁` along the
+    /// lines of action from the pitch points, positive towards the satellite's base circle; `rotation` since
+    /// the satellite stood between two crests.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -445,8 +453,9 @@ impl Motor {
 }
 
 impl Profile {
-    /// Flow over width a radian of the rotor with the flanks as seals, for a pressure that drives the rotor counter-clockwise; the other
-    /// way it is that at the opposite rotation. Where it jumps, the value behind the jump.
+    /// Flow over width a radian of the rotor with the flanks as seals, for a pressure that drives the rotor
+    /// counter-clockwise; the other way it is that at the opposite rotation. Where it jumps, the value behind
+    /// the jump.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -456,7 +465,8 @@ impl Profile {
         Ok(area(flow.at(rotation), self.motor().module()))
     }
 
-    /// Flow over width at the flanks at many rotations, as [`flank_flow_per_width`](Self::flank_flow_per_width) at each.
+    /// Flow over width at the flanks at many rotations, as
+    /// [`flank_flow_per_width`](Self::flank_flow_per_width) at each.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -473,7 +483,8 @@ impl Profile {
         rotations.iter().map(at).collect()
     }
 
-    /// Rotations within a period `2π/lcm(N, n)` at which the flow at the flanks has a kink or jumps, both ends of the period included.
+    /// Rotations within a period `2π/lcm(N, n)` at which the flow at the flanks has a kink or jumps, both
+    /// ends of the period included.
     #[must_use]
     pub fn flank_changes(&self, rule: SealingContact) -> Vec<Angle> {
         Flow::new(self, rule).ends.into_iter().map(Angle::from_si).collect()

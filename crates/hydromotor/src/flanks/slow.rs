@@ -1,4 +1,5 @@
-//! The plain way to the greatest values, one function at a time by golden sections, against which the tests hold the fast one.
+//! The plain way to the greatest values, one function at a time by golden sections, against which the tests
+//! hold the fast one.
 
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
@@ -12,8 +13,8 @@ const PIECES: u32 = 128;
 /// A hundred-thousandth of the bracket is left, and of a flat value its square.
 const STEPS: u32 = 24;
 
-/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value. Every sample that its neighbours do not
-/// exceed is a summit to look at.
+/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value. Every
+/// sample that its neighbours do not exceed is a summit to look at.
 pub(super) fn greatest_of(
     pieces: &[[f64; 2]],
     hair: f64,

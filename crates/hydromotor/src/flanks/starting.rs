@@ -1,22 +1,24 @@
-//! The torque at the start: what is left at the worst angle against the friction of the flanks, with the contacts where they are.
+//! The torque at the start: what is left at the worst angle against the friction of the flanks, with the
+//! contacts where they are.
 //!
-//! A standing motor has its contacts at one place each, not in the mean over a pitch. With the contacts that seal at `e₃` and `e₁`
-//! ([`crate::flanks::sealing`]) the torque is `Δp·b·Σ σ·f′`, and friction takes, as a satellite turns by `ρ₁/c` against the stator and by `ρ₃/c`
-//! against the rotor a radian of it,
+//! A standing motor has its contacts at one place each, not in the mean over a pitch. With the contacts that
+//! seal at `e₃` and `e₁` ([`crate::flanks::sealing`]) the torque is `Δp·b·Σ σ·f′`, and friction takes, as a
+//! satellite turns by `ρ₁/c` against the stator and by `ρ₃/c` against the rotor a radian of it,
 //!
 //! ```text
 //! M_loss = μ_f·Σ N·(|e₃|·ρ₁ + |e₁|·ρ₃)/c        M_start = min over the angle of  Δp·b·Σ σ·f′ − M_loss
 //! ```
 //!
-//! over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a base pitch, that is the loss of a running motor
-//! ([`crate::friction`]).
+//! over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a base
+//! pitch, that is the loss of a running motor ([`crate::friction`]).
 //!
-//! Both are smooth between changeovers of chambers, passages of junctions, changes of the sealing contacts and passages of the pitch points, all
-//! known phases. On each such piece the least is an end, taken from within, or is refined to where it is flat.
+//! Both are smooth between changeovers of chambers, passages of junctions, changes of the sealing contacts
+//! and passages of the pitch points, all known phases. On each such piece the least is an end, taken from
+//! within, or is refined to where it is flat.
 //!
 //! # Left out
-//! The share of load of two pairs in mesh and the third contact: `N` is that of contacts at the pitch points; the change of `N` by friction,
-//! of second order in `μ_f`; friction of bearings, seals and faces.
+//! The share of load of two pairs in mesh and the third contact: `N` is that of contacts at the pitch points;
+//! the change of `N` by friction, of second order in `μ_f`; friction of bearings, seals and faces.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure, Torque};
@@ -36,7 +38,8 @@ use crate::ranges::positive_pressure;
 pub struct StartingTorque {
     /// Without friction.
     pub frictionless: Torque,
-    /// With the greatest and with the least friction: what the motor starts at any angle, at least and at best.
+    /// With the greatest and with the least friction: what the motor starts at any angle, at least and at
+    /// best.
     pub range: [Torque; 2],
     /// The rotation at which the greatest friction leaves least, within the first period.
     pub rotation: Angle,
@@ -55,8 +58,8 @@ fn torques(piece: &Piece<'_>, r: f64, alpha: f64, rotation: f64) -> [f64; 2] {
 }
 
 impl Profile {
-    /// The least torque over a revolution at the start, against the friction of the flanks alone, for a pressure that drives the rotor
-    /// counter-clockwise; the other way it is the same.
+    /// The least torque over a revolution at the start, against the friction of the flanks alone, for a
+    /// pressure that drives the rotor counter-clockwise; the other way it is the same.
     ///
     /// | symbol | argument | meaning | unit |
     /// |---|---|---|---|
@@ -66,7 +69,8 @@ impl Profile {
     /// | `μ_f` | `friction` | coefficient of friction of the flanks | 1 |
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for width and pressure drop, [`Error::CannotHold`] where the flanks hold no satellite.
+    /// [`Error::NotPositive`] for width and pressure drop, [`Error::CannotHold`] where the flanks hold no
+    /// satellite.
     ///
     /// # Example
     /// ```

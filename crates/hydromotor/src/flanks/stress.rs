@@ -1,23 +1,27 @@
 //! The pressure of Hertz where flanks touch.
 //!
-//! Along the line of action the satellite's involute has the radius of curvature `r·sin α − e`, and the wheel's flank `sin α/κ + e`,
-//! since its normal turns by `κ` a unit of arc length as its point moves on by `sin α + κ·e` (the envelope in [`crate::profile`]);
-//! `κ` is the wheel's curvature there, positive where it bulges towards the satellite:
+//! Along the line of action the satellite's involute has the radius of curvature `r·sin α − e`, and the
+//! wheel's flank `sin α/κ + e`, since its normal turns by `κ` a unit of arc length as its point moves on by
+//! `sin α + κ·e` (the envelope in [`crate::profile`]); `κ` is the wheel's curvature there, positive where it
+//! bulges towards the satellite:
 //!
 //! ```text
 //! 1/ρ_rel = 1/(r·sin α − e) + κ/(sin α + κ·e)        p_H² = N·E*/(π·b·ρ_rel)        1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
 //! ```
 //!
-//! `N` is that of contacts at the pitch points, on one pair of flanks alone. With `N = Δp·b·r·cos μ/cos(α + σ·μ)` width and module drop out:
-//! `p_H²/(Δp·E*)` belongs to the shape. At the pitch point and `μ = 0` it is `(2/sin 2α)·(1 + r·κ)/π`.
+//! `N` is that of contacts at the pitch points, on one pair of flanks alone. With
+//! `N = Δp·b·r·cos μ/cos(α + σ·μ)` width and module drop out: `p_H²/(Δp·E*)` belongs to the shape. At the
+//! pitch point and `μ = 0` it is `(2/sin 2α)·(1 + r·κ)/π`.
 //!
 //! # The path
-//! A flank meets the satellite from `e₋` to `e₊` ([`crate::profile`]): from the satellite's tip, or the beginning of its own flank, to its tip, or
-//! the beginning of the satellite's involute. Where the next flank is in mesh too, two pairs share the load, how is not calculated: values on
-//! the whole path, each with the whole load, are bounds for rigid teeth; those in single contact are not shared.
+//! A flank meets the satellite from `e₋` to `e₊` ([`crate::profile`]): from the satellite's tip, or the
+//! beginning of its own flank, to its tip, or the beginning of the satellite's involute. Where the next flank
+//! is in mesh too, two pairs share the load, how is not calculated: values on the whole path, each with the
+//! whole load, are bounds for rigid teeth; those in single contact are not shared.
 //!
 //! # Left out
-//! Friction, lubrication, edges of tips, the third contact, dynamic loads. The values are reported; they certify nothing.
+//! Friction, lubrication, edges of tips, the third contact, dynamic loads. The values are reported; they
+//! certify nothing.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
@@ -86,7 +90,8 @@ pub struct ContactStress {
     pub at_pitch_point: PeakPressure,
     /// The greatest where one pair alone is in mesh; none where there always are two.
     pub in_single_contact: Option<PeakPressure>,
-    /// The greatest on the whole path with the whole load on one pair; none where no flank of a loaded satellite has a path.
+    /// The greatest on the whole path with the whole load on one pair; none where no flank of a loaded
+    /// satellite has a path.
     pub on_path: Option<PeakPressure>,
 }
 
@@ -145,7 +150,8 @@ impl Severity {
     }
 }
 
-/// Places by the explicit quantity of a shape, sought by arc length: each once, since stretches share their ends.
+/// Places by the explicit quantity of a shape, sought by arc length: each once, since stretches share their
+/// ends.
 pub(super) struct Places<'a> {
     motor: &'a Motor,
     arc: By,
@@ -187,7 +193,8 @@ pub(super) struct Stretch {
     pub(super) alone: [f64; 2],
 }
 
-/// The parts of stretches on a path between the corners of a load, by the quantity in which the shape is explicit, each with its stretch.
+/// The parts of stretches on a path between the corners of a load, by the quantity in which the shape is
+/// explicit, each with its stretch.
 pub(super) fn parted<'s>(
     stretches: &'s [Stretch],
     path: LoadedPath,
@@ -230,7 +237,8 @@ impl Stretch {
 }
 
 impl Motor {
-    /// Contacts of a satellite by a crest, or by a trough, at the ends of its loaded range, where its load has corners, and in the middle.
+    /// Contacts of a satellite by a crest, or by a trough, at the ends of its loaded range, where its load
+    /// has corners, and in the middle.
     pub(super) fn corners(&self, crest: bool) -> Vec<Contact> {
         let phases = self.smooth_ends(self.loaded(crest), [0.0, self.shape.trough().phase]);
         phases.into_iter().map(|phase| self.shape.at(By::Phase, phase)).collect()
@@ -238,7 +246,8 @@ impl Motor {
 }
 
 impl Profile {
-    /// The stretches of all flanks of a wheel that carry satellites pushed by `sigma`, by a crest or by a trough.
+    /// The stretches of all flanks of a wheel that carry satellites pushed by `sigma`, by a crest or by a
+    /// trough.
     pub(super) fn stretches(&self, side: Side, sigma: f64, crest: bool) -> Vec<Stretch> {
         let sign = side.carrying(sigma);
         let (cos, lobe, motor) = (self.teeth().cos, self.lobe_length(side), self.motor());
@@ -265,7 +274,8 @@ impl Profile {
         stretches
     }
 
-    /// The worst at the pitch point, in single contact and on the whole path, of the satellites by a crest or by a trough.
+    /// The worst at the pitch point, in single contact and on the whole path, of the satellites by a crest or
+    /// by a trough.
     pub(super) fn peaks(&self, side: Side, sigma: f64, crest: bool) -> Result<[Option<Peak>; 3], Error> {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
@@ -381,11 +391,12 @@ impl Profile {
 }
 
 impl Motor {
-    /// The pressure of Hertz between a satellite and a wheel with the contact at `e`; `rotation` since the satellite stood between two
-    /// crests. Nothing while it is idle.
+    /// The pressure of Hertz between a satellite and a wheel with the contact at `e`; `rotation` since the
+    /// satellite stood between two crests. Nothing while it is idle.
     ///
     /// # Errors
-    /// As [`Profile::contact_stresses`], and [`Error::OutOfRange`] for an offset beyond the centres of curvature of either flank.
+    /// As [`Profile::contact_stresses`], and [`Error::OutOfRange`] for an offset beyond the centres of
+    /// curvature of either flank.
     pub fn contact_pressure(
         &self,
         pressure_angle_of_teeth: Angle,

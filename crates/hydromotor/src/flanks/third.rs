@@ -1,24 +1,26 @@
 //! The third contact: what holds a satellite whose contacts are off the pitch points.
 //!
-//! The pressures act on the chord `K₁K₃` between the contacts: a force `Δp·b·|K₁K₃|` at right angles to it, through its middle. Both
-//! flank forces stay in their lines of action, through the pitch points. These cross on the chord's perpendicular bisector only
-//! if the contacts are at the pitch points; else the two leave a moment, and the satellite turns in its backlash until a back flank holds it:
+//! The pressures act on the chord `K₁K₃` between the contacts: a force `Δp·b·|K₁K₃|` at right angles to it,
+//! through its middle. Both flank forces stay in their lines of action, through the pitch points. These cross
+//! on the chord's perpendicular bisector only if the contacts are at the pitch points; else the two leave a
+//! moment, and the satellite turns in its backlash until a back flank holds it:
 //!
 //! ```text
 //! N₃·u₃ + N₁·u₁ + N_b·u_b + F = 0        r·cos α·σ·(−N₃ + N₁ ± N_b) + (moment of F about the centre) = 0
 //! ```
 //!
-//! with `−N_b` for the rotor's back flank, `+N_b` for the stator's. The two back flanks are mirror images in the satellite's bisector of the
-//! pitch points, and so are the front ones; about the point where the front lines of action cross, their moments are opposite. So exactly one of
-//! them can hold the satellite: the one with `N_b ≥ 0`. It changes within a pitch. With `B = N_b` of the rotor's or `−N_b` of the stator's, and the moment
-//! `T` of `F` over `r·cos α`,
+//! with `−N_b` for the rotor's back flank, `+N_b` for the stator's. The two back flanks are mirror images in
+//! the satellite's bisector of the pitch points, and so are the front ones; about the point where the front
+//! lines of action cross, their moments are opposite. So exactly one of them can hold the satellite: the one
+//! with `N_b ≥ 0`. It changes within a pitch. With `B = N_b` of the rotor's or `−N_b` of the stator's, and
+//! the moment `T` of `F` over `r·cos α`,
 //!
 //! ```text
 //! B = (sin(α + σ·μ)·σ·T − F_x)/(2·sin α·cos μ)    N₁ − N₃ = B − σ·T    N₁ + N₃ = (σ·F_y + cos(α − σ·μ)·|B|)/cos(α + σ·μ)
 //! ```
 //!
-//! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between the front and the back contact is
-//! taken to be on the side of the seal.
+//! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between
+//! the front and the back contact is taken to be on the side of the seal.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Force, Length, Pressure};
@@ -87,8 +89,8 @@ impl Inclined {
         Self { sin, cos }
     }
 
-    /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`; none where the
-    /// equations have no solution.
+    /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`;
+    /// none where the equations have no solution.
     fn held(self, r: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<[f64; 3]> {
         let (mu_sin, mu_cos) = libm::sincos(contact.mu);
         // α + σ·μ, and of α − σ·μ the cosine.
@@ -111,8 +113,8 @@ impl Inclined {
 }
 
 impl Motor {
-    /// What holds a satellite with contacts at `e₃` and `e₁` along the lines of action from the pitch points, positive towards its base circle;
-    /// `rotation` since it stood between two crests. None while it is idle.
+    /// What holds a satellite with contacts at `e₃` and `e₁` along the lines of action from the pitch points,
+    /// positive towards its base circle; `rotation` since it stood between two crests. None while it is idle.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).
@@ -185,8 +187,8 @@ impl Profile {
 
     /// Bounds of the forces with a third contact over a revolution.
     ///
-    /// Each smooth piece of the loaded phases, between changes of the sealing contacts, junctions and changes of the back flank, is looked at with
-    /// its own contacts up to both ends.
+    /// Each smooth piece of the loaded phases, between changes of the sealing contacts, junctions and changes
+    /// of the back flank, is looked at with its own contacts up to both ends.
     ///
     /// # Errors
     /// As [`Motor::flank_forces`].

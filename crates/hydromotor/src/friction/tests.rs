@@ -30,7 +30,8 @@ fn part(motor: &Motor, width: Length, drop: Pressure, friction: f64) -> f64 {
     (high / motor.theoretical_torque(width, drop).unwrap()).value
 }
 
-/// Sliding by differences of the satellites' motion, and of pairs spread over a base pitch: power over `μ_f` a radian.
+/// Sliding by differences of the satellites' motion, and of pairs spread over a base pitch: power over `μ_f`
+/// a radian.
 fn loss_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -> f64 {
     const PAIRS: u32 = 200;
     let h = 1e-6;

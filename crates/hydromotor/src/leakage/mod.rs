@@ -1,17 +1,17 @@
 //! Leakage through the gaps at the end faces of satellites and rotor.
 //!
-//! A face lies at a gap `h` before a plate. The mean of a slow flow across the gap follows the pressure as in a Hele-Shaw cell,
-//! `q = −h³/(12η)·∇p` over the width of the flow, so that the pressure is harmonic on the face. On the rim of a satellite high and low
-//! pressure meet at the two contacts, and no oil enters along the sealed angle `δ` at each. A conformal map takes the disc to a
-//! rectangle:
+//! A face lies at a gap `h` before a plate. The mean of a slow flow across the gap follows the pressure as in
+//! a Hele-Shaw cell, `q = −h³/(12η)·∇p` over the width of the flow, so that the pressure is harmonic on the
+//! face. On the rim of a satellite high and low pressure meet at the two contacts, and no oil enters along
+//! the sealed angle `δ` at each. A conformal map takes the disc to a rectangle:
 //!
 //! ```text
 //! Q = G(δ)·h³·Δp/(12·η)        G = K′(k)/(2·K(k))        k = tan²(δ/4)
 //! ```
 //!
-//! with the complete elliptic integrals `K(k)` and `K′(k) = K(√(1 − k²))`, by the arithmetic-geometric mean `agm`:
-//! `G = agm(1, √(1 − k²))/(2·agm(1, k))`. The rotor's face has `2n` such contacts; taken as a disc with evenly spaced ones it is the `n`-fold
-//! cover of the other by `z → zⁿ`, and passes `n·G(n·δ₁)`.
+//! with the complete elliptic integrals `K(k)` and `K′(k) = K(√(1 − k²))`, by the arithmetic-geometric mean
+//! `agm`: `G = agm(1, √(1 − k²))/(2·agm(1, k))`. The rotor's face has `2n` such contacts; taken as a disc
+//! with evenly spaced ones it is the `n`-fold cover of the other by `z → zⁿ`, and passes `n·G(n·δ₁)`.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -19,12 +19,14 @@
 //! | `η` | dynamic viscosity | Pa·s |
 //! | `δ`, `δ₁` | sealed angle at a contact, of a satellite and of the rotor: a tooth pitch, `2π/Z_s` and `2π/Z₁` | rad |
 //!
-//! Of the satellites `2n` part high from low pressure at any angle; the others have one pressure on both sides.
+//! Of the satellites `2n` part high from low pressure at any angle; the others have one pressure on both
+//! sides.
 //!
 //! # Reynolds number
-//! With the mean velocity `u` across the lines from the centre to the contacts, `2r` together on a satellite and `2n·R` on the rotor with
-//! `R = m·Z₁/2`, and the hydraulic diameter `2h`: `Re = 2·ϱ·u·h/η`. Up to [`LAMINAR`] the law above holds. Beyond, the user's law of friction
-//! `λ = C·Re^(−s)` takes its place on a path of the same mean length `ℓ`:
+//! With the mean velocity `u` across the lines from the centre to the contacts, `2r` together on a satellite
+//! and `2n·R` on the rotor with `R = m·Z₁/2`, and the hydraulic diameter `2h`: `Re = 2·ϱ·u·h/η`. Up to
+//! [`LAMINAR`] the law above holds. Beyond, the user's law of friction `λ = C·Re^(−s)` takes its place on a
+//! path of the same mean length `ℓ`:
 //!
 //! ```text
 //! Δp = λ·ℓ·ϱ·u²/(4·h)        ℓ = 2r/G for a satellite
@@ -33,8 +35,9 @@
 //! which with `C = 96`, `s = 1` is the laminar law again.
 //!
 //! # Left out
-//! Leaks at the flanks and past the tips of the teeth, tilted faces, gaps that pressure widens, the bore of the rotor's face (it lets still less
-//! through), and the drag of the moving faces on the oil, which carries as much to the one side as to the other.
+//! Leaks at the flanks and past the tips of the teeth, tilted faces, gaps that pressure widens, the bore of
+//! the rotor's face (it lets still less through), and the drag of the moving faces on the oil, which carries
+//! as much to the one side as to the other.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{
@@ -48,8 +51,8 @@ use crate::quantity::{Quantity, WheelKind};
 use crate::ranges::{finite, positive, positive_length, positive_pressure, ranging};
 use std::f64::consts::{PI, TAU};
 
-/// The greatest Reynolds number, with twice the gap as diameter, at which the laminar law is used; between plates the flow stays laminar up to
-/// about this.
+/// The greatest Reynolds number, with twice the gap as diameter, at which the laminar law is used; between
+/// plates the flow stays laminar up to about this.
 pub const LAMINAR: f64 = 2000.0;
 
 /// The gaps at one face of each kind of wheel; 0 of a face that seals.
@@ -118,7 +121,8 @@ pub struct Leakage {
 
 /// Arithmetic-geometric mean of two numbers above 0.
 fn agm(mut a: f64, mut b: f64) -> f64 {
-    // As many digits again with each step: eight suffice for any pair of doubles near 1, more for a small one.
+    // As many digits again with each step: eight suffice for any pair of doubles near 1, more for a small
+    // one.
     for _ in 0..40 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
         if (a - b).abs() <= f64::EPSILON * a {
@@ -134,7 +138,8 @@ fn conductance(sealed: f64) -> f64 {
     agm(1.0, ((1.0 - k) * (1.0 + k)).sqrt()) / (2.0 * agm(1.0, k))
 }
 
-/// The conductance `G(δ)` of a disc between two pressures on its rim, parted by two opposite sealed angles `δ`; 1 for a right angle.
+/// The conductance `G(δ)` of a disc between two pressures on its rim, parted by two opposite sealed angles
+/// `δ`; 1 for a right angle.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless the angle lies between 0 and 180°, both excluded.
@@ -204,8 +209,9 @@ impl Motor {
     /// | `Δp` | `pressure_drop` | high less low pressure, above 0 | Pa |
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for gaps below 0, [`Error::NotPositive`] for pressure drop, viscosity and density; [`Error::NotLaminar`] beyond
-    /// [`LAMINAR`] without a turbulent law; errors of that law's numbers.
+    /// [`Error::OutOfRange`] for gaps below 0, [`Error::NotPositive`] for pressure drop, viscosity and
+    /// density; [`Error::NotLaminar`] beyond [`LAMINAR`] without a turbulent law; errors of that law's
+    /// numbers.
     ///
     /// # Example
     /// ```
@@ -278,7 +284,8 @@ impl Face {
     }
 }
 
-/// What is left of an axial play between housing and satellite when the satellite is warmer: `j − a_T·b·ΔT`; a face has half of it.
+/// What is left of an axial play between housing and satellite when the satellite is warmer: `j − a_T·b·ΔT`;
+/// a face has half of it.
 ///
 /// | symbol | argument | meaning | unit |
 /// |---|---|---|---|
@@ -288,7 +295,8 @@ impl Face {
 /// | `ΔT` | `warmer` | how much warmer the satellite is; below 0 the play opens | K |
 ///
 /// # Errors
-/// [`Error::NotPositive`] for play and width, [`Error::NotFinite`] for the others, [`Error::PlayClosed`] where nothing is left.
+/// [`Error::NotPositive`] for play and width, [`Error::NotFinite`] for the others, [`Error::PlayClosed`]
+/// where nothing is left.
 pub fn warm_play(
     play: Length,
     expansion: TemperatureCoefficient,

@@ -35,15 +35,16 @@ fn motor() -> Motor {
     Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10).unwrap(), mm(0.75), mm(30.0)).unwrap()
 }
 
-/// Conductance of a disc with `2·pairs` contacts by finite differences in `ln r` and the angle, a quarter of a period with `cells` of
-/// them; a bore of a radius lets nothing through.
+/// Conductance of a disc with `2·pairs` contacts by finite differences in `ln r` and the angle, a quarter of
+/// a period with `cells` of them; a bore of a radius lets nothing through.
 fn by_differences(pairs: u32, sealed: f64, cells: usize, bore: Option<f64>) -> f64 {
     let sector = PI / (2.0 * f64::from(pairs));
     let step = sector / cells as f64;
     // The pressure falls inwards with r to the power of the pairs: e⁻⁷ of it is left.
     let depth = bore.map_or(7.0 / f64::from(pairs), |bore| -libm::log(bore));
     let rows = (depth / step).round() as usize;
-    // Nodes i of the angle 0…cells, rows j inwards from the rim. Between the pressures, at the angle 0, the pressure is 0.
+    // Nodes i of the angle 0…cells, rows j inwards from the rim. Between the pressures, at the angle 0, the
+    // pressure is 0.
     let width = cells + 1;
     let mut p = vec![0.0_f64; width * (rows + 1)];
     let on_electrode = |i: usize| i as f64 * step > 0.5 * sealed - 1e-9;
@@ -96,7 +97,8 @@ fn conductances_are_those_of_finite_differences() {
         let by_grids = 2.0 * fine - coarse;
         assert!((by_grids / conductance(sealed) - 1.0).abs() < 0.01, "{sealed}: {by_grids}");
     }
-    // The rotor of 6×4 with 44 teeth, and with a bore of half its radius, which lets less through by less than a hundredth.
+    // The rotor of 6×4 with 44 teeth, and with a bore of half its radius, which lets less through by less
+    // than a hundredth.
     let cells = 77;
     let whole = by_differences(4, TAU / 44.0, cells, None);
     let exact = 2.0 * (0.5 * TAU / 44.0 / (PI / 8.0) * 77.0_f64).round() * PI / 8.0 / 77.0;

@@ -7,16 +7,17 @@
 //! c_w     = 1/√(1 + (ρ_w·tan μ/ρ)²)
 //! ```
 //!
-//! It changes by no more than 1 with the way of the point. With the rotation of the rotor, of which a ray makes `dθ₃/dΦ < 1`, it changes
-//! by no more than
+//! It changes by no more than 1 with the way of the point. With the rotation of the rotor, of which a ray
+//! makes `dθ₃/dΦ < 1`, it changes by no more than
 //!
 //! ```text
 //! max( ρ₁/(2·cos μ), 0.6·ρ₃, c_w·ρ₁·tan μ )
 //! ```
 //!
-//! the first being the speed of the centre of a satellite, which rolls on the stator. A port is open throughout a stretch where some point of its
-//! outline lies deeper in the middle of the stretch than that makes over half of it, and closed where every point of it lies farther
-//! outside. The deepest point is sought by halving the pieces of the outline, the most promising first.
+//! the first being the speed of the centre of a satellite, which rolls on the stator. A port is open
+//! throughout a stretch where some point of its outline lies deeper in the middle of the stretch than that
+//! makes over half of it, and closed where every point of it lies farther outside. The deepest point is
+//! sought by halving the pieces of the outline, the most promising first.
 
 use crate::ports::LEAST_COSINE;
 use crate::ports::outline::{Piece, Port};
@@ -101,8 +102,8 @@ impl Region<'_> {
         Part { piece, from, to, depth, most: depth + reach }
     }
 
-    /// The depth of a point; none within `reach` of it is deeper by more than that. Of one that is so far outside that none there is
-    /// less than `margin` outside, some bound.
+    /// The depth of a point; none within `reach` of it is deeper by more than that. Of one that is so far
+    /// outside that none there is less than `margin` outside, some bound.
     fn depth(&self, [x, y]: [f64; 2], reach: f64, margin: f64) -> f64 {
         let of_satellite = |place: &Place| libm::hypot(x - place.centre[0], y - place.centre[1]) - self.r;
         let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));

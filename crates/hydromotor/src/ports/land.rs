@@ -1,7 +1,7 @@
 //! The least distance of two ports, exactly.
 //!
-//! Two pieces that do not cross are nearest at an end of one, or along a line that is normal to both: from the centre of an arc upright
-//! onto a side, or through the centres of two arcs.
+//! Two pieces that do not cross are nearest at an end of one, or along a line that is normal to both: from
+//! the centre of an arc upright onto a side, or through the centres of two arcs.
 
 use crate::ports::outline::{Piece, Port};
 

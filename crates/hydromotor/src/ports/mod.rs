@@ -13,13 +13,14 @@
 //! | [`throttling`] | the pressure drop over the openings |
 //!
 //! # Frame and signs
-//! That of [`crate::motor`]. One high and one low port belong to every crest; their angles are polar angles from the crest,
-//! counter-clockwise. For a rotor that runs counter-clockwise the high ports lie behind the crests, at negative angles, and the low ones
-//! before. A chamber is known by its *phase*: the rotation of the rotor since it was greatest, with a stator crest in its middle. It is least
-//! half a cycle later; a cycle is `2π/N + 2π/n`, and all chambers go through the same. Between `−π/N − π/n` and 0 it grows.
+//! That of [`crate::motor`]. One high and one low port belong to every crest; their angles are polar angles
+//! from the crest, counter-clockwise. For a rotor that runs counter-clockwise the high ports lie behind the
+//! crests, at negative angles, and the low ones before. A chamber is known by its *phase*: the rotation of
+//! the rotor since it was greatest, with a stator crest in its middle. It is least half a cycle later; a
+//! cycle is `2π/N + 2π/n`, and all chambers go through the same. Between `−π/N − π/n` and 0 it grows.
 //!
-//! Chambers are bounded by the centrodes and the pitch circles of the satellites, as in [`crate::chambers`]: the gaps between the
-//! teeth are left out.
+//! Chambers are bounded by the centrodes and the pitch circles of the satellites, as in [`crate::chambers`]:
+//! the gaps between the teeth are left out.
 
 mod depth;
 mod land;
@@ -127,14 +128,15 @@ pub struct OutlineVertex {
     pub bulge: f64,
 }
 
-/// The part of the greatest diameter that a satellite covers with which ports of a motor are tried that has none: a land remains.
+/// The part of the greatest diameter that a satellite covers with which ports of a motor are tried that has
+/// none: a land remains.
 pub const IDEAL_PART: f64 = 0.95;
 
 /// The steepest contact that ports admit, `|μ|`.
 const STEEPEST: f64 = 0.125 * TAU;
 
-/// The cosine of the steepest contact, `μ` from the radius, is above this: [`rays_part_chambers`] admits none beyond 45° and looks at
-/// 64 phases.
+/// The cosine of the steepest contact, `μ` from the radius, is above this: [`rays_part_chambers`] admits none
+/// beyond 45° and looks at 64 phases.
 const LEAST_COSINE: f64 = 0.65;
 
 /// Both pressures.
@@ -144,8 +146,9 @@ impl PortPlate {
     /// Ports of a motor: one of each shape at every crest.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`] and [`Error::OutOfRange`] for the sizes of a shape; [`Error::PortOutside`];
-    /// [`Error::PortsOverlap`]; [`Error::SteepCentrode`], [`Error::SatelliteAcrossRay`], [`Error::SatelliteInWheel`].
+    /// [`Error::NotPositive`], [`Error::NotFinite`] and [`Error::OutOfRange`] for the sizes of a shape;
+    /// [`Error::PortOutside`]; [`Error::PortsOverlap`]; [`Error::SteepCentrode`],
+    /// [`Error::SatelliteAcrossRay`], [`Error::SatelliteInWheel`].
     ///
     /// # Example
     /// ```
@@ -187,7 +190,8 @@ impl PortPlate {
     /// The ideal ports of a motor as round holes of a part of the greatest diameter that a satellite covers.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where there is no such hole.
+    /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where
+    /// there is no such hole.
     pub fn of_ideal_holes(motor: &Motor, part: f64) -> Result<Self, Error> {
         let part = crate::ranges::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
         let ideal = motor.ports();
@@ -303,9 +307,9 @@ impl PortPlate {
     }
 }
 
-/// Why the rays through the contacts do not part the chambers, by the first of three causes with its greatest extent: a contact steeper than
-/// 45°, a satellite across its neighbour's ray, a satellite that cuts into a wheel. Looked at for 64 phases of a cycle and where the curvature
-/// jumps, and at 64 points of a satellite.
+/// Why the rays through the contacts do not part the chambers, by the first of three causes with its greatest
+/// extent: a contact steeper than 45°, a satellite across its neighbour's ray, a satellite that cuts into a
+/// wheel. Looked at for 64 phases of a cycle and where the curvature jumps, and at 64 points of a satellite.
 pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     const PLACES: u32 = 64;
     let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());

@@ -1,4 +1,5 @@
-//! The outline of a port: a closed loop of arcs and straight sides, counter-clockwise, in units of the module.
+//! The outline of a port: a closed loop of arcs and straight sides, counter-clockwise, in units of the
+//! module.
 
 use crate::quantity::Quantity;
 use std::f64::consts::{PI, TAU};

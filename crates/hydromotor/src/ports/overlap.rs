@@ -1,14 +1,15 @@
 //! The area that a port and a chamber share, exactly: Green's theorem over the pieces of both outlines.
 //!
-//! The contacts of a satellite lie on one ray from the axis, so that the rays of two neighbours bound the chamber between them:
+//! The contacts of a satellite lie on one ray from the axis, so that the rays of two neighbours bound the
+//! chamber between them:
 //!
 //! ```text
 //! θ₃(back) < θ < θ₃(front)        ρ₁(θ − φ) < ρ < ρ₃(θ)        outside of both satellites
 //! ```
 //!
-//! Where the outlines cross, both are cut. What of the port lies within the chamber, and what of the chamber's walls within the
-//! port, bound the common area: `½∮(x·dy − y·dx)` over them. Arcs and straight sides have it in closed form, the centrodes
-//! by the eight-point rule on their smooth pieces.
+//! Where the outlines cross, both are cut. What of the port lies within the chamber, and what of the
+//! chamber's walls within the port, bound the common area: `½∮(x·dy − y·dx)` over them. Arcs and straight
+//! sides have it in closed form, the centrodes by the eight-point rule on their smooth pieces.
 
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
@@ -22,8 +23,9 @@ use std::f64::consts::{PI, TAU};
 /// Places of a piece between which a crossing with a centrode is sought at first.
 const PLACES: u32 = 24;
 
-/// A piece that dips into a wall for less, over the square root of the port's area, is not followed: the sliver between chord and
-/// wall, about a twelfth of the cube of this times the curvature, is less than [`crate::tolerance::OPEN`].
+/// A piece that dips into a wall for less, over the square root of the port's area, is not followed: the
+/// sliver between chord and wall, about a twelfth of the cube of this times the curvature, is less than
+/// [`crate::tolerance::OPEN`].
 const DIP: f64 = 1e-3;
 
 /// Panels of the eight-point rule on a wall.
@@ -107,7 +109,8 @@ impl<'a> Region<'a> {
         let [inner, outer] = port.radii();
         let dip = DIP * port.area().sqrt();
         let discs = [&self.back, &self.front];
-        // Angles at which a wall is cut: on the satellites about their centres, on the centrodes about the axis.
+        // Angles at which a wall is cut: on the satellites about their centres, on the centrodes about the
+        // axis.
         let mut on_discs = [vec![], vec![]];
         let mut on_walls = [vec![], vec![]];
         let mut sum = 0.0;
@@ -148,8 +151,9 @@ impl<'a> Region<'a> {
         sum.max(0.0)
     }
 
-    /// Parts of a piece at which it crosses a centrode: between places on different sides of it, and between those on one side
-    /// where so near that the piece may reach across, halved until they are nearer than `dip`.
+    /// Parts of a piece at which it crosses a centrode: between places on different sides of it, and between
+    /// those on one side where so near that the piece may reach across, halved until they are nearer than
+    /// `dip`.
     fn across_wall(&self, piece: &Piece, wall: Wall, dip: f64) -> Vec<f64> {
         let off = |part: f64| {
             let [x, y] = piece.at(part);

@@ -88,8 +88,8 @@ proptest! {
     fn a_hole_shares_with_a_chamber_what_clipped_polygons_do(
         motor in any_motor(), rotation in -9.0..9.0, chamber in 0..20_u32, part in 0.0..1.0, size in 0.05..1.2,
     ) {
-        // About any place between the wheels, also across them; where satellites run into each other or a wheel's hollow, or reach
-        // across a neighbour's ray, no chamber is bounded.
+        // About any place between the wheels, also across them; where satellites run into each other or a
+        // wheel's hollow, or reach across a neighbour's ray, no chamber is bounded.
         let heights = crate::checks::ToothHeights { addendum: 0.0, dedendum: 1.0 };
         prop_assume!(motor.checks(heights).unwrap().iter().all(crate::checks::Check::holds));
         prop_assume!(rays_part_chambers(&motor).is_ok());
@@ -101,7 +101,8 @@ proptest! {
         let polygons = |steps| polygon_area(&clipped(&outline_of(&motor, rotation, chamber, steps), &polygon(&port, steps)));
         let (coarse, fine) = (polygons(200), polygons(400));
         let extrapolated = fine + (fine - coarse) / 3.0;
-        // As of the chambers' own polygons: the junction of the arcs falls between two points and takes part of the gain.
+        // As of the chambers' own polygons: the junction of the arcs falls between two points and takes part
+        // of the gain.
         prop_assert!((shared - extrapolated).abs() < 1e-4 * motor.shape.satellite_radius().powi(2), "{shared} {extrapolated}");
     }
 
@@ -279,7 +280,8 @@ fn a_smaller_hole_closes_where_a_satellite_just_covers_it() {
     let plate = PortPlate::of_ideal_holes(&motor, 0.9).unwrap();
     let timing = plate.timing().unwrap();
     assert_eq!(timing.closed.len(), 2);
-    // By distance: a satellite covers the hole while their centres are nearer than the difference of the radii.
+    // By distance: a satellite covers the hole while their centres are nearer than the difference of the
+    // radii.
     let Port::Hole(radius, distance, angle) = plate.ports[0] else { unreachable!() };
     let r = motor.shape.satellite_radius();
     let off = |phase: f64| {

@@ -1,6 +1,7 @@
 //! The pressure drop over the openings.
 //!
-//! All openings to a pressure lie side by side between it and the chambers. The motor's flow `Q·ω` through their sum `A_o` makes the drop
+//! All openings to a pressure lie side by side between it and the chambers. The motor's flow `Q·ω` through
+//! their sum `A_o` makes the drop
 //!
 //! ```text
 //! Δp_o = ½·ϱ·(Q·ω/(C_d·A_o))²
@@ -12,8 +13,8 @@
 //! | `C_d` | `discharge` | discharge coefficient of the openings, an input: it depends on edges and channels | 1 |
 //! | `ω` | `speed` | speed of the rotor | rad/s |
 //!
-//! One drop for all openings is the model: the chamber that is just opening has a greater one of its own, until compression
-//! of its oil limits it. The channels beyond the plate are left out.
+//! One drop for all openings is the model: the chamber that is just opening has a greater one of its own,
+//! until compression of its oil limits it. The channels beyond the plate are left out.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, MassDensity, Power, Pressure};
@@ -60,8 +61,8 @@ impl PortPlate {
     /// The throttling by the ports of a pressure, at 60 rotations of a period.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for width, speed and density, [`Error::OutOfRange`] for the discharge coefficient, [`Error::NoOpening`] where all ports of
-    /// the pressure are closed at once.
+    /// [`Error::NotPositive`] for width, speed and density, [`Error::OutOfRange`] for the discharge
+    /// coefficient, [`Error::NoOpening`] where all ports of the pressure are closed at once.
     pub fn throttling(&self, side: PortSide, through: Through) -> Result<Throttling, Error> {
         let width = crate::machine::width(through.width)?.si();
         let speed = positive(Quantity::Speed, through.speed.si(), "rad/s")?;

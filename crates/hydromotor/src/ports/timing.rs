@@ -1,8 +1,9 @@
 //! When a chamber opens and closes over its cycle.
 //!
-//! All chambers go through the same cycle, so that one stands for all. The cycle is halved until a port is proven open or closed throughout a
-//! stretch (`depth`), down to stretches of 1e-4 radians, 0.006°; what such a short one is, the area says that is open in its middle.
-//! So nothing that lasts longer is missed, be it an opening, a closure or a short circuit. The phase of a change is found by halving on.
+//! All chambers go through the same cycle, so that one stands for all. The cycle is halved until a port is
+//! proven open or closed throughout a stretch (`depth`), down to stretches of 1e-4 radians, 0.006°; what such
+//! a short one is, the area says that is open in its middle. So nothing that lasts longer is missed, be it an
+//! opening, a closure or a short circuit. The phase of a change is found by halving on.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area};
@@ -149,8 +150,8 @@ impl PortPlate {
         Ok((spans, self.widest(side, cycle)))
     }
 
-    /// Phases in their order, and whether a chamber is open to a pressure there: between two that are alike it does not change
-    /// for longer than [`SHORTEST`].
+    /// Phases in their order, and whether a chamber is open to a pressure there: between two that are alike
+    /// it does not change for longer than [`SHORTEST`].
     fn look(
         &self,
         side: PortSide,
@@ -169,7 +170,8 @@ impl PortPlate {
         }
     }
 
-    /// What the ports of a pressure are to a chamber for all phases that differ from one by no more than `half`.
+    /// What the ports of a pressure are to a chamber for all phases that differ from one by no more than
+    /// `half`.
     fn throughout(&self, side: PortSide, phase: f64, half: f64) -> Throughout {
         let region = Region::new(&self.motor, phase - 0.5 * self.motor.chamber_phase(), 0);
         let mut all = Throughout::Closed;

@@ -1,14 +1,16 @@
 //! What a chamber closed to both pressures does to its own.
 //!
-//! About an extreme the area of a chamber is `A = A_ext + ½·A″·u²` in the rotation `u` from it. A chamber that is closed a rotation `ε` before
-//! holds the oil of that instant, so that its pressure changes until the extreme by
+//! About an extreme the area of a chamber is `A = A_ext + ½·A″·u²` in the rotation `u` from it. A chamber
+//! that is closed a rotation `ε` before holds the oil of that instant, so that its pressure changes until the
+//! extreme by
 //!
 //! ```text
 //! p = K·½·|A″|·ε²/(A_ext + A_dead)
 //! ```
 //!
-//! up at the least, down at the greatest; and the angle in which it comes by itself to a pressure `p` higher is `ε = √(2·p·(A + A_dead)/(K·|A″|))`.
-//! What a chamber still has at its least must be brought from the low to the high pressure as it opens, which takes, a revolution,
+//! up at the least, down at the greatest; and the angle in which it comes by itself to a pressure `p` higher
+//! is `ε = √(2·p·(A + A_dead)/(K·|A″|))`. What a chamber still has at its least must be brought from the low
+//! to the high pressure as it opens, which takes, a revolution,
 //!
 //! ```text
 //! V = N·n·(A_min + A_dead)·b·Δp/K
@@ -20,7 +22,8 @@
 //! | `A_dead` | `dead_area` | volume of port and gaps that stays joined with a chamber, over the width | m² |
 //! | `A″` | | second derivative of the area by the rotation | m²/rad² |
 //!
-//! All are of first order in `p/K`. Leaks, which relieve a slow motor, and the flow through the gaps of the teeth are left out.
+//! All are of first order in `p/K`. Leaks, which relieve a slow motor, and the flow through the gaps of the
+//! teeth are left out.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area, Length, Pressure, Volume};
@@ -48,7 +51,8 @@ impl Extreme {
     /// The change of pressure that a closed angle on one side of the extreme makes; not below 0.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for the closed angle, which is not below 0, and the dead area; [`Error::NotPositive`] for the others.
+    /// [`Error::OutOfRange`] for the closed angle, which is not below 0, and the dead area;
+    /// [`Error::NotPositive`] for the others.
     ///
     /// # Example
     /// ```
@@ -128,11 +132,12 @@ impl Motor {
         [of(least, self.shape.trough().phase), of(greatest, 0.0)]
     }
 
-    /// The oil that chambers take a revolution to come from the low to the high pressure, at the width `b`; over `q` the loss of
-    /// volume.
+    /// The oil that chambers take a revolution to come from the low to the high pressure, at the width `b`;
+    /// over `q` the loss of volume.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for width and bulk modulus, [`Error::NotFinite`] for the pressure, [`Error::OutOfRange`] for the dead area.
+    /// [`Error::NotPositive`] for width and bulk modulus, [`Error::NotFinite`] for the pressure,
+    /// [`Error::OutOfRange`] for the dead area.
     pub fn dead_volume_charge(
         &self,
         width: Length,
@@ -157,7 +162,8 @@ impl PortPlate {
         Ok(self.motor.chambers(rotation)?[0].area.si())
     }
 
-    /// What every closed stretch does to the pressure, with the exact areas: `K·(A(closing) − A)/(A + A_dead)` where it is greatest.
+    /// What every closed stretch does to the pressure, with the exact areas:
+    /// `K·(A(closing) − A)/(A + A_dead)` where it is greatest.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the bulk modulus, [`Error::OutOfRange`] for the dead area.
@@ -187,11 +193,12 @@ impl PortPlate {
         timing.closed.iter().map(of).collect()
     }
 
-    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and while it is closed what
-    /// compression makes of that before; none in a short circuit.
+    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and
+    /// while it is closed what compression makes of that before; none in a short circuit.
     ///
     /// # Errors
-    /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the phase.
+    /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the
+    /// phase.
     pub fn chamber_pressure(
         &self,
         timing: &Timing,
@@ -228,7 +235,8 @@ impl PortPlate {
         Ok(Some(Pressure::from_si(pressure)))
     }
 
-    /// What a revolution has against the ports: short circuits, and stretches that change the pressure by more than is allowed.
+    /// What a revolution has against the ports: short circuits, and stretches that change the pressure by
+    /// more than is allowed.
     ///
     /// # Errors
     /// As [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure allowed.

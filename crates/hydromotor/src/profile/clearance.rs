@@ -1,16 +1,18 @@
 //! How near the teeth come to each other over a revolution.
 //!
-//! The signed distance of every point of a wheel's outline from a satellite's, for the satellites that stand in the middle of
-//! their backlash, as rolling without slip places them; negative where teeth overlap.
+//! The signed distance of every point of a wheel's outline from a satellite's, for the satellites that stand
+//! in the middle of their backlash, as rolling without slip places them; negative where teeth overlap.
 //!
 //! # Why one satellite and half a lobe are enough
-//! All satellites run through the same states, one behind the other ([`crate::satellites`]). When one has passed a lobe of both wheels, it
-//! meets the same teeth again with its own turned by whole pitches, since lobes are whole numbers of pitches. The teeth are
-//! mirror images in the middle of a crest, so that the state at `−Φ` is that at `Φ` mirrored. `Φ` from 0 to `π/N + π/n` therefore holds every state of every
+//! All satellites run through the same states, one behind the other ([`crate::satellites`]). When one has
+//! passed a lobe of both wheels, it meets the same teeth again with its own turned by whole pitches, since
+//! lobes are whole numbers of pitches. The teeth are mirror images in the middle of a crest, so that the
+//! state at `−Φ` is that at `Φ` mirrored. `Φ` from 0 to `π/N + π/n` therefore holds every state of every
 //! satellite in a revolution.
 //!
-//! Rotations are sampled; at each, the nearest of the wheel's sampled points is refined along its curve, and the nearest rotation by
-//! golden section at last. Where flanks mesh the distance is `½·j·cos α` at each of their contacts.
+//! Rotations are sampled; at each, the nearest of the wheel's sampled points is refined along its curve, and
+//! the nearest rotation by golden section at last. Where flanks mesh the distance is `½·j·cos α` at each of
+//! their contacts.
 
 use crate::quantity::Quantity;
 use epicyclic_units::Physical;
@@ -195,7 +197,8 @@ fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 }
 
 impl Profile {
-    /// The least distances over a revolution, of rotations in `steps` equal pieces of the half-lobe that holds them all.
+    /// The least distances over a revolution, of rotations in `steps` equal pieces of the half-lobe that
+    /// holds them all.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there are 1 to 100 000 steps.
@@ -242,7 +245,8 @@ impl Profile {
         })
     }
 
-    /// How near each satellite comes to stator and rotor after a rotation of the rotor: the naive way, along whole wheels.
+    /// How near each satellite comes to stator and rotor after a rotation of the rotor: the naive way, along
+    /// whole wheels.
     ///
     /// # Errors
     /// [`Error::NotFinite`].

@@ -1,7 +1,7 @@
 //! The teeth of stator and rotor as the envelope of the satellite-shaped cutter that rolls along the track.
 //!
-//! With the cutter in contact at the arc length `s`, its point `C`, the unit vector `T` along the track and `n` across it to the
-//! satellite, each part of the outline is explicit:
+//! With the cutter in contact at the arc length `s`, its point `C`, the unit vector `T` along the track and
+//! `n` across it to the satellite, each part of the outline is explicit:
 //!
 //! ```text
 //! flank    X = C − Δ·cos α·u        u = cos α·T ∓ sin α·n        Δ = s − s₀
@@ -15,17 +15,18 @@
 //! | `ψ` | `±φ_F − (s − s_c)/r`, angle at the cutter's centre between contact and the centre `F` of its rounded tip |
 //! | `R_F`, `φ_F` | radius and angle of `F` on the cutter |
 //!
-//! The flank's normal passes through the pitch point (law of gearing), and on an involute it touches the base circle: as the
-//! pitch point runs along the pitch circle by `Δ`, the distance along the normal grows by `Δ·cos α`, whatever the track's curvature.
-//! The *roll* `η = ±Δ` is positive towards the wheel's tip. The envelope's derivatives, by which cusps are found:
+//! The flank's normal passes through the pitch point (law of gearing), and on an involute it touches the base
+//! circle: as the pitch point runs along the pitch circle by `Δ`, the distance along the normal grows by
+//! `Δ·cos α`, whatever the track's curvature. The *roll* `η = ±Δ` is positive towards the wheel's tip. The
+//! envelope's derivatives, by which cusps are found:
 //!
 //! ```text
 //! flank    dX/ds = ±(sin α − η·κ·cos α)·u⊥
 //! fillet   dX/ds = [(κ − 1/r)·(D + ρ) − ρ/D·T·e⊥]·e⊥           D = |F − C|
 //! ```
 //!
-//! with `κ` positive towards the satellite: Euler and Savary. The flank has a cusp at `η = tan α/κ`, on the root's side where the
-//! wheel bulges towards the satellite, on the tip's side where it is hollow.
+//! with `κ` positive towards the satellite: Euler and Savary. The flank has a cusp at `η = tan α/κ`, on the
+//! root's side where the wheel bulges towards the satellite, on the tip's side where it is hollow.
 
 use super::Part;
 use super::form::Teeth;
@@ -81,7 +82,8 @@ pub(super) struct Flank {
     /// Contact of its end at the tip, and the foot of that end on the centrode.
     pub(super) tip: f64,
     pub(super) foot: f64,
-    /// What is missing to the tip where the flank ends in a cusp before; the tooth goes on there along the centrode's normal.
+    /// What is missing to the tip where the flank ends in a cusp before; the tooth goes on there along the
+    /// centrode's normal.
     pub(super) missing: f64,
     /// Contact of its end at the fillet, and that of the fillet's end there.
     pub(super) end: f64,
@@ -229,7 +231,8 @@ impl Cut {
     ) -> Result<Self, Error> {
         let (side, lobe, teeth_per_lobe) = (track.side, track.lobe(), after.len() as u32);
         let middle = |i: u32| offset + PI * f64::from(i);
-        // The flanks before the middles are the mirror images, in the crest, of those after the middles of other spaces.
+        // The flanks before the middles are the mirror images, in the crest, of those after the middles of
+        // other spaces.
         let opposite = if offset == 0.0 { teeth_per_lobe } else { teeth_per_lobe - 1 };
         let flanks: Vec<[Flank; 2]> = (0..teeth_per_lobe)
             .map(|i| {
@@ -312,8 +315,8 @@ impl Cut {
         Ok(flank)
     }
 
-    /// Where a flank meets the parallel of the centrode at the addendum, or ends in a cusp before: contact, foot on the centrode,
-    /// and what is missing.
+    /// Where a flank meets the parallel of the centrode at the addendum, or ends in a cusp before: contact,
+    /// foot on the centrode, and what is missing.
     pub(super) fn tip(
         track: &Track<'_>,
         teeth: &Teeth,
@@ -367,13 +370,14 @@ impl Cut {
         bracketed(LEAST_ADDENDUM, teeth.wheel_addendum, |addendum| -land(addendum))
     }
 
-    /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by the fillet. The curve that
-    /// cuts it, and the contacts on both.
+    /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by
+    /// the fillet. The curve that cuts it, and the contacts on both.
     fn undercut(track: &Track<'_>, teeth: &Teeth, flank: &Flank, middle: f64) -> Option<(Curve, [f64; 2])> {
         const COUNT: u32 = 40;
         let on_flank = Curve::Flank { sign: flank.sign, pitch: flank.pitch };
         let on_fillet = Curve::Fillet { sign: flank.sign, middle };
-        // Evenly in the arc length: where the rotor is nearly straight the shape's own parameter has few places.
+        // Evenly in the arc length: where the rotor is nearly straight the shape's own parameter has few
+        // places.
         let step = (flank.end - flank.tip) / f64::from(COUNT);
         let mut places: Vec<f64> = (0..=COUNT).map(|i| flank.tip + step * f64::from(i)).collect();
         places.extend(track.jumps(flank.tip, flank.end));
@@ -414,7 +418,8 @@ impl Cut {
     }
 }
 
-/// Where two curves whose chords cross do so themselves: Newton's method, from ever shorter chords if it leaves them.
+/// Where two curves whose chords cross do so themselves: Newton's method, from ever shorter chords if it
+/// leaves them.
 fn crossing(
     teeth: &Teeth,
     track: &Track<'_>,

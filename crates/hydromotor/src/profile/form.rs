@@ -10,7 +10,8 @@
 //! | | the cutter's tip circle | `r + h_a + c + x` |
 //! | | the wheels' addendum, from the centrode | `h_a − x` |
 //!
-//! A point of an involute has the roll angle `t = tan α_y`; half the tooth there spans `w/(2r) + inv α − (t − atan t)`.
+//! A point of an involute has the roll angle `t = tan α_y`; half the tooth there spans
+//! `w/(2r) + inv α − (t − atan t)`.
 
 use crate::quantity::{Quantity, WheelKind};
 use epicyclic_units::Physical;
@@ -40,11 +41,14 @@ pub struct ToothForm {
     pub addendum: f64,
     /// Clearance `c*` of the tips over the roots, from 0 to 1.
     pub clearance: f64,
-    /// Profile shift `x` of the satellite, within `±h_a*`; the wheels have `−x`, so that the pitch curves still roll.
+    /// Profile shift `x` of the satellite, within `±h_a*`; the wheels have `−x`, so that the pitch curves
+    /// still roll.
     pub shift: f64,
-    /// Backlash `j*` of a satellite in either wheel along the pitch curves, from 0 to 0.5; `j·cos α` along the normal.
+    /// Backlash `j*` of a satellite in either wheel along the pitch curves, from 0 to 0.5; `j·cos α` along
+    /// the normal.
     pub backlash: f64,
-    /// The part `q` of the backlash by which the satellite's teeth are thinner, from 0 to 1; the wheels' have the rest.
+    /// The part `q` of the backlash by which the satellite's teeth are thinner, from 0 to 1; the wheels' have
+    /// the rest.
     pub satellite_share: f64,
     /// Radius `ρ*` of the rounded tips of the cutter of the wheels and of the satellite's rack, from 0 to 1.
     pub fillet: f64,
@@ -97,7 +101,8 @@ pub(crate) struct Teeth {
     pub(super) cutter_roll: f64,
     /// The wheels' addendum.
     pub(super) wheel_addendum: f64,
-    /// Centre of the rack's rounded tip: half its distance from the mirrored one, and depth under the pitch line.
+    /// Centre of the rack's rounded tip: half its distance from the mirrored one, and depth under the pitch
+    /// line.
     pub(super) rack_half: f64,
     pub(super) rack_depth: f64,
     /// Where the rack's flank ends at the rounding.
@@ -238,8 +243,8 @@ impl Teeth {
 }
 
 impl Default for ToothForm {
-    /// 25°, `h_a* = 0.85`, `c* = 0.25`, `x = 0.2`, `j* = 0.04` on the satellite alone, `ρ* = 0.1`, a space in the crest; why, see
-    /// [`crate::profile`].
+    /// 25°, `h_a* = 0.85`, `c* = 0.25`, `x = 0.2`, `j* = 0.04` on the satellite alone, `ρ* = 0.1`, a space in
+    /// the crest; why, see [`crate::profile`].
     fn default() -> Self {
         Self {
             pressure_angle: Angle::from_degrees(25.0),

@@ -1,8 +1,10 @@
-//! Whether a motor keeps all limits in a form, for searches that try many: what decides soonest first, with an end at the first failure.
+//! Whether a motor keeps all limits in a form, for searches that try many: what decides soonest first, with
+//! an end at the first failure.
 //!
-//! What depends on the form and the satellite's teeth alone is asked once ([`SatelliteForm`]), what depends on the motor alone once
-//! ([`Room`]), and of a motor in a form flanks are cut one by one. The answers are those of [`Profile`](super::Profile) and its limits, the
-//! flanks on one side of the spaces alone, as those on the other are mirror images; the tests compare them.
+//! What depends on the form and the satellite's teeth alone is asked once ([`SatelliteForm`]), what depends
+//! on the motor alone once ([`Room`]), and of a motor in a form flanks are cut one by one. The answers are
+//! those of [`Profile`](super::Profile) and its limits, the flanks on one side of the spaces alone, as those
+//! on the other are mirror images; the tests compare them.
 
 use super::Part;
 use super::cut::Cut;
@@ -70,7 +72,8 @@ impl SatelliteForm {
 /// The room that a motor's centrodes leave for teeth, in modules.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Room {
-    /// Least radii of the stator's and the rotor's bulges towards the satellites' roots; infinite where there are none.
+    /// Least radii of the stator's and the rotor's bulges towards the satellites' roots; infinite where there
+    /// are none.
     bulges: [f64; 2],
     /// The rotor's least radius.
     least_radius: f64,
@@ -106,8 +109,8 @@ impl Room {
     }
 }
 
-/// The contact ratio of a motor in a form, its shortest path of contact over the base pitch, or what fails first; none as soon as it
-/// is known to be at most one that is not `wanted`.
+/// The contact ratio of a motor in a form, its shortest path of contact over the base pitch, or what fails
+/// first; none as soon as it is known to be at most one that is not `wanted`.
 pub(crate) fn contact_ratio(
     motor: &Motor,
     room: &Room,

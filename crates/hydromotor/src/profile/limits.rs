@@ -1,6 +1,7 @@
 //! The limits of the teeth: what a tooth form must keep on every place of the centrodes.
 //!
-//! Paths run along the line of action from the pitch point; `κ` is the centrode's curvature towards the satellite.
+//! Paths run along the line of action from the pitch point; `κ` is the centrode's curvature towards the
+//! satellite.
 //!
 //! | kind | wheel | value | bound |
 //! |---|---|---|---|
@@ -16,14 +17,16 @@
 //! | neighbours | satellite | least distance of satellites' centres | at least the tip circle's diameter |
 //! | wheels | rotor | stator's least radius less rotor's greatest | at least both addenda |
 //!
-//! A wheel's tip that keeps the *foreign root* may still run into the satellite's fillet: its corner goes on from the involute's
-//! beginning on a path of its own, and where that is bent less than the fillet it leaves less than the `½·j·cos α` between flanks. The value of
-//! *foreign root* is then the bound and what is missing of that distance.
+//! A wheel's tip that keeps the *foreign root* may still run into the satellite's fillet: its corner goes on
+//! from the involute's beginning on a path of its own, and where that is bent less than the fillet it leaves
+//! less than the `½·j·cos α` between flanks. The value of *foreign root* is then the bound and what is
+//! missing of that distance.
 //!
-//! Of a flank that ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path and what is missing to the tip.
+//! Of a flank that ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path and what
+//! is missing to the tip.
 //!
-//! Values and bounds are lengths; of each kind and wheel the place is returned where value and bound are nearest or the bound is most
-//! exceeded.
+//! Values and bounds are lengths; of each kind and wheel the place is returned where value and bound are
+//! nearest or the bound is most exceeded.
 
 use uom::si::f64::Length;
 
@@ -327,8 +330,8 @@ impl Worsts {
     }
 }
 
-/// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact goes on from the tip to
-/// the corner's foot; 0 if it does not.
+/// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact
+/// goes on from the tip to the corner's foot; 0 if it does not.
 fn intrusion(Mesh { teeth, satellite }: Mesh<'_>, track: &Track<'_>, flank: &Flank) -> f64 {
     let corner = track.at(flank.foot).point(0.0, teeth.wheel_addendum);
     let middle = flank.pitch - flank.sign * teeth.half_space;
@@ -356,7 +359,8 @@ fn intrusion(Mesh { teeth, satellite }: Mesh<'_>, track: &Track<'_>, flank: &Fla
     (0.5 * teeth.backlash * teeth.cos - least.min(refined)).max(0.0)
 }
 
-/// Places of a flank from its tip to the cutter's end, both included, and on either side of the arcs' junction.
+/// Places of a flank from its tip to the cutter's end, both included, and on either side of the arcs'
+/// junction.
 fn flank_frames<'a>(track: &'a Track<'_>, flank: &Flank, end: f64) -> impl Iterator<Item = Frame> + 'a {
     let ends = track.jumps(flank.tip, end).into_iter().chain([end]).map(|s| track.at(s));
     track.frames(flank.tip, end, PLACES).chain(ends)

@@ -15,26 +15,29 @@
 //! | [`clearance`] | how near the teeth come over a revolution |
 //!
 //! # In phase
-//! A satellite's contact runs round it by `s₃/r` towards the stator and by `π + s₁/r` towards the rotor. With a pitch of `p = π·m` a
-//! satellite tooth at the stator's crest therefore meets a stator space there, and on the rotor's crest, `Z_s/2` pitches away, a space
-//! for an even and a tooth for an odd `Z_s`; mirrored in the crest either way. Since a lobe of either wheel is `Z₃/N = Z₁/n` whole
-//! pitches, both wheels look the same after a lobe, so every satellite finds the teeth as the one before it did: all `N + n` mesh at
-//! once, for every admissible set. A fraction of a pitch in `Z₃/N` would be what is left over between neighbours; it is refused by
-//! [`crate::MotorNumbers`].
+//! A satellite's contact runs round it by `s₃/r` towards the stator and by `π + s₁/r` towards the rotor. With
+//! a pitch of `p = π·m` a satellite tooth at the stator's crest therefore meets a stator space there, and on
+//! the rotor's crest, `Z_s/2` pitches away, a space for an even and a tooth for an odd `Z_s`; mirrored in the
+//! crest either way. Since a lobe of either wheel is `Z₃/N = Z₁/n` whole pitches, both wheels look the same
+//! after a lobe, so every satellite finds the teeth as the one before it did: all `N + n` mesh at once, for
+//! every admissible set. A fraction of a pitch in `Z₃/N` would be what is left over between neighbours; it is
+//! refused by [`crate::MotorNumbers`].
 //!
 //! # Why these defaults
-//! A satellite of 10 teeth is the smaller wheel of every mesh, and decides. In the standard form of 20° and full depth its rack
-//! undercuts it (`h_f − ρ·(1 − sin α) = 1.151` modules where `r·sin² α = 0.585` are allowed) and the wheels' tips reach below its base circle.
-//! Of the forms on a grid of 20° to 30° in steps of 1°, and in steps of 0.05 `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0
-//! to 0.4 and `ρ*` from 0.1 to 0.25, 453 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of their
-//! families. The lower the teeth, the wider the margins, but the shorter the path of contact, down to one base pitch: the default trades them, with a path of 1.12 base
-//! pitches, tips of half a module, and 0.12 modules left to undercut and roots. Towards the ends of a family the centrodes bend more
-//! sharply and the default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`, a smaller one lower
-//! teeth.
+//! A satellite of 10 teeth is the smaller wheel of every mesh, and decides. In the standard form of 20° and
+//! full depth its rack undercuts it (`h_f − ρ·(1 − sin α) = 1.151` modules where `r·sin² α = 0.585` are
+//! allowed) and the wheels' tips reach below its base circle. Of the forms on a grid of 20° to 30° in steps
+//! of 1°, and in steps of 0.05 `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from
+//! 0.1 to 0.25, 453 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of
+//! their families. The lower the teeth, the wider the margins, but the shorter the path of contact, down to
+//! one base pitch: the default trades them, with a path of 1.12 base pitches, tips of half a module, and 0.12
+//! modules left to undercut and roots. Towards the ends of a family the centrodes bend more sharply and the
+//! default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`,
+//! a smaller one lower teeth.
 //!
 //! # Known wrong
-//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of what the cutter removes, where a loop of its flank and
-//! the fillet cut the flank almost in one place.
+//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of what the cutter removes, where
+//! a loop of its flank and the fillet cut the flank almost in one place.
 //!
 //! # Left out
 //! Loads, which are in [`crate::flanks`]; modifications of the flank; the thickness across the face.
@@ -122,8 +125,9 @@ impl Profile {
     /// Undercut and other limits that leave an outline are no errors; they are in [`Profile::limits`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] and [`Error::NotFinite`] for a number of the form, [`Error::PointedTip`] and [`Error::FilletTooLarge`] for
-    /// one that leaves no tooth, [`Error::NoTip`] and [`Error::NoFlank`] where flanks end before they are of use.
+    /// [`Error::OutOfRange`] and [`Error::NotFinite`] for a number of the form, [`Error::PointedTip`] and
+    /// [`Error::FilletTooLarge`] for one that leaves no tooth, [`Error::NoTip`] and [`Error::NoFlank`] where
+    /// flanks end before they are of use.
     ///
     /// # Example
     /// ```
@@ -178,11 +182,12 @@ impl Profile {
         [self.teeth.tip, self.teeth.root].map(|radius| self.motor.length(radius))
     }
 
-    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at least 6, and
-    /// a few more where an undercut flank has a loop removed.
+    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at
+    /// least 6, and a few more where an undercut flank has a loop removed.
     ///
     /// The frames are those of [`crate::centrode`]. In place, a satellite's is turned by its
-    /// [`rotation`](crate::satellites::Satellite::rotation) and moved to its centre, the rotor's is turned by the rotation of the rotor.
+    /// [`rotation`](crate::satellites::Satellite::rotation) and moved to its centre, the rotor's is turned by
+    /// the rotation of the rotor.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there are 1 to [`MOST_POINTS`] points.
@@ -264,8 +269,8 @@ impl Profile {
     }
 }
 
-/// Arc lengths from a crest to the middle of a space, of stator and rotor; the stator's is also that from the satellite's contact
-/// there to the middle of its tooth.
+/// Arc lengths from a crest to the middle of a space, of stator and rotor; the stator's is also that from the
+/// satellite's contact there to the middle of its tooth.
 fn phases(crest: Crest, satellite_teeth: u32) -> [f64; 2] {
     let stator = match crest {
         Crest::Space => 0.0,

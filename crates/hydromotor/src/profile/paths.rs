@@ -5,8 +5,8 @@ use super::cut::Flank;
 use super::form::Teeth;
 use super::track::Side;
 
-/// A flank's path of contact in modules, from the pitch point along the line of action, positive towards the satellite's base circle,
-/// which is towards the wheel's tip.
+/// A flank's path of contact in modules, from the pitch point along the line of action, positive towards the
+/// satellite's base circle, which is towards the wheel's tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FlankPath {
     /// Arc length at which the contact is in the pitch point.
@@ -18,7 +18,8 @@ pub(crate) struct FlankPath {
 }
 
 impl FlankPath {
-    /// Arc lengths of the centrode at which contact begins and ends on a flank at the front of its space, for a `sign` of 1, or at its back.
+    /// Arc lengths of the centrode at which contact begins and ends on a flank at the front of its space, for
+    /// a `sign` of 1, or at its back.
     pub(crate) fn arcs(&self, sign: f64, cos: f64) -> [f64; 2] {
         let [one, other] = [self.from, self.to].map(|e| self.pitch + sign * e / cos);
         [one.min(other), one.max(other)]
@@ -26,7 +27,8 @@ impl FlankPath {
 }
 
 impl Side {
-    /// The side of their spaces on which a wheel's flanks carry satellites that are pushed forward, for a `sigma` of 1, or back: `1` at the front.
+    /// The side of their spaces on which a wheel's flanks carry satellites that are pushed forward, for a
+    /// `sigma` of 1, or back: `1` at the front.
     pub(crate) fn carrying(self, sigma: f64) -> f64 {
         match self {
             Self::Stator => sigma,
@@ -36,7 +38,8 @@ impl Side {
 }
 
 impl Profile {
-    /// The paths of all flanks of a lobe on one side of their spaces, in order along the track: at their front for a `sign` of 1.
+    /// The paths of all flanks of a lobe on one side of their spaces, in order along the track: at their
+    /// front for a `sign` of 1.
     pub(crate) fn paths(&self, side: Side, sign: f64) -> Vec<FlankPath> {
         let teeth = &self.teeth;
         let satellite = teeth.base * (teeth.tan - self.satellite.from);

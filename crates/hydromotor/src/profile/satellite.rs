@@ -1,18 +1,20 @@
 //! The satellite's teeth: involutes, and the root that a rack with rounded tips cuts.
 //!
-//! Half a tooth about its middle, the other half mirrored. The rack is the one that the involutes belong to, with the addendum
-//! `h_a + c − x` and tips rounded by `ρ`; as its pitch line has rolled by `v` from the middle of the space,
+//! Half a tooth about its middle, the other half mirrored. The rack is the one that the involutes belong to,
+//! with the addendum `h_a + c − x` and tips rounded by `ρ`; as its pitch line has rolled by `v` from the
+//! middle of the space,
 //!
 //! ```text
 //! X = r·e_r + (1 + ρ/D)·[(v_F − v)·e_t − h_F·e_r]        D² = (v_F − v)² + h_F²
 //! ```
 //!
-//! `h_F`, `v_F`: depth of the rounding's centre below the pitch line and its distance from the middle of the rack's tooth.
-//! The involute begins at the roll angle `t = tan α − (h_F + ρ·sin α)/(r·sin α·cos α)`; below 0 the rack undercuts the tooth, and the
-//! involute begins where the rack's rounding leaves it.
+//! `h_F`, `v_F`: depth of the rounding's centre below the pitch line and its distance from the middle of the
+//! rack's tooth. The involute begins at the roll angle `t = tan α − (h_F + ρ·sin α)/(r·sin α·cos α)`; below 0
+//! the rack undercuts the tooth, and the involute begins where the rack's rounding leaves it.
 //!
-//! Distances from the outline are exact. Of the fillet a chain of chords tells the nearest place, and the foot near there follows from
-//! its normal: with the rack at `v` it passes through the pitch point, so that `P − C` and `F − C` have one direction.
+//! Distances from the outline are exact. Of the fillet a chain of chords tells the nearest place, and the
+//! foot near there follows from its normal: with the rack at `v` it passes through the pitch point, so that
+//! `P − C` and `F − C` have one direction.
 
 use super::Part;
 use super::form::{Teeth, involute};
@@ -82,8 +84,8 @@ impl SatelliteTooth {
         Ok(tooth)
     }
 
-    /// The roll at which the rack's rounding leaves the involute of an undercut tooth: above the base circle it goes from
-    /// outside the tooth to within.
+    /// The roll at which the rack's rounding leaves the involute of an undercut tooth: above the base circle
+    /// it goes from outside the tooth to within.
     fn leaving(&self) -> Option<f64> {
         const COUNT: u32 = 256;
         let inside = |v: f64| {
@@ -121,7 +123,8 @@ impl SatelliteTooth {
         polar(radius, self.teeth.half_angle(self.teeth.half_tooth, t))
     }
 
-    /// The part of a tooth at a share of its length, counter-clockwise; parts in the order of [`Self::parts`].
+    /// The part of a tooth at a share of its length, counter-clockwise; parts in the order of
+    /// [`Self::parts`].
     pub(crate) fn on(&self, index: usize, part: f64) -> [f64; 2] {
         let mirrored = |[x, y]: [f64; 2]| [x, -y];
         let (tip, root) = (self.tip_angle, self.root_angle);
@@ -187,8 +190,8 @@ impl SatelliteTooth {
         nearest
     }
 
-    /// Distance of a point, about the middle of the tooth, from the fillet, negative within the tooth, and whether its foot lies between
-    /// the fillet's ends.
+    /// Distance of a point, about the middle of the tooth, from the fillet, negative within the tooth, and
+    /// whether its foot lies between the fillet's ends.
     pub(super) fn fillet_distance(&self, point: [f64; 2]) -> (f64, bool) {
         let (mut nearest, mut chord) = (f64::INFINITY, 0);
         for (i, ends) in self.chain.windows(2).enumerate() {
@@ -197,7 +200,8 @@ impl SatelliteTooth {
             let share = ((ux * vx + uy * vy) / (ux * ux + uy * uy)).clamp(0.0, 1.0);
             let distance = libm::hypot(vx - share * ux, vy - share * uy);
             if distance < nearest.abs() {
-                // From the involute to the root the space lies to the right; an undercut tooth's edge is convex.
+                // From the involute to the root the space lies to the right; an undercut tooth's edge is
+                // convex.
                 let edge = self.undercut && i == 0 && share == 0.0;
                 let outside = edge || ux * vy - uy * vx <= 0.0;
                 (nearest, chord) = (if outside { distance } else { -distance }, i);
@@ -227,7 +231,8 @@ impl SatelliteTooth {
 
     /// Distance along the normal from the involute, however far that goes on, and the roll angle of the foot.
     ///
-    /// Points at one distance from an involute lie on the involute turned by that distance over the base radius.
+    /// Points at one distance from an involute lie on the involute turned by that distance over the base
+    /// radius.
     pub(super) fn flank_distance(&self, radius: f64, angle: f64) -> Option<(f64, f64)> {
         let Teeth { base, r, tan, half_tooth, .. } = self.teeth;
         if radius < base {

@@ -50,7 +50,8 @@ fn failing(profile: &Profile) -> Vec<(LimitKind, Wheel)> {
     limits.iter().filter(|limit| !limit.holds()).map(|limit| (limit.kind, limit.wheel)).collect()
 }
 
-/// Distance of a point of the satellite's frame from the cutter: involutes, discs in the corners of the tip, tip circle.
+/// Distance of a point of the satellite's frame from the cutter: involutes, discs in the corners of the tip,
+/// tip circle.
 fn from_cutter(profile: &Profile, [x, y]: [f64; 2]) -> f64 {
     let teeth: &Teeth = &profile.teeth;
     let pitch = TAU / f64::from(profile.motor.numbers().satellite_teeth());
@@ -292,9 +293,9 @@ fn an_undercut_flank_ends_where_the_fillet_leaves_it() {
     outline_holds_together(&profile);
 }
 
-/// Parts end where the next begin, the outline goes round once, and its last point is near the first.
-/// There the path along the flank is the curvature radius of the centrode times `tan α`, and the point stands over its
-/// foot as high as the addendum less what is missing.
+/// Parts end where the next begin, the outline goes round once, and its last point is near the first. There
+/// the path along the flank is the curvature radius of the centrode times `tan α`, and the point stands over
+/// its foot as high as the addendum less what is missing.
 #[test]
 fn a_flank_that_ends_before_its_tip_ends_in_a_cusp() {
     use super::cut::{Curve, point, regularity};
@@ -410,7 +411,8 @@ fn a_tip_that_keeps_the_involute_may_run_into_the_fillet() {
     };
     let profile = Profile::new(&motor, form).unwrap();
     assert_eq!(failing(&profile), [(LimitKind::SatelliteRoot, Wheel::Stator)]);
-    // The path keeps the involute; the corner of the tip, as measured along its way, does not keep the distance of the flanks.
+    // The path keeps the involute; the corner of the tip, as measured along its way, does not keep the
+    // distance of the flanks.
     let limits = profile.limits();
     let limit = limits.iter().find(|limit| !limit.holds()).unwrap();
     let flank = profile.cut(Side::Stator).flanks[0][1];
@@ -508,7 +510,8 @@ proptest! {
             for (wheel, at, phase) in
                 [(Wheel::Stator, satellite.on_stator, stator_phase), (Wheel::Rotor, satellite.on_rotor, rotor_phase)]
             {
-                // Pitches from a tooth of the satellite to the contact, and from a space of the wheel, counted back from its outline.
+                // Pitches from a tooth of the satellite to the contact, and from a space of the wheel,
+                // counted back from its outline.
                 let ([x, y], [cx, cy]) = (xy(at), xy(satellite.centre));
                 let on_satellite = libm::atan2(y - cy, x - cx) - satellite.rotation.si();
                 let teeth = on_satellite * z / TAU - stator_phase / PI;
@@ -556,7 +559,8 @@ proptest! {
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
                 let excess = nearest.clearance.si() - expected;
-                // What the module says is known wrong: up to 1e-4 modules of what the cutter removes may remain.
+                // What the module says is known wrong: up to 1e-4 modules of what the cutter removes may
+                // remain.
                 prop_assert!(excess > -1e-3, "{nearest:?} {excess:e}");
             }
         }

@@ -1,7 +1,8 @@
 //! Single teeth in their own frame: sections across them and points of load on their flanks.
 //!
-//! The x axis is the tooth's middle line, from root to tip. Of the satellite it is the ray through the middle of the tooth; of stator and
-//! rotor the normal of the centrode through the middle of the land at the tip, since there the two flanks differ where the curvature changes.
+//! The x axis is the tooth's middle line, from root to tip. Of the satellite it is the ray through the middle
+//! of the tooth; of stator and rotor the normal of the centrode through the middle of the land at the tip,
+//! since there the two flanks differ where the curvature changes.
 
 use super::cut::{Curve, Piece, point};
 use super::track::{Frame, Side};
@@ -24,7 +25,8 @@ pub(crate) struct Section {
 pub(crate) struct Tooth {
     /// From the tip to the root.
     pub(crate) sections: Vec<Section>,
-    /// `6/s²` of each section, by which a moment of 1 bends it on a width of 1, and that times its `x` and `y`.
+    /// `6/s²` of each section, by which a moment of 1 bends it on a width of 1, and that times its `x` and
+    /// `y`.
     moduli: [Vec<f64>; 3],
     origin: [f64; 2],
     axis: [f64; 2],
@@ -138,7 +140,8 @@ impl Tooth {
 }
 
 impl Profile {
-    /// The teeth of a lobe of stator or rotor, each after the space of its index, with so many points a fillet.
+    /// The teeth of a lobe of stator or rotor, each after the space of its index, with so many points a
+    /// fillet.
     ///
     /// About half of them are the mirror images, in the lobe's middle, of others.
     pub(crate) fn wheel_teeth(&self, side: Side, points: u32) -> Vec<Tooth> {
@@ -203,7 +206,8 @@ impl Profile {
         }
     }
 
-    /// Index, within its lobe, of the tooth that a flank at `pitch` belongs to, and the arc length of that lobe's beginning.
+    /// Index, within its lobe, of the tooth that a flank at `pitch` belongs to, and the arc length of that
+    /// lobe's beginning.
     pub(crate) fn tooth_of(&self, side: Side, sign: f64, pitch: f64) -> (usize, f64) {
         let first = self.cut(side).flanks[0][1].pitch;
         let count = self.cut(side).flanks.len() as f64;
@@ -215,7 +219,8 @@ impl Profile {
         ((tooth - lobes * count) as usize, lobes * self.lobe_length(side))
     }
 
-    /// Point and direction of the force on a tooth of stator or rotor with contact at an arc length of its own lobe.
+    /// Point and direction of the force on a tooth of stator or rotor with contact at an arc length of its
+    /// own lobe.
     #[cfg(test)]
     pub(crate) fn wheel_loading(&self, side: Side, tooth: &Tooth, sign: f64, pitch: f64, s: f64) -> Loading {
         self.loading(tooth, sign, pitch, self.track(side).at(s))
@@ -254,7 +259,8 @@ impl Profile {
         Tooth::new([0.0; 2], [1.0, 0.0], [side, mirrored])
     }
 
-    /// Point and direction of the force on the satellite's tooth with contact at `e` along the line of action.
+    /// Point and direction of the force on the satellite's tooth with contact at `e` along the line of
+    /// action.
     pub(crate) fn satellite_loading(&self, e: f64) -> Loading {
         let teeth = self.teeth();
         let t = teeth.tan - e / teeth.base;

@@ -1,7 +1,8 @@
 //! A wheel's centrode as the track that the satellite rolls along.
 //!
-//! It runs the way that contact goes as the rotor turns, counter-clockwise along the stator and clockwise along the rotor, so
-//! that on either the satellite is to the left and the teeth's roots to the right; each in its wheel's own frame.
+//! It runs the way that contact goes as the rotor turns, counter-clockwise along the stator and clockwise
+//! along the rotor, so that on either the satellite is to the left and the teeth's roots to the right; each
+//! in its wheel's own frame.
 
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate, Contact};
@@ -106,7 +107,8 @@ impl Track<'_> {
 
     /// `count` places from one arc length on towards another, which is left out; the first exactly there.
     ///
-    /// Evenly in the shape's own parameter: the rotor's arc length is a function of the stator's, not the other way round.
+    /// Evenly in the shape's own parameter: the rotor's arc length is a function of the stator's, not the
+    /// other way round.
     pub(super) fn frames(&self, from: f64, to: f64, count: u32) -> impl Iterator<Item = Frame> {
         let by = self.shape.explicit();
         let [from, to] =

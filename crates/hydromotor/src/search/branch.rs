@@ -1,4 +1,5 @@
-//! One interval of a family: points of rising `l`, and the cells between them, halved where a better motor may lie.
+//! One interval of a family: points of rising `l`, and the cells between them, halved where a better motor
+//! may lie.
 
 use crate::closure::{Family, Interval};
 use crate::tolerance::EDGE;
@@ -17,7 +18,8 @@ enum Cell {
     Open,
     /// By estimate no motor in it is admissible.
     Refused,
-    /// By estimate no motor in it is better than the front by more than the slack, or it is too narrow to be halved.
+    /// By estimate no motor in it is better than the front by more than the slack, or it is too narrow to be
+    /// halved.
     Closed,
 }
 
@@ -42,8 +44,9 @@ impl Branch {
         Self { family, interval, points, cells, least_width }
     }
 
-    /// Sorts the open cells out: those without admissible motors, those that the front covers, and the rest, which are
-    /// halved. Cells beside a halved one are open again, as their estimates see a nearer neighbour. The number of points added.
+    /// Sorts the open cells out: those without admissible motors, those that the front covers, and the rest,
+    /// which are halved. Cells beside a halved one are open again, as their estimates see a nearer neighbour.
+    /// The number of points added.
     pub(super) fn refine(&mut self, yardstick: &Yardstick, front: &Cover, slack: f64) -> usize {
         self.sort_out(yardstick, front, slack);
         let before = std::mem::take(&mut self.cells);
@@ -103,7 +106,8 @@ impl Branch {
         }
         let mut best = Value::default();
         for &objective in &yardstick.objectives {
-            // Displacement, radius and torque as they are, since a radius may vanish at an end; a ripple by its logarithm.
+            // Displacement, radius and torque as they are, since a radius may vanish at an end; a ripple by
+            // its logarithm.
             let bound = match objective {
                 Objective::DisplacementByVolume => {
                     self.bound(i, |point| Some(point.working?.by_volume())).map(libm::log)
@@ -118,14 +122,16 @@ impl Branch {
                     .bound_where_teeth(i, |point| Some(point.at_flanks?.least_over_mean))
                     .map(|least| libm::log(least.min(1.0))),
             };
-            // None where an end is no motor at all; it lies a rounding off the interval's own. Or without teeth at either end.
+            // None where an end is no motor at all; it lies a rounding off the interval's own. Or without
+            // teeth at either end.
             let Some(bound) = bound.filter(|bound| !bound.is_nan()) else { return Prospect::Refused };
             best[objective as usize] = bound;
         }
         Prospect::Values(best)
     }
 
-    /// The same where an end may have no teeth: then the line through the other end and its neighbour, on to the end without, either way.
+    /// The same where an end may have no teeth: then the line through the other end and its neighbour, on to
+    /// the end without, either way.
     fn bound_where_teeth(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
         let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
         let (here, there, beyond) = match (at(i), at(i + 1)) {
@@ -138,11 +144,11 @@ impl Branch {
         Some(here.1 + rise)
     }
 
-    /// An estimate of the most that a quantity reaches in a cell: the greater end, and what the quantity differs by at one end
-    /// from the line through its values beyond the other.
+    /// An estimate of the most that a quantity reaches in a cell: the greater end, and what the quantity
+    /// differs by at one end from the line through its values beyond the other.
     ///
-    /// No less than what a concave function reaches, also one with a kink; of a smooth one eight times its rise above the
-    /// chord. Without a neighbour on either side the difference of the ends is added.
+    /// No less than what a concave function reaches, also one with a kink; of a smooth one eight times its
+    /// rise above the chord. Without a neighbour on either side the difference of the ends is added.
     fn bound(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
         let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
         let (from, to) = (at(i)?, at(i + 1)?);

@@ -26,12 +26,13 @@ pub struct Found {
     pub funnel: Funnel,
     /// The greatest spacing error of the designs; see [`crate::search`].
     pub spacing_error: SpacingError,
-    /// By how much the front, before thinning, has motors better than the nearest at an evenly spaced place, at most.
+    /// By how much the front, before thinning, has motors better than the nearest at an evenly spaced place,
+    /// at most.
     pub refinement_gain: SpacingError,
 }
 
-/// By how much an admissible motor between the places tried may be better, relative, by estimate, in each of the
-/// [objectives](MotorSearch::objectives); 0 of what is none. See [`crate::search`].
+/// By how much an admissible motor between the places tried may be better, relative, by estimate, in each of
+/// the [objectives](MotorSearch::objectives); 0 of what is none. See [`crate::search`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpacingError {
     /// Displacement by volume: 0.01 where it may be 1.01 times as great.
@@ -99,8 +100,9 @@ pub struct Design {
     pub displacement_by_volume: f64,
     /// Ripple `δ` of flow and torque, satellites sealing at the pitch points.
     pub ripple: f64,
-    /// Ripple and least torque with satellites that seal at the flanks of the [form](super::FlankTerms::form), where an objective or a
-    /// bound is of them; [`AtFlanks::of`] gives them of any design's motor.
+    /// Ripple and least torque with satellites that seal at the flanks of the
+    /// [form](super::FlankTerms::form), where an objective or a bound is of them; [`AtFlanks::of`] gives them
+    /// of any design's motor.
     pub at_flanks: Option<AtFlanks>,
     /// Least curvature radius of the centrodes over the module.
     pub least_radius: f64,
@@ -128,7 +130,8 @@ pub struct Dimensions {
     pub outer_diameter: Length,
     /// Volume of the cylinder about the stator's centrode.
     pub volume: Volume,
-    /// Displacement a revolution; the wanted one but for the tolerance of [`Size::ModulesAndWidth`](super::Size).
+    /// Displacement a revolution; the wanted one but for the tolerance of
+    /// [`Size::ModulesAndWidth`](super::Size).
     pub displacement: Volume,
     /// Mean torque at the pressure wanted, without losses.
     pub torque: Option<Torque>,

@@ -5,7 +5,8 @@ use super::objective::Objective;
 /// How many objectives there are.
 const COUNT: usize = Objective::ALL.len();
 
-/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what is not asked for.
+/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what
+/// is not asked for.
 pub(super) type Value = [f64; COUNT];
 
 /// Indices of the values that no other dominates, ascending; equal ones stand together.
@@ -36,8 +37,8 @@ impl Cover {
         self.values[..end].iter().any(|member| excess(value, *member) <= slack)
     }
 
-    /// The member that a value exceeds least, its index in falling order, and by how much in each objective; nothing
-    /// where a member is nowhere worse.
+    /// The member that a value exceeds least, its index in falling order, and by how much in each objective;
+    /// nothing where a member is nowhere worse.
     pub(super) fn nearest(&self, value: Value) -> Option<(usize, Value)> {
         if self.covers(value, 0.0) {
             return None;
@@ -54,8 +55,8 @@ fn excess(value: Value, member: Value) -> f64 {
     (0..COUNT).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling first objective;
-/// each left out lies within `resolution` of one kept. The best in every objective are kept.
+/// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling
+/// first objective; each left out lies within `resolution` of one kept. The best in every objective are kept.
 pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
     let best =
         |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });

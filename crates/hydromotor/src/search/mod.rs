@@ -1,5 +1,5 @@
-//! Search for designs: for a wanted displacement or torque every admissible set of numbers, along each its family, and of all
-//! these motors the Pareto front.
+//! Search for designs: for a wanted displacement or torque every admissible set of numbers, along each its
+//! family, and of all these motors the Pareto front.
 //!
 //! # Objectives
 //!
@@ -9,54 +9,63 @@
 //! | ripple `δ` | less | 1 | of flow and torque, satellites sealing at the pitch points, [`Ripple`](crate::flow::Ripple) |
 //! | least curvature radius over the module | more | 1 | of both centrodes, hollow and convex: what is held against roots and satellites, whose measure is the module, [`Check`](crate::checks::Check) |
 //!
-//! These three are [usual](Objective::USUAL). Ripple and least torque over the mean with satellites that seal at the flanks
-//! ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) beside them or in their place; they depend on a tooth form
-//! ([`FlankTerms`]). Every motor that passes the checks is then looked at for its teeth, which takes about
-//! twelve times as long.
+//! These three are [usual](Objective::USUAL). Ripple and least torque over the mean with satellites that seal
+//! at the flanks ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) beside them or in their place;
+//! they depend on a tooth form ([`FlankTerms`]). Every motor that passes the checks is then looked at for its
+//! teeth, which takes about twelve times as long.
 //!
-//! None depends on module or width, so that the shape is sought first and every size that serves it is listed with it
-//! ([`Dimensions`]). Limits of the size do tell shapes apart.
+//! None depends on module or width, so that the shape is sought first and every size that serves it is listed
+//! with it ([`Dimensions`]). Limits of the size do tell shapes apart.
 //!
 //! # What is tried
 //! 1. Every set `(N, n, Z_3, Z_s)` within the [`Bounds`], by default 3061.
-//! 2. Of each the whole [`Family`]: 16 places `l` of each of its intervals (nearly always one), even in `1/l`, the first
-//!    and the last a millionth within the ends, which are no motors.
-//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts what the first to fail refuses.
-//! 4. *Refinement.* The 15 *cells* between neighbouring places are halved where something better than the front may lie: see below.
+//! 2. Of each the whole [`Family`]: 16 places `l` of each of its intervals (nearly always one), even in
+//!    `1/l`, the first and the last a millionth within the ends, which are no motors.
+//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts what the first to
+//!    fail refuses.
+//! 4. *Refinement.* The 15 *cells* between neighbouring places are halved where something better than the
+//!    front may lie: see below.
 //!
 //! # The error of the spacing
-//! Sets are exhausted; `l` is continuous. For each cell it is estimated how good a motor in it can be: in each objective the better
-//! of its ends, and beyond that by as much as the lines through the neighbours on either side miss the ends. For a concave
-//! quantity, kinked or not, this is a bound; for a smooth one it is eight times the rise above the chord, to second order. It is an
-//! *estimate*: a spike within a cell that shows at neither end nor neighbour escapes it, as does a window of admissible motors
-//! so narrow that the margin at its neighbours does not point to it.
+//! Sets are exhausted; `l` is continuous. For each cell it is estimated how good a motor in it can be: in
+//! each objective the better of its ends, and beyond that by as much as the lines through the neighbours on
+//! either side miss the ends. For a concave quantity, kinked or not, this is a bound; for a smooth one it is
+//! eight times the rise above the chord, to second order. It is an *estimate*: a spike within a cell that
+//! shows at neither end nor neighbour escapes it, as does a window of admissible motors so narrow that the
+//! margin at its neighbours does not point to it.
 //!
-//! A cell is left when its estimate exceeds some motor of the front by at most half the [resolution](MotorSearch::resolution) in
-//! every objective, or when by the same estimate no motor in it is admissible; others are halved, up to ten times. Then of motors
-//! of one set that differ by less than the other half in every objective one stays; the best of the set in each objective do.
+//! A cell is left when its estimate exceeds some motor of the front by at most half the
+//! [resolution](MotorSearch::resolution) in every objective, or when by the same estimate no motor in it is
+//! admissible; others are halved, up to ten times. Then of motors of one set that differ by less than the
+//! other half in every objective one stays; the best of the set in each objective do.
 //!
 //! # Which motors can be made
-//! A motor whose rotor reaches into the stator, or whose least chamber has no area, is refused. Unless [`MotorSearch::made`] is false, every
-//! motor of the front keeps every limit of the teeth of the form ([`crate::profile::limits`]), and ideal ports can be made for it
-//! ([`crate::ports::PortPlate::of_ideal_holes`]). This is asked of motors on the front alone, before and after every refinement: one that
-//! fails is refused, and those that it surpassed come to the front and are asked in turn, until all that are left pass. So the front is that
-//! of all motors that can be made, though most others are never asked; [`Funnel::accepted`] counts these too.
+//! A motor whose rotor reaches into the stator, or whose least chamber has no area, is refused. Unless
+//! [`MotorSearch::made`] is false, every motor of the front keeps every limit of the teeth of the form
+//! ([`crate::profile::limits`]), and ideal ports can be made for it
+//! ([`crate::ports::PortPlate::of_ideal_holes`]). This is asked of motors on the front alone, before and
+//! after every refinement: one that fails is refused, and those that it surpassed come to the front and are
+//! asked in turn, until all that are left pass. So the front is that of all motors that can be made, though
+//! most others are never asked; [`Funnel::accepted`] counts these too.
 //!
-//! Bounds of figures at the flanks act as that of the ripple at the pitch points: a motor beyond them is refused, last of all, and how far
-//! it is beyond tells cells that may have motors within them. A motor to which the form gives no teeth is refused where such a figure is bounded or an
-//! objective. Of a cell with such an end the estimate is that of the line through the other end and its neighbour.
+//! Bounds of figures at the flanks act as that of the ripple at the pitch points: a motor beyond them is
+//! refused, last of all, and how far it is beyond tells cells that may have motors within them. A motor to
+//! which the form gives no teeth is refused where such a figure is bounded or an objective. Of a cell with
+//! such an end the estimate is that of the line through the other end and its neighbour.
 //!
-//! What remains is stated. The estimate of each cell is laid to the motor that it exceeds least, and [`Design::spacing_error`] is
-//! the most that is laid to a motor: *by estimate, every admissible motor within the bounds, tried or not, is better than some
-//! listed one by at most the latter's spacing error in each objective*, relative. [`Found::spacing_error`] is the greatest of
-//! all. The tests hold it against 256 places. [`Found::refinement_gain`] is no estimate: by how much the front has motors better
-//! than any at the evenly spaced places.
+//! What remains is stated. The estimate of each cell is laid to the motor that it exceeds least, and
+//! [`Design::spacing_error`] is the most that is laid to a motor: *by estimate, every admissible motor within
+//! the bounds, tried or not, is better than some listed one by at most the latter's spacing error in each
+//! objective*, relative. [`Found::spacing_error`] is the greatest of all. The tests hold it against 256
+//! places. [`Found::refinement_gain`] is no estimate: by how much the front has motors better than any at the
+//! evenly spaced places.
 //!
 //! # Cost and threads
-//! With the default bounds some 6·10⁴ motors, three to eight seconds of one core (`hydromotor/search`), of which the judgement of teeth and ports
-//! takes some three quarters. Results do not depend on the number of
-//! threads: each set is worked by itself, and rounds of refinement see the same front. With the feature `parallel`, on by default,
-//! run it within a `rayon::ThreadPool` of your own to choose their number; without it there is one.
+//! With the default bounds some 6·10⁴ motors, three to eight seconds of one core (`hydromotor/search`), of
+//! which the judgement of teeth and ports takes some three quarters. Results do not depend on the number of
+//! threads: each set is worked by itself, and rounds of refinement see the same front. With the feature
+//! `parallel`, on by default, run it within a `rayon::ThreadPool` of your own to choose their number; without
+//! it there is one.
 //!
 //! # Example
 //! ```
@@ -127,15 +136,16 @@ pub struct MotorSearch {
     pub limits: Limits,
     /// The teeth for figures at the flanks, and what is asked of these.
     pub flanks: FlankTerms,
-    /// Whether motors alone are listed that can be made: on which the teeth of the [form](FlankTerms::form) keep every limit, and for which
-    /// ideal ports can be made. True by default.
+    /// Whether motors alone are listed that can be made: on which the teeth of the [form](FlankTerms::form)
+    /// keep every limit, and for which ideal ports can be made. True by default.
     pub made: bool,
     /// What motors are held against each other by, [`Objective::USUAL`] by default.
     pub objectives: Vec<Objective>,
     /// Evenly spaced places in each interval of a family, 16 by default.
     pub points: u32,
-    /// Relative difference of the objectives below which designs of one set count as one, and up to which the front is refined; by
-    /// default 2 %. With none the evenly spaced places are all, and every motor of the front is listed.
+    /// Relative difference of the objectives below which designs of one set count as one, and up to which the
+    /// front is refined; by default 2 %. With none the evenly spaced places are all, and every motor of the
+    /// front is listed.
     pub resolution: Option<f64>,
 }
 
@@ -183,7 +193,8 @@ pub enum LobeDivisor {
 }
 
 impl Limits {
-    /// Ranges the right way round, and a least radius that is a number; sizes and ripple are looked at with the requirements.
+    /// Ranges the right way round, and a least radius that is a number; sizes and ripple are looked at with
+    /// the requirements.
     fn checked(&self) -> Result<(), Error> {
         if let Some(least_radius) = self.least_radius
             && !(least_radius.is_finite() && least_radius >= 0.0)
@@ -236,8 +247,8 @@ pub enum Reason {
     Size,
     /// [`Limits::ripple`].
     Ripple,
-    /// It cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports; looked at last of all, where
-    /// [`MotorSearch::made`] is asked for or figures at the flanks are.
+    /// It cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports; looked at
+    /// last of all, where [`MotorSearch::made`] is asked for or figures at the flanks are.
     Made(FormRefusal),
     /// [`FlankTerms::ripple`].
     FlankRipple,
@@ -290,7 +301,8 @@ struct Place {
 /// How far a search has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added; of forms 1 is the last.
+    /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added; of
+    /// forms 1 is the last.
     pub pass: u32,
     /// Sets of lobes and teeth, after pass 0 intervals of families or motors, that are done in this pass.
     pub done: usize,
@@ -298,7 +310,8 @@ pub struct Progress {
     pub of: usize,
 }
 
-/// Called from any thread, at the begin of a pass and whenever a part of it is done; [`ControlFlow::Break`] cancels.
+/// Called from any thread, at the begin of a pass and whenever a part of it is done; [`ControlFlow::Break`]
+/// cancels.
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 impl MotorSearch {
@@ -321,9 +334,9 @@ impl MotorSearch {
     /// The Pareto front. None of the designs is an answer too: the [`Funnel`] tells what refused them.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements, limits, heights or search,
-    /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round,
-    /// [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
+    /// limits, heights or search, [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for
+    /// bounds the wrong way round, [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
     pub fn front(&self) -> Result<Found, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
@@ -514,8 +527,8 @@ fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<V
     (places, values)
 }
 
-/// The values of the front of all accepted points. Whether its motors can be made is asked until all that are left can: those that
-/// others surpass need not be asked.
+/// The values of the front of all accepted points. Whether its motors can be made is asked until all that are
+/// left can: those that others surpass need not be asked.
 fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     loop {
         let (places, values) = accepted(branches, &yardstick.objectives);
@@ -538,7 +551,8 @@ fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     }
 }
 
-/// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member by.
+/// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member
+/// by.
 fn spacing_errors(
     yardstick: &Yardstick,
     branches: &mut [Branch],

@@ -27,7 +27,8 @@ impl Objective {
     pub const ALL: [Self; 5] =
         [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius, Self::FlankRipple, Self::LeastTorque];
 
-    /// Those by which motors are held against each other unless others are asked for: what does not depend on the teeth.
+    /// Those by which motors are held against each other unless others are asked for: what does not depend on
+    /// the teeth.
     pub const USUAL: [Self; 3] = [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius];
 
     /// Whether it needs teeth.
@@ -48,7 +49,8 @@ pub struct FlankTerms {
     pub least_torque: Option<f64>,
 }
 
-/// Bounds of the flow with satellites that seal at the flanks: a ripple above 0, a least torque that is a part of the mean.
+/// Bounds of the flow with satellites that seal at the flanks: a ripple above 0, a least torque that is a
+/// part of the mean.
 pub(super) fn of_flow(ripple: Option<f64>, least_torque: Option<f64>) -> Result<(), Error> {
     if let Some(ripple) = ripple {
         positive(Quantity::FlankRipple, ripple, "")?;

@@ -183,7 +183,8 @@ impl Point {
         }
     }
 
-    /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else what fails first.
+    /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else
+    /// what fails first.
     pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), FormRefusal> {
         let motor = self.motor(numbers).ok_or(FormRefusal::NoTeeth)?;
         let formed = SatelliteForm::new(form, numbers.satellite_teeth()).map_err(FormRefusal::of)?;
@@ -257,7 +258,8 @@ impl Point {
 
 /// Whether ideal ports can be made for a motor.
 pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
-    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests ask for every timing.
+    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests ask for
+    // every timing.
     PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
 }
 

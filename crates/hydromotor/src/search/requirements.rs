@@ -68,7 +68,8 @@ impl Requirements {
     }
 }
 
-/// What is given of the size; the rest follows from `q = q̂·m²·b`, with `q̂` the displacement of module 1 and width 1.
+/// What is given of the size; the rest follows from `q = q̂·m²·b`, with `q̂` the displacement of module 1 and
+/// width 1.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Size {
     /// Modules to choose from; the width of each follows, `b = q/(q̂·m²)`.
@@ -98,7 +99,8 @@ impl Default for Size {
 /// Limits of the size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizeLimits {
-    /// Greatest diameter of the stator's centrode ([`Envelope::stator_outer`](crate::checks::Envelope::stator_outer)).
+    /// Greatest diameter of the stator's centrode
+    /// ([`Envelope::stator_outer`](crate::checks::Envelope::stator_outer)).
     pub outer_diameter: Option<Length>,
     /// Width.
     pub width: Option<RangeInclusive<Length>>,

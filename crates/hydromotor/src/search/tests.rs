@@ -125,8 +125,8 @@ fn the_search_finds_what_trial_of_every_motor_finds() {
     }
 }
 
-/// The claim of the module's docs: of 256 places in each interval no motor is better than every design by more than the spacing
-/// error of one.
+/// The claim of the module's docs: of 256 places in each interval no motor is better than every design by
+/// more than the spacing error of one.
 #[test]
 fn finer_places_are_better_by_no_more_than_the_error_says() {
     for (search, least_gain) in [(small(3..=6, 48..=54), 0.01), (small(2..=4, 60..=66), 0.01)] {
@@ -152,7 +152,8 @@ fn finer_places_are_better_by_no_more_than_the_error_says() {
     }
 }
 
-/// The same with figures at the flanks as objectives, beside and in place of those at the pitch points; and every figure that of the motor.
+/// The same with figures at the flanks as objectives, beside and in place of those at the pitch points; and
+/// every figure that of the motor.
 #[test]
 fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
     let mut search = small(5..=6, 55..=60);
@@ -217,8 +218,8 @@ fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
     assert!(bound.designs.iter().all(|design| design.at_flanks.unwrap().least_over_mean >= 0.95));
 }
 
-/// Where every motor of the front must have teeth and ports, the front is that of all motors that have, asked one by one the long way: every
-/// limit of the profile, every port.
+/// Where every motor of the front must have teeth and ports, the front is that of all motors that have, asked
+/// one by one the long way: every limit of the profile, every port.
 #[test]
 fn the_front_of_what_can_be_made_is_that_of_trial() {
     let mut search = small(4..=6, 48..=54);

@@ -113,7 +113,8 @@ impl Field<'_> {
         self.stages.clear();
     }
 
-    /// Finds the elements that yield: they carry what they can without slip, since mesh friction and what is stuck hold their links.
+    /// Finds the elements that yield: they carry what they can without slip, since mesh friction and what is
+    /// stuck hold their links.
     fn find_yielding(&mut self) {
         self.yields.fill(false);
         if self.system.stuck_sets.is_empty() {

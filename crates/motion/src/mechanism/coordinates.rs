@@ -8,7 +8,8 @@ use epicyclic_numerics::values::largest_absolute;
 use epicyclic_train::Gearbox;
 
 impl Mechanism {
-    /// Eliminates node speeds with the largest pivot of all that is left; the nodes left over are the coordinates.
+    /// Eliminates node speeds with the largest pivot of all that is left; the nodes left over are the
+    /// coordinates.
     pub(super) fn find_coordinates(&mut self, asked: &[Asked], gearbox: &Gearbox) -> Result<(), Error> {
         let nodes = self.nodes;
         let mut rows: Vec<Vec<f64>> = asked.iter().map(|one| one.row.clone()).collect();

@@ -4,9 +4,10 @@
 //! Δq̇ = M⁻¹·Dᵀ·Λ      D·(q̇ + Δq̇) = 0
 //! ```
 //!
-//! This is the plastic impact: of all that end these slips by impulses `Λ` of what joins them, it takes the least kinetic energy,
-//! and every momentum that these impulses leave alone is kept. One-way clutches take part where they would slip backwards
-//! otherwise, with `Λ ≥ 0`; since `M` is positive definite exactly one set of them does (least squares under linear inequalities).
+//! This is the plastic impact: of all that end these slips by impulses `Λ` of what joins them, it takes the
+//! least kinetic energy, and every momentum that these impulses leave alone is kept. One-way clutches take
+//! part where they would slip backwards otherwise, with `Λ ≥ 0`; since `M` is positive definite exactly one
+//! set of them does (least squares under linear inequalities).
 
 use super::Runner;
 use crate::Error;
@@ -154,7 +155,8 @@ impl Runner<'_> {
         self.impacts += before - mechanism.kinetic_energy(&self.stepper.y[..n]);
     }
 
-    /// Where speeds jumped: segments, flanks and converters as the speeds are now, and the thresholds that were passed.
+    /// Where speeds jumped: segments, flanks and converters as the speeds are now, and the thresholds that
+    /// were passed.
     pub(super) fn follow_jump(&mut self, changes: &mut Vec<Change>) {
         self.field.place(&self.stepper.y);
         for place in 0..self.model.thresholds.len() {

@@ -8,7 +8,8 @@ use crate::tolerance::{ROOT, SHORTEST, TOGETHER};
 
 /// Into how many parts a step is cut when an event in it is looked for.
 const PARTS: usize = 8;
-/// Places in the step of the stages at which margins are known, in the order of [`Field::stages`](crate::field::Field).
+/// Places in the step of the stages at which margins are known, in the order of
+/// [`Field::stages`](crate::field::Field).
 const PLACES: [f64; 12] = crate::step::PLACES;
 /// These stages along the step, the last of which stands for the two at its end.
 const IN_ORDER: [usize; 11] = [0, 1, 2, 5, 3, 6, 4, 8, 7, 9, 11];
@@ -16,7 +17,8 @@ const IN_ORDER: [usize; 11] = [0, 1, 2, 5, 3, 6, 4, 8, 7, 9, 11];
 const BEYOND: f64 = 0.02;
 /// A margin this low over its range may touch 0 between two stages.
 const TOUCH: f64 = 0.1;
-/// How often the place of a dip is narrowed by a third: to the square root of rounding, where a minimum is as low as it gets.
+/// How often the place of a dip is narrowed by a third: to the square root of rounding, where a minimum is as
+/// low as it gets.
 const NARROWINGS: usize = 36;
 /// How often the distance to the start is halved to find where a margin was positive.
 const HALVINGS: usize = 44;
@@ -61,10 +63,12 @@ impl Runner<'_> {
 
     /// Triggers whose margins come so near to 0 at a stage that they may be below it between two.
     ///
-    /// A step is short enough for its error to be `1e-11`, and over it a margin has the shape of a parabola, or of a polynomial that bends little
-    /// more. The stages are at most 0.27 of the step apart. A parabola that touches 0 between two of them is at the nearer one at most
-    /// `0.134²/0.6² = 0.05` of its range over the stages; looked at is what is below 0 at a stage before the last, and what is below twice that, and of these the ones whose parabola through the
-    /// lowest stage and its neighbours has its vertex in the step, not far above 0.
+    /// A step is short enough for its error to be `1e-11`, and over it a margin has the shape of a parabola,
+    /// or of a polynomial that bends little more. The stages are at most 0.27 of the step apart. A parabola
+    /// that touches 0 between two of them is at the nearer one at most `0.134²/0.6² = 0.05` of its range over
+    /// the stages; looked at is what is below 0 at a stage before the last, and what is below twice that, and
+    /// of these the ones whose parabola through the lowest stage and its neighbours has its vertex in the
+    /// step, not far above 0.
     fn touching(&self) -> Vec<usize> {
         let triggers = self.field.triggers.len();
         let near = |&trigger: &usize| {
@@ -188,8 +192,8 @@ impl Runner<'_> {
         self.field.margins[trigger]
     }
 
-    /// Where a margin ends between two parts of the step, the second negative: regula falsi that halves where it is slow. The first is
-    /// positive, or the start of a stretch, where a margin begins with 0.
+    /// Where a margin ends between two parts of the step, the second negative: regula falsi that halves where
+    /// it is slow. The first is positive, or the start of a stretch, where a margin begins with 0.
     fn root(
         &mut self,
         trigger: usize,

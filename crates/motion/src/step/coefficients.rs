@@ -1,8 +1,9 @@
-//! Coefficients of the method of order 8 by Dormand and Prince, with errors of orders 5 and 3 and dense output of order 7.
+//! Coefficients of the method of order 8 by Dormand and Prince, with errors of orders 5 and 3 and dense
+//! output of order 7.
 //!
 //! # Source
-//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, section II.5 and the program DOP853,
-//! rounded to `f64`.
+//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, section II.5
+//! and the program DOP853, rounded to `f64`.
 
 /// Places of the stages in the step; the last three are those of the dense output.
 pub(super) const C: [f64; 16] = [

@@ -162,7 +162,8 @@ fn what_holds_with_a_drag_lets_go_at_both_together() {
     }
 }
 
-/// An overrunning clutch with a drag turns its shaft along; against its direction it lets go only beyond the drag.
+/// An overrunning clutch with a drag turns its shaft along; against its direction it lets go only beyond the
+/// drag.
 #[test]
 fn a_one_way_clutch_holds_back_what_it_drags() {
     let mechanism = || Mechanism::shafts(&[("a", kg_m2(2.0)), ("b", kg_m2(6.0))]).unwrap();
@@ -190,7 +191,8 @@ fn an_engaged_dog_clutch_has_no_drag() {
     model.drag("dogs", ["a", "b"], &beyond(&[(0.0, 3.0)])).unwrap();
     model.torque("motor", "a", constant(8.0)).unwrap();
     let run = model.run(&start(&[("a", 20.0), ("b", 0.0)]), s(3.0), Some(s(0.125))).unwrap();
-    // Open the slip grows by 2.5 − 0.5 in a second; engaged there is none, and nothing is lost but by the impact.
+    // Open the slip grows by 2.5 − 0.5 in a second; engaged there is none, and nothing is lost but by the
+    // impact.
     for sample in &run.samples {
         let t = sample.time.get::<uom::si::time::second>();
         let torque = sample.drags[0].get::<newton_meter>();

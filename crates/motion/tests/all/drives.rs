@@ -245,7 +245,8 @@ fn a_threshold_at_rest_is_not_passed_by_what_comes_to_rest_there() {
 
 #[test]
 fn a_slip_that_hardly_reaches_zero_is_stopped_there() {
-    // J·ω̇ = T(t) − C with T on a ramp: ω falls to −depth at the time `turn`, if it could slip on, and rises again.
+    // J·ω̇ = T(t) − C with T on a ramp: ω falls to −depth at the time `turn`, if it could slip on, and rises
+    // again.
     let (j, ramp, capacity) = (0.5, 40.0, 3.0);
     for case in 0..240 {
         let turn = 0.3 + 0.6 * f64::from(case) / 240.0;

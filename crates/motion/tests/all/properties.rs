@@ -17,8 +17,8 @@ use uom::si::length::meter;
 use uom::si::mass::kilogram;
 use uom::si::moment_of_inertia::kilogram_square_meter;
 
-/// Two simple sets with planets: the carrier of the first with the ring of the second, and the first ring with the second carrier;
-/// two freedoms, two brakes and a clutch.
+/// Two simple sets with planets: the carrier of the first with the ring of the second, and the first ring
+/// with the second carrier; two freedoms, two brakes and a clutch.
 #[derive(Debug, Clone)]
 struct Train {
     teeth: [[u32; 2]; 2],
@@ -87,7 +87,8 @@ impl Train {
     }
 }
 
-/// Where each element that changed came from and where it is then, in the order of their names; all else as it is.
+/// Where each element that changed came from and where it is then, in the order of their names; all else as
+/// it is.
 fn net(changes: &[Change]) -> Vec<String> {
     let mut elements: std::collections::BTreeMap<&str, [State; 2]> = std::collections::BTreeMap::new();
     let mut told = vec![];
@@ -190,7 +191,8 @@ fn run_with(train: &Train, drive: &Drive, is_other: bool, drags: Option<&Drags>)
     match model.run(&start(&begin), s(1.0), None) {
         Ok(run) => Some(run),
         Err(epicyclic_motion::Error::NotUnique { .. }) => None,
-        // Losses alone: what mesh friction at rest holds beside stuck elements is open, and it may hold and let go without end.
+        // Losses alone: what mesh friction at rest holds beside stuck elements is open, and it may hold and
+        // let go without end.
         Err(epicyclic_motion::Error::Accumulating { .. }) if train.efficiency.is_some() => None,
         Err(error) => panic!("{error}"),
     }
@@ -239,7 +241,8 @@ proptest! {
             return Ok(());
         };
         let scale = LINKS.iter().fold(1.0_f64, |most, link| most.max(common::end_speed(&one, link).abs()));
-        // How mesh friction at rest shares with stuck elements is open, and what holds first may depend on the order.
+        // How mesh friction at rest shares with stuck elements is open, and what holds first may depend on
+        // the order.
         let is_set = |change: &Change| matches!(change, Change::Set { to: State::Stuck, .. });
         let rests = |run: &Run| run.events.iter().any(|event| event.changes.iter().any(is_set));
         let is_at_rest = train.efficiency.is_some() && drive.speeds == [0.0, 0.0];
@@ -250,7 +253,8 @@ proptest! {
             let [found, due] = [common::end_speed(&other, &named(link, true)), common::end_speed(&one, link)];
             prop_assert!((found - due).abs() < 1e-9 * scale, "{link}: {found} {due}");
         }
-        // What comes within a moment counts as one: a capacity that goes to 0 is exceeded by rounding just before it is there.
+        // What comes within a moment counts as one: a capacity that goes to 0 is exceeded by rounding just
+        // before it is there.
         let told = |run: &Run| -> Vec<(f64, Vec<String>)> {
             let mut moments: Vec<(f64, Vec<Change>)> = vec![];
             for event in &run.events {
@@ -311,11 +315,12 @@ proptest! {
     }
 }
 
-/// Three bodies in a row with friction between them, and to the housing: what each does in a step of fixed length.
+/// Three bodies in a row with friction between them, and to the housing: what each does in a step of fixed
+/// length.
 ///
-/// All 27 combinations of stuck, forwards and backwards are tried by the velocities at the end of the step: those of the elements that
-/// slip have their friction's direction, those that stick have no slip and a torque within their capacity. Semi-implicit Euler, so of first order; it shares
-/// nothing with the library.
+/// All 27 combinations of stuck, forwards and backwards are tried by the velocities at the end of the step:
+/// those of the elements that slip have their friction's direction, those that stick have no slip and a
+/// torque within their capacity. Semi-implicit Euler, so of first order; it shares nothing with the library.
 struct Plain {
     inertias: [f64; 3],
     capacities: [f64; 3],
@@ -538,7 +543,8 @@ proptest! {
         }
     }
 }
-/// Two splits of stuck torques at once, one of them without spare capacity: the other is not to grow, for what is nothing is measured by the largest torque.
+/// Two splits of stuck torques at once, one of them without spare capacity: the other is not to grow, for
+/// what is nothing is measured by the largest torque.
 #[test]
 fn a_drag_that_shares_at_rest_leaves_mesh_losses_as_they_are() {
     let train = Train {
@@ -561,8 +567,9 @@ fn a_drag_that_shares_at_rest_leaves_mesh_losses_as_they_are() {
     assert!(run.audit.residual().abs() < 1e-9);
 }
 
-/// All stands still for a moment, in a block by a clutch that holds 1.2 times what it carries slipping: the load turns, and the clutch need not let
-/// go. That the load sticks and the clutch slips would agree with all torques, too, but nothing makes it let go.
+/// All stands still for a moment, in a block by a clutch that holds 1.2 times what it carries slipping: the
+/// load turns, and the clutch need not let go. That the load sticks and the clutch slips would agree with all
+/// torques, too, but nothing makes it let go.
 #[test]
 fn what_is_stuck_lets_go_only_where_it_must() {
     let train = Train {

@@ -12,8 +12,8 @@ use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
 use proptest::prelude::*;
 
-/// First gear of an automatic: the low brake beside the one-way clutch holds the ring, and a half-shaft ends at the vehicle.
-/// The driver lifts after a second, and the engine brakes.
+/// First gear of an automatic: the low brake beside the one-way clutch holds the ring, and a half-shaft ends
+/// at the vehicle. The driver lifts after a second, and the engine brakes.
 #[derive(Debug, Clone, Copy)]
 struct FirstGear {
     capacity: f64,
@@ -60,7 +60,8 @@ fn a_brake_beside_a_one_way_clutch_behind_a_shaft_lets_go_when_the_driver_lifts(
                     let one = FirstGear { capacity, stiffness, damping, vehicle };
                     let run = one.run().unwrap_or_else(|error| panic!("{one:?}: {error}"));
                     assert!(run.audit.residual().abs() < 1e-9, "{one:?}: {:e}", run.audit.residual());
-                    // As long as the engine drives, the ring is held; braking, it asks −2.5·60 N·m and more of the brake alone.
+                    // As long as the engine drives, the ring is held; braking, it asks −2.5·60 N·m and more
+                    // of the brake alone.
                     assert!(at(&run.events[0]) > 1.0, "{one:?}");
                     if capacity < 150.0 {
                         let [first, ..] = &run.events[..] else { panic!("{one:?}: no event") };
@@ -74,8 +75,8 @@ fn a_brake_beside_a_one_way_clutch_behind_a_shaft_lets_go_when_the_driver_lifts(
     }
 }
 
-/// Bodies `a`, `b` and a vehicle on an elastic shaft of `b`; between `a` and `b` and from each to the housing any number of friction elements
-/// and one-way clutches.
+/// Bodies `a`, `b` and a vehicle on an elastic shaft of `b`; between `a` and `b` and from each to the housing
+/// any number of friction elements and one-way clutches.
 #[derive(Debug, Clone)]
 struct Bodies {
     inertias: [f64; 3],
@@ -86,7 +87,8 @@ struct Bodies {
     damping: f64,
 }
 
-/// What joins the same links: capacities before and after a time, and one-way clutches by whether they are turned round.
+/// What joins the same links: capacities before and after a time, and one-way clutches by whether they are
+/// turned round.
 #[derive(Debug, Clone)]
 struct Group {
     capacities: Vec<[f64; 2]>,
@@ -185,8 +187,8 @@ impl Bodies {
         model.run(&Start::at_rest(), s(END), None).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// Speeds at the end by steps of a fixed length: in each the impulses of all elements by projected Gauss–Seidel, which asks of none whether
-    /// others hold the same.
+    /// Speeds at the end by steps of a fixed length: in each the impulses of all elements by projected
+    /// Gauss–Seidel, which asks of none whether others hold the same.
     fn stepped(&self, steps: usize) -> [f64; 3] {
         let h = END / steps as f64;
         let mut speeds = [0.0; 3];
@@ -256,7 +258,8 @@ fn speeds_at_end(run: &Run) -> [f64; 3] {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// Parallel elements move as one with their whole capacity, in any order, and as small steps with impulses do.
+    /// Parallel elements move as one with their whole capacity, in any order, and as small steps with
+    /// impulses do.
     #[test]
     fn elements_that_hold_the_same_links_have_one_motion(bodies in bodies()) {
         let run = bodies.run(false);
@@ -279,7 +282,8 @@ proptest! {
     }
 }
 
-/// Two sets that lock each other leave nothing to the clutches between their links: they carry nothing, and all turns as a block.
+/// Two sets that lock each other leave nothing to the clutches between their links: they carry nothing, and
+/// all turns as a block.
 #[test]
 fn clutches_between_links_that_the_sets_lock_carry_nothing() {
     let loss = MeshLoss::Set(eta(0.96));

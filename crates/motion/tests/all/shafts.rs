@@ -217,7 +217,8 @@ fn a_stiffer_shaft_is_nearer_to_a_rigid_one_as_the_root_of_its_stiffness() {
     // Swings of φ̇ of size ΔT/(J·ω_0) around the common motion.
     let ratio = off(&soft) / off(&stiff);
     assert!((9.0..11.0).contains(&ratio), "{ratio}");
-    // J_c + 1/(1/i²·…): the frequency of the reduced inertia of the gearbox at its carrier against that of the vehicle.
+    // J_c + 1/(1/i²·…): the frequency of the reduced inertia of the gearbox at its carrier against that of
+    // the vehicle.
     let felt = held_t().equivalent_inertia("carrier").unwrap();
     let j = felt.get::<kilogram_square_meter>();
     let w = (1e4 * (1.0 / j + 1.0 / 3.0)).sqrt();

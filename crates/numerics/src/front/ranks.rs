@@ -1,7 +1,7 @@
 //! Costs as small whole numbers in the same order, sixteen at a time.
 //!
-//! A cost at or below another has a rank at or below its rank. So of what ranks rule out the costs need not be asked; where
-//! ranks do not decide, they are.
+//! A cost at or below another has a rank at or below its rank. So of what ranks rule out the costs need not
+//! be asked; where ranks do not decide, they are.
 
 /// Designs of which the steps are taken.
 const SAMPLE: usize = 2048;
@@ -28,8 +28,8 @@ impl Scale {
         Self { steps, slopes }
     }
 
-    /// Never falls where the cost rises: the steps are in order, and differences, products and their whole parts keep it. What is
-    /// not a number there, of a cost without end, counts as 0 for all of its step.
+    /// Never falls where the cost rises: the steps are in order, and differences, products and their whole
+    /// parts keep it. What is not a number there, of a cost without end, counts as 0 for all of its step.
     #[inline]
     fn rank(&self, cost: f64) -> u16 {
         let Some(step) = self.steps.partition_point(|step| *step <= cost).checked_sub(1) else { return 0 };

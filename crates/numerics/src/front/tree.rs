@@ -19,7 +19,8 @@ struct Row<const N: usize> {
     place: u32,
 }
 
-/// Boxes around designs, sixteen beside each other in one group; each box is around a group of the level below.
+/// Boxes around designs, sixteen beside each other in one group; each box is around a group of the level
+/// below.
 #[derive(Debug)]
 struct Level<const N: usize> {
     least: Vec<Columns<N>>,
@@ -121,8 +122,8 @@ impl<'a, const N: usize> Tree<'a, N> {
         dominated.map(|(place, _)| *place).collect()
     }
 
-    /// Marks the designs of a group that others dominate. What dominates any of them is in one of the candidates,
-    /// groups of the same level.
+    /// Marks the designs of a group that others dominate. What dominates any of them is in one of the
+    /// candidates, groups of the same level.
     fn ask(&self, level: usize, group: usize, candidates: &[u32], dominated: &mut [bool]) {
         let Some(below) = level.checked_sub(1) else {
             self.ask_designs(group, candidates, dominated);

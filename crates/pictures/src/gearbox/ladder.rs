@@ -1,7 +1,7 @@
 //! The ladder of ratios: all gears on one logarithmic scale, with the steps between them.
 //!
-//! On a logarithmic scale equal steps `φ = i_n/i_{n+1}` are equal distances, so an even gearbox is an even ladder. Gears of negative
-//! ratio turn the output against the input; they stand at `|i|`, dashed.
+//! On a logarithmic scale equal steps `φ = i_n/i_{n+1}` are equal distances, so an even gearbox is an even
+//! ladder. Gears of negative ratio turn the output against the input; they stand at `|i|`, dashed.
 
 use super::place::spread;
 use super::words::decimal;
@@ -23,7 +23,8 @@ struct Rung<'a> {
 
 /// The ladder of a gearbox, from analyses of its gears.
 ///
-/// Steps are taken between neighbours of positive ratio, or where there are none, of negative ratio. Gears without a ratio are named below.
+/// Steps are taken between neighbours of positive ratio, or where there are none, of negative ratio. Gears
+/// without a ratio are named below.
 ///
 /// # Errors
 /// [`Error::NoRatio`] where no gear has a ratio.

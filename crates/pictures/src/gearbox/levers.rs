@@ -1,9 +1,10 @@
-//! Sets as levers (lever analogy of Benford and Leising): the links of a set stand along a bar so that their speeds lie on a straight
-//! line across it.
+//! Sets as levers (lever analogy of Benford and Leising): the links of a set stand along a bar so that their
+//! speeds lie on a straight line across it.
 //!
-//! From the set's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier stands at 0, central gear 2 at −1 and central gear 1 at `−i₀`: of a simple
-//! set the ring one unit on one side of the carrier, the sun `k` units on the other. Two sets with two links in common are one lever,
-//! its second set scaled to fit. A link in several levers is one thin line through its points; a link of no set is a point by itself.
+//! From the set's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier stands at 0, central gear 2 at −1
+//! and central gear 1 at `−i₀`: of a simple set the ring one unit on one side of the carrier, the sun `k`
+//! units on the other. Two sets with two links in common are one lever, its second set scaled to fit. A link
+//! in several levers is one thin line through its points; a link of no set is a point by itself.
 //!
 //! | sign of a point | is |
 //! |---|---|
@@ -12,11 +13,13 @@
 //! | double circle | a link that an engaged clutch ties to another |
 //! | circle | any other |
 //!
-//! Which lever stands where, and which end of it is up, follows from a [stated cost](levers): ties cross as little as possible and are
-//! as level as possible. In a gear the speeds, over the input's, are offsets from the lever; the points of each lever lie on one line.
+//! Which lever stands where, and which end of it is up, follows from a [stated cost](levers): ties cross as
+//! little as possible and are as level as possible. In a gear the speeds, over the input's, are offsets from
+//! the lever; the points of each lever lie on one line.
 //!
 //! # Source
-//! H. L. Benford, M. B. Leising: The lever analogy: a new tool in transmission analysis. SAE paper 810102, 1981.
+//! H. L. Benford, M. B. Leising: The lever analogy: a new tool in transmission analysis. SAE paper 810102,
+//! 1981.
 
 mod arrange;
 mod merge;
@@ -265,7 +268,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// Brakes as plates beside their link, clutches between their links; returns names of shift elements and where they belong.
+    /// Brakes as plates beside their link, clutches between their links; returns names of shift elements and
+    /// where they belong.
     fn shift_elements(&mut self) -> Vec<(String, Point)> {
         let mut names = vec![];
         let style = |engaged: bool| {
@@ -278,7 +282,8 @@ impl Sheet<'_> {
                     continue;
                 }
                 let brakes: Vec<usize> = self.brakes(node.link).collect();
-                // Several brakes of one link, one behind the other: the furthest first, so that an engaged one is seen.
+                // Several brakes of one link, one behind the other: the furthest first, so that an engaged
+                // one is seen.
                 for (count, brake) in brakes.into_iter().enumerate().rev() {
                     let style = style(self.engaged(brake));
                     let Point { x, y } = node.at;
@@ -411,7 +416,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// A sample of every sign that occurs, and of the lines, in rows of about a width; returns the foot of the last row.
+    /// A sample of every sign that occurs, and of the lines, in rows of about a width; returns the foot of
+    /// the last row.
     fn explain_signs(&mut self, at: Point, width_mm: f64) -> f64 {
         let used =
             |role: &Role| self.placed.iter().flatten().any(|node| self.roles[node.link.index()] == *role);

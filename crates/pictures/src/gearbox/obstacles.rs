@@ -1,4 +1,5 @@
-//! What labels may not stand on, by the cells of a grid: a place for a label meets a few of them, a picture has hundreds.
+//! What labels may not stand on, by the cells of a grid: a place for a label meets a few of them, a picture
+//! has hundreds.
 
 use epicyclic_drawing::Bounds;
 use std::cell::Cell;

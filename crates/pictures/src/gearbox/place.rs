@@ -26,7 +26,8 @@ pub(super) struct Places {
     labels: Vec<Bounds>,
     /// What a label may not stand on: labels, fills and lines.
     obstacles: Obstacles,
-    /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and brakes, teeth in mesh.
+    /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and
+    /// brakes, teeth in mesh.
     signs: Vec<Bounds>,
 }
 
@@ -99,8 +100,9 @@ impl Places {
         self.signs.push(sign);
     }
 
-    /// Adds a label: at the first free of the points wished for (its middle), else as near as can be to one of its points, at the end of
-    /// a thin leader. A leader runs through no sign and no label, and crosses a line only where no other place is near.
+    /// Adds a label: at the first free of the points wished for (its middle), else as near as can be to one
+    /// of its points, at the end of a thin leader. A leader runs through no sign and no label, and crosses a
+    /// line only where no other place is near.
     pub(super) fn put(
         &mut self,
         scene: &mut Scene,
@@ -234,7 +236,8 @@ pub(super) fn beside(at: Point, words: &str, gap: f64) -> [Point; 2] {
     [Point::new(at.x + gap + half, at.y), Point::new(at.x - gap - half, at.y)]
 }
 
-/// Places near those wanted, ascending as they are, at least `pitch` apart: each run that is too close is spread about its middle.
+/// Places near those wanted, ascending as they are, at least `pitch` apart: each run that is too close is
+/// spread about its middle.
 ///
 /// ```text
 /// wanted 0 1 9, pitch 3  →  −1 2 9
@@ -283,7 +286,8 @@ mod tests {
         assert_eq!(scene.items().len(), 41 + 2);
     }
 
-    /// A clutch between two plates, its name shut out by walls on both sides: the leader runs around it, not through its gap.
+    /// A clutch between two plates, its name shut out by walls on both sides: the leader runs around it, not
+    /// through its gap.
     #[test]
     fn no_leader_runs_through_a_sign() {
         let mut scene = Scene::new("clutch");

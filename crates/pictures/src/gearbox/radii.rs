@@ -36,7 +36,8 @@ pub(super) fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
         SetKind::DoublePlanet => {
             let outwards = |pin: f64| (pin > 1.0).then_some(pin - 1.0);
             let inwards = |pin: f64| (pin < size).then_some(size - pin);
-            // Of one that is given the other gets the same pin radius; of none, both are equal, one outside the other.
+            // Of one that is given the other gets the same pin radius; of none, both are equal, one outside
+            // the other.
             let radius = [
                 g.or_else(|| outwards(size - f?)).unwrap_or(0.25 * (size - 1.0)),
                 f.or_else(|| inwards(1.0 + g?)).unwrap_or(0.25 * (size - 1.0)),
@@ -64,8 +65,9 @@ fn meshing(central_gears: [f64; 2], pins: [f64; 2], given: [Option<f64>; 2]) -> 
     Radii { central_gears, planets: vec![planet(0, "g"), planet(1, "f")] }
 }
 
-/// Radii of a stepped set: its planet pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
-/// Without teeth, steps are assumed that give the basic ratio `i₀ = ±(z_g/z_1)·(z_2/z_f)`.
+/// Radii of a stepped set: its planet pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside
+/// a sun, `−` inside a ring. Without teeth, steps are assumed that give the basic ratio
+/// `i₀ = ±(z_g/z_1)·(z_2/z_f)`.
 fn stepped(gearbox: &Gearbox, set: &DrawnSet, size: f64) -> Radii {
     let [outside_first, outside_second] = match set.kind {
         SetKind::SteppedSunRing => [1.0, -1.0],

@@ -11,14 +11,17 @@
 //! | dashes and dots | the axis |
 //! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
 //!
-//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii but in a layout [`to_scale`]. Planets of a stepped set
-//! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
-//! suns or rings, meshing suns and bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
-//! A Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by side: the planet that they
-//! have in common through both, the gear in common once. The lines below the drawing say so, or that the halves are drawn apart.
+//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii but in a
+//! layout [`to_scale`]. Planets of a stepped set have two rims side by side, double planets are two on a
+//! forked carrier, a pair on fixed axes is drawn about one axis. Two stepped suns or rings, meshing suns and
+//! bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind. A
+//! Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by
+//! side: the planet that they have in common through both, the gear in common once. The lines below the
+//! drawing say so, or that the halves are drawn apart.
 //!
-//! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is as wide as the power that passes
-//! it, `|Σ T·ω|` over the power that enters; what of it circulates stands inside in another colour.
+//! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is
+//! as wide as the power that passes it, `|Σ T·ω|` over the power that enters; what of it circulates stands
+//! inside in another colour.
 
 mod along;
 mod flow;
@@ -88,8 +91,8 @@ pub struct Options {
     pub gearing: bool,
     /// Without title, sets and what the colours mean, for a page that says them itself.
     pub bare: bool,
-    /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without signs stand
-    /// closer still.
+    /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without
+    /// signs stand closer still.
     pub along_mm: f64,
     /// The scale of a layout that has one: see [`to_scale`].
     pub scale: Option<Scale>,
@@ -127,7 +130,8 @@ impl Default for Options {
 /// ```
 ///
 /// # Errors
-/// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow, [`Error::NoPower`] where no power flow does.
+/// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow, [`Error::NoPower`] where
+/// no power flow does.
 pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Options) -> Result<Scene, Error> {
     let mut sheet = unnamed(gearbox, layout, show, options)?;
     sheet.names();
@@ -171,8 +175,8 @@ fn unnamed<'a>(
     Ok(sheet)
 }
 
-/// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
-/// Of a layout [to scale](to_scale) with its scale.
+/// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then
+/// meets anything: for a page. Of a layout [to scale](to_scale) with its scale.
 ///
 /// # Errors
 /// Those of [`scene`].

@@ -1,13 +1,16 @@
-//! The speed diagram of a gear (Kutzbach): peripheral velocity over radius for each set, and the rays of angular speed.
+//! The speed diagram of a gear (Kutzbach): peripheral velocity over radius for each set, and the rays of
+//! angular speed.
 //!
-//! A point of a link at radius `r` moves at `v = ω·r`: drawn over `r`, a link is a line through the axis with the slope `ω`, and a
-//! planet a line through its three points, where it meets central gear 1 and central gear 2 and where its planet pin is. Rays parallel to these lines from a
-//! pole cut a line at the speeds `ω`.
+//! A point of a link at radius `r` moves at `v = ω·r`: drawn over `r`, a link is a line through the axis with
+//! the slope `ω`, and a planet a line through its three points, where it meets central gear 1 and central
+//! gear 2 and where its planet pin is. Rays parallel to these lines from a pole cut a line at the speeds `ω`.
 //!
-//! Radii are in units of each set's central gear 1; of a simple set `r_b = k` and the planet pins stand at `(1 + k)/2`. All sets have one slope
-//! for one speed. Each of two planets in mesh is drawn in the section through its own pin, from its contact with a central gear to its
-//! far side. Sizes of planets follow from teeth. Where these are not given, sizes are assumed that fit, which changes the planet's own speed
-//! but none of the links', and the planet's name gets a star. Planets of bevel sets turn about other axes and have no line.
+//! Radii are in units of each set's central gear 1; of a simple set `r_b = k` and the planet pins stand at
+//! `(1 + k)/2`. All sets have one slope for one speed. Each of two planets in mesh is drawn in the section
+//! through its own pin, from its contact with a central gear to its far side. Sizes of planets follow from
+//! teeth. Where these are not given, sizes are assumed that fit, which changes the planet's own speed but
+//! none of the links', and the planet's name gets a star. Planets of bevel sets turn about other axes and
+//! have no line.
 
 mod lines;
 
@@ -33,7 +36,8 @@ struct Size {
     rays_mm: [f64; 2],
     /// Length of a label of the speeds, beyond which it goes on in a further line.
     label_mm: f64,
-    /// From the names of the levels to the gears, from there to the axis of velocities at least, and beyond the fastest.
+    /// From the names of the levels to the gears, from there to the axis of velocities at least, and beyond
+    /// the fastest.
     gaps_mm: [f64; 3],
     /// From one diagram of a row to the next.
     apart_mm: f64,
@@ -116,8 +120,8 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     Ok(scene)
 }
 
-/// The same as small as its labels have room, without title and explanations, in rows of about this width: for a page that says them
-/// itself.
+/// The same as small as its labels have room, without title and explanations, in rows of about this width:
+/// for a page that says them itself.
 ///
 /// # Errors
 /// Those of [`scene`].

@@ -6,7 +6,8 @@ use epicyclic_drawing::Text;
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::SetKind;
 
-/// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
+/// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is
+/// 0.
 pub(super) fn decimal(value: f64) -> String {
     let size = value.abs();
     if size < SHOWN {

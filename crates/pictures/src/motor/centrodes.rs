@@ -1,4 +1,5 @@
-//! The centrodes with their construction: centres, distances, radii and angles of the stator's arcs, junctions, satellites.
+//! The centrodes with their construction: centres, distances, radii and angles of the stator's arcs,
+//! junctions, satellites.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,7 +20,8 @@ const REACH: f64 = 1.9;
 /// The centrodes after a rotation of the rotor, with what they are constructed from.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn centrodes(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let satellites = motor.satellites(rotation)?;
     let (stator, rotor) = (outline(motor, Wheel::Stator)?, outline(motor, Wheel::Rotor)?);

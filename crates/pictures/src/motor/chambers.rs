@@ -24,10 +24,12 @@ const fn color(phase: Phase) -> Color {
     }
 }
 
-/// The motor after a rotation of the rotor, each chamber filled with the colour of its pressure; counter-clockwise running.
+/// The motor after a rotation of the rotor, each chamber filled with the colour of its pressure;
+/// counter-clockwise running.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let all = motor.chambers(rotation)?;
     let outer = 0.5 * motor.envelope().stator_outer.mm();
@@ -70,7 +72,8 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     Ok(sheet.scene)
 }
 
-/// Chambers in the colours of their pressures, stator, rotor and satellites; a point on the stator's wall of each chamber.
+/// Chambers in the colours of their pressures, stator, rotor and satellites; a point on the stator's wall of
+/// each chamber.
 pub(super) fn coloured(sheet: &mut Sheet, motor: &Motor, rotation: Angle) -> Result<Vec<Point>, Error> {
     let all = motor.chambers(rotation)?;
     let layers = [

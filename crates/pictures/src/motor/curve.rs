@@ -1,14 +1,16 @@
-//! Centrodes as closed polylines of arcs: exact where the curve consists of arcs, else biarcs with their deviation.
+//! Centrodes as closed polylines of arcs: exact where the curve consists of arcs, else biarcs with their
+//! deviation.
 //!
-//! Between two points of a smooth curve, with its directions there, a *biarc* is a pair of arcs that touch each other and the
-//! curve's ends in those directions. With the step `v`, the directions `t₀`, `t₁` and `t = t₀ + t₁`
+//! Between two points of a smooth curve, with its directions there, a *biarc* is a pair of arcs that touch
+//! each other and the curve's ends in those directions. With the step `v`, the directions `t₀`, `t₁` and
+//! `t = t₀ + t₁`
 //!
 //! ```text
 //! d = v·v/(v·t + √((v·t)² + 2·(1 − t₀·t₁)·v·v))        P_m = (P₀ + P₁ + d·(t₀ − t₁))/2
 //! ```
 //!
-//! for arcs whose tangents have one length `d`. The pieces are halved until the exact curve, looked at in nine places of each, lies
-//! within [`TOLERANCE_MM`].
+//! for arcs whose tangents have one length `d`. The pieces are halved until the exact curve, looked at in
+//! nine places of each, lies within [`TOLERANCE_MM`].
 
 use std::f64::consts::TAU;
 
@@ -21,8 +23,8 @@ use uom::si::f64::Length;
 use crate::Error;
 use crate::tolerance::CURVE;
 
-/// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a kilometre
-/// a ten-billionth of its length, which no coordinate holds better.
+/// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a
+/// kilometre a ten-billionth of its length, which no coordinate holds better.
 pub const TOLERANCE_MM: f64 = 1e-4;
 
 /// Places of a piece at which its distance is looked at.
@@ -55,7 +57,8 @@ pub(super) fn turned(point: Point, angle_rad: f64) -> Point {
     Point::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos)
 }
 
-/// The centrode of a wheel in its own frame: `2N` exact arcs for a stator of two arcs, a circle for a satellite, else biarcs.
+/// The centrode of a wheel in its own frame: `2N` exact arcs for a stator of two arcs, a circle for a
+/// satellite, else biarcs.
 ///
 /// # Errors
 /// [`Error::Motor`] where a curve has no point; of a closed motor it has.
@@ -136,7 +139,8 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     Ok(Outline { vertices: vertices.collect(), deviation_mm })
 }
 
-/// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how far the curve is from them.
+/// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how
+/// far the curve is from them.
 fn pieces(
     curve: &Centrode<'_>,
     [from, to]: [f64; 2],

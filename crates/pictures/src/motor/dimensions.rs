@@ -1,7 +1,8 @@
 //! The motor for a drawing office: its dimensions with their lines, and a table of wheel data.
 //!
-//! Dimension lines as in ISO 129-1: thin, closed arrowheads, the number above the line in millimetres; diameters with `Ø`, radii
-//! with `R`. The table has a column for tolerances and lines for material and finish that are left blank: the program chooses neither.
+//! Dimension lines as in ISO 129-1: thin, closed arrowheads, the number above the line in millimetres;
+//! diameters with `Ø`, radii with `R`. The table has a column for tolerances and lines for material and
+//! finish that are left blank: the program chooses neither.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,10 +27,12 @@ const ROW: f64 = 2.0;
 /// The most that a centre of arc 1 is away to be shown, over the stator's greatest radius.
 const REACH: f64 = 1.5;
 
-/// The motor with its dimensions after a rotation of the rotor; teeth and width stand in the table where they are given.
+/// The motor with its dimensions after a rotation of the rotor; teeth and width stand in the table where they
+/// are given.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn dimensions(
     motor: &Motor,
     profile: Option<&Profile>,
@@ -76,7 +79,8 @@ pub fn dimensions(
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
 
-    // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table alone.
+    // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table
+    // alone.
     let curves = [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer]
         .map(Physical::mm);
     let mut diameters: Vec<(f64, String)> =
@@ -180,8 +184,9 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     }
 }
 
-/// The distance `l` of a trough's centre from the axis: of one on the left above the drawing, else of one above to the left of it, else
-/// along its own ray. Of a centre too far away the line ends before it, without an arrowhead.
+/// The distance `l` of a trough's centre from the axis: of one on the left above the drawing, else of one
+/// above to the left of it, else along its own ray. Of a centre too far away the line ends before it, without
+/// an arrowhead.
 fn trough_distance(
     sheet: &mut Sheet,
     layer: LayerId,

@@ -22,12 +22,12 @@ const OF_BEARING: Color = Color::new(170, 80, 0);
 
 /// Forces of so much pressure on a motor of a width, with ideal ports and contacts at the pitch points.
 ///
-/// A satellite's flank forces end at its pitch points, in the lines of action; the force of the pressure begins at its centre. The force
-/// on the rotor's bearing begins at the axis. All are to one scale.
+/// A satellite's flank forces end at its pitch points, in the lines of action; the force of the pressure
+/// begins at its centre. The force on the rotor's bearing begins at the axis. All are to one scale.
 ///
 /// # Errors
-/// [`Error::Motor`] for a width or pressure that is not above 0 and flanks that hold no satellite; [`Error::Drawing`] for a motor too large for a
-/// drawing.
+/// [`Error::Motor`] for a width or pressure that is not above 0 and flanks that hold no satellite;
+/// [`Error::Drawing`] for a motor too large for a drawing.
 pub fn forces(
     motor: &Motor,
     pressure_angle: Angle,

@@ -1,4 +1,5 @@
-//! Pictures of hydromotors: centrodes with their construction, the motor at an angle, its teeth, its chambers by pressure.
+//! Pictures of hydromotors: centrodes with their construction, the motor at an angle, its teeth, its chambers
+//! by pressure.
 //!
 //! | function | draws |
 //! |---|---|
@@ -12,9 +13,10 @@
 //! | [`teeth`] | outlines of all teeth in mesh at an angle |
 //! | [`outline`] | a centrode as a closed polyline of arcs |
 //!
-//! One unit is a millimetre; the frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x axis, angles
-//! counter-clockwise. The stator of two arcs is drawn with its exact arcs; a curve that is none, the rotor above all, with
-//! biarcs within [`TOLERANCE_MM`]. Text and lines are as large as the motor asks for.
+//! One unit is a millimetre; the frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x
+//! axis, angles counter-clockwise. The stator of two arcs is drawn with its exact arcs; a curve that is none,
+//! the rotor above all, with biarcs within [`TOLERANCE_MM`]. Text and lines are as large as the motor asks
+//! for.
 //!
 //! # Example
 //! ```

@@ -16,7 +16,8 @@ use crate::Error;
 /// The ports as they are made, on layers of their own, over the centrodes after a rotation of the rotor.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 ///
 /// # Example
 /// ```

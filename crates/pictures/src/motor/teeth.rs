@@ -17,11 +17,12 @@ pub const SIDES: u32 = 120;
 
 /// The teeth after a rotation of the rotor.
 ///
-/// Outlines are closed polylines of [`SIDES`] straight sides a tooth, their vertices on the exact curves; what the sides miss is
-/// written beside the picture.
+/// Outlines are closed polylines of [`SIDES`] straight sides a tooth, their vertices on the exact curves;
+/// what the sides miss is written beside the picture.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn teeth(profile: &Profile, rotation: Angle) -> Result<Scene, Error> {
     let motor = profile.motor();
     let satellites = motor.satellites(rotation)?;
@@ -111,8 +112,8 @@ fn round_up(value: f64) -> f64 {
     (value / digit).ceil() * digit
 }
 
-/// How far the curve bulges beyond its sides: a quarter of the distance of a vertex from the chord of its neighbours, where all
-/// three are of one part.
+/// How far the curve bulges beyond its sides: a quarter of the distance of a vertex from the chord of its
+/// neighbours, where all three are of one part.
 fn sagitta(points: &[Point], segments: &[profile::Segment]) -> f64 {
     let ends = segments.iter().skip(1).map(|segment| segment.start).chain([points.len()]);
     let of_part = |(segment, end): (&profile::Segment, usize)| {

@@ -19,7 +19,8 @@ pub(super) const WALL: f64 = 3.0;
 /// The housing has room for tooth roots of 1.25 modules and a wall of 3: it is drawn, not designed.
 ///
 /// # Errors
-/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
+/// drawing.
 pub fn whole(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let satellites = motor.satellites(rotation)?;
     let ports = motor.ports();

@@ -90,7 +90,8 @@ fn a_simple_set_divides_its_lever_as_one_to_k() {
     assert_eq!(places, [("D", 2.6), ("T1", -1.0), ("B", 0.0)]);
 }
 
-/// Lines of scheme I drawn to scale: the sun's line ends at v = 1·1, the ring's at 0, and their heights are as 1 to k.
+/// Lines of scheme I drawn to scale: the sun's line ends at v = 1·1, the ring's at 0, and their heights are
+/// as 1 to k.
 #[test]
 fn the_plan_of_scheme_one_is_to_scale() {
     let gearbox = &catalogue()[0];

@@ -33,7 +33,8 @@ fn all_sets_stand_in_one_band() {
     assert_eq!([catalogue(), in_service(), whole_examples()].map(in_one), [[14, 14], [5, 5], [15, 15]]);
 }
 
-/// A Ravigneaux set has one ring and one long planet over both suns, a Wolfrom drive one sun under both rings.
+/// A Ravigneaux set has one ring and one long planet over both suns, a Wolfrom drive one sun under both
+/// rings.
 #[test]
 fn sets_with_planets_in_common_are_drawn_as_one() {
     let one_of = |name: &str| all().find(|gearbox| gearbox.name() == name).unwrap();
@@ -60,7 +61,8 @@ fn sets_with_planets_in_common_are_drawn_as_one() {
     }
 }
 
-/// In second gear all power of the four-speed goes from the small sun through the meshes to the ring: none along the carrier, none around.
+/// In second gear all power of the four-speed goes from the small sun through the meshes to the ring: none
+/// along the carrier, none around.
 #[test]
 fn halves_of_one_set_show_no_power_that_only_passes_between_them() {
     let gearbox =
@@ -204,7 +206,8 @@ fn widths(scene: &Scene, name: &str, color: Color) -> Vec<f64> {
         .collect()
 }
 
-/// Every width on the links of II-3 in gear 2 is a power of the analysis times the width of what enters, and the input's is that.
+/// Every width on the links of II-3 in gear 2 is a power of the analysis times the width of what enters, and
+/// the input's is that.
 #[test]
 fn widths_are_powers() {
     let gearbox = catalogue().into_iter().find(|gearbox| gearbox.name() == "II-3").unwrap();
@@ -223,7 +226,8 @@ fn widths_are_powers() {
     assert!(found.iter().any(|width| (width - 2.2 * case.efficiency).abs() < 1e-9));
 }
 
-/// In every gear of every gearbox all powers of the links follow, so each link is a tree; and only circulating power is orange.
+/// In every gear of every gearbox all powers of the links follow, so each link is a tree; and only
+/// circulating power is orange.
 #[test]
 fn powers_of_all_pieces_follow() {
     for gearbox in all() {
@@ -296,7 +300,8 @@ fn every_kind_of_set_has_a_sign() {
         let structure = scene(&gearbox, &layout(&gearbox), Show::Structure, &Options::default()).unwrap();
         gears.push(widths(&structure, "gears", Color::BLACK).iter().filter(|width| **width == 0.7).count());
     }
-    // Rims, and the fork of two planets: 4 of a single planet, 6 of two and 3 lines of its fork on each side, 6 of a stepped one.
+    // Rims, and the fork of two planets: 4 of a single planet, 6 of two and 3 lines of its fork on each side,
+    // 6 of a stepped one.
     assert_eq!(gears[0], 4);
     assert!(gears[1] > gears[0] && gears[2] == 6, "{gears:?}");
     assert_eq!(gears[7..], [2, 2]);

@@ -94,7 +94,8 @@ fn no_two_set_structure_crosses_to_scale() {
     assert!(drawn > 100, "{drawn}");
 }
 
-/// Of sets with a sun and a ring both heights are as their radii, and between sets with teeth and one module as the teeth.
+/// Of sets with a sun and a ring both heights are as their radii, and between sets with teeth and one module
+/// as the teeth.
 #[test]
 fn heights_are_as_radii() {
     let (mut compared, mut between, mut left_out) = (0, 0, vec![]);
@@ -133,7 +134,8 @@ fn heights_are_as_radii() {
     assert!(left_out.iter().all(|id| id == "reducer") && left_out.len() == 2, "{left_out:?}");
 }
 
-/// Radii of a stepped set: sun 20 and planet 30 have their axes at 25 modules, the step 18 reaches a ring of (50 + 18)/2.
+/// Radii of a stepped set: sun 20 and planet 30 have their axes at 25 modules, the step 18 reaches a ring of
+/// (50 + 18)/2.
 #[test]
 fn a_stepped_planet_has_both_its_radii() {
     let set = SetSpec::teeth("1", SetKind::SteppedSunRing, ["D", "T1", "B"], 20, 68).unwrap();
@@ -146,8 +148,8 @@ fn a_stepped_planet_has_both_its_radii() {
     near(stack.ring_mesh / stack.sun_mesh, 34.0 / 10.0, "ring");
 }
 
-/// Both suns and the ring of a Ravigneaux set stand in the proportion of their teeth, the rings of a Wolfrom drive as the
-/// common pin leaves them.
+/// Both suns and the ring of a Ravigneaux set stand in the proportion of their teeth, the rings of a Wolfrom
+/// drive as the common pin leaves them.
 #[test]
 fn gears_of_one_set_keep_their_proportion() {
     let of = |name: &str| all().find(|(gearbox, _)| gearbox.name() == name).unwrap().0;
@@ -159,8 +161,8 @@ fn gears_of_one_set_keep_their_proportion() {
     assert_eq!((double.ring_mesh, double.planet), (simple.ring_mesh, simple.planet));
     near(double.planet / double.ring_mesh, 27.0 / 36.0, "long planet");
 
-    // Planet 34/30: pin at (32 + 34)/2 = 33 first modules. The second ring's module follows from 33 = m·(96 − 30)/2: it is 1,
-    // and its radius 48.
+    // Planet 34/30: pin at (32 + 34)/2 = 33 first modules. The second ring's module follows from 33 = m·(96 −
+    // 30)/2: it is 1, and its radius 48.
     let wolfrom = of("Wolfrom 51 to 1");
     let layout = scaled(&wolfrom, &[]).0;
     let [first, second] = [layout.sets[0], layout.sets[1]];

@@ -1,4 +1,5 @@
-//! Gearboxes for the tests: the catalogue's fourteen and those of `examples/real-transmissions.yaml`; pictures as pixels.
+//! Gearboxes for the tests: the catalogue's fourteen and those of `examples/real-transmissions.yaml`;
+//! pictures as pixels.
 
 #![allow(dead_code, reason = "each test file uses its part")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
@@ -141,7 +142,8 @@ pub(crate) fn met(scene: &Scene) -> Vec<String> {
     overlaps(scene).into_iter().map(|met| format!("{} - {}", words(met.label), words(met.with))).collect()
 }
 
-/// Leaders that run through a label or a sign, in words: gears, plates and what is between two plates, nodes of levers.
+/// Leaders that run through a label or a sign, in words: gears, plates and what is between two plates, nodes
+/// of levers.
 pub(crate) fn crossed(scene: &Scene) -> Vec<String> {
     let layer = |item: &Item| scene.layer_of(item).name.clone();
     let line = |item: &Item| match item.shape {

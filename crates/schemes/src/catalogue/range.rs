@@ -72,8 +72,8 @@ pub enum Reach {
         /// The greatest.
         greatest: f64,
     },
-    /// It takes every value between these and changes its sign through 0: there the input is blocked while the
-    /// output could turn.
+    /// It takes every value between these and changes its sign through 0: there the input is blocked while
+    /// the output could turn.
     ThroughZero {
         /// The least, below 0 or 0.
         least: f64,
@@ -92,9 +92,9 @@ pub enum Reach {
 impl Reach {
     /// Of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in `k₁` and in `k₂`.
     ///
-    /// A function linear in each of two variables takes its extremes over a rectangle at the corners,
-    /// so corners show every change of sign of `N` and `D`. Between zeros and poles the ratio is monotonous along
-    /// each edge direction, and its extremes are at corners too: the answer is exact.
+    /// A function linear in each of two variables takes its extremes over a rectangle at the corners, so
+    /// corners show every change of sign of `N` and `D`. Between zeros and poles the ratio is monotonous
+    /// along each edge direction, and its extremes are at corners too: the answer is exact.
     pub(crate) fn of(fraction: impl Fn(f64, f64) -> [f64; 2], ends: [f64; 2]) -> Self {
         let corners = [0, 1, 2, 3].map(|place| fraction(ends[place / 2], ends[place % 2]));
         let values = corners.map(|[n, d]| n / d);

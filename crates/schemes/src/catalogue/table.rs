@@ -1,8 +1,9 @@
 //! The table of the catalogue: the one place that says what the fourteen schemes are.
 //!
-//! A line holds the name, the links of sun, ring and carrier of each set, and the closed forms of the last braked
-//! gear. Names, structures, modes, ranges, ring-to-sun ratios from ratios, gearboxes and the formulas that are shown
-//! are all read from it. A closed form is written once: the function and its text are the same tokens.
+//! A line holds the name, the links of sun, ring and carrier of each set, and the closed forms of the last
+//! braked gear. Names, structures, modes, ranges, ring-to-sun ratios from ratios, gearboxes and the formulas
+//! that are shown are all read from it. A closed form is written once: the function and its text are the same
+//! tokens.
 //!
 //! # Where this departs from the print
 //! (2.49), the ratio of II-2, is printed as a copy of (2.39); the one here follows from the scheme and
@@ -44,8 +45,8 @@ pub(super) struct Line {
     pub(super) sets: &'static [[Role; 3]],
     /// Ratio of the last braked gear.
     pub(super) ratio: ClosedForm,
-    /// Efficiency of the last braked gear, each set losing `1 − η₀` of its rolling power. By Kreines' rule it is the
-    /// ratio with each `k` times `η₀^±1`, over the ratio itself.
+    /// Efficiency of the last braked gear, each set losing `1 − η₀` of its rolling power. By Kreines' rule it
+    /// is the ratio with each `k` times `η₀^±1`, over the ratio itself.
     pub(super) efficiency: ClosedForm,
 }
 

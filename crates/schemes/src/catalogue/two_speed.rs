@@ -6,7 +6,8 @@
 //! | II | T₁ D B | `(1 + k₁)/k₁` | `(k₁ + η₀)/(1 + k₁)` |
 //! | III | D B T₁ | `−k₁` | `η₀` |
 //!
-//! They are lines of [`table`](super::table). The other three ways to use a set are these with D and B exchanged; they speed up.
+//! They are lines of [`table`](super::table). The other three ways to use a set are these with D and B
+//! exchanged; they speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.26)–(2.31).

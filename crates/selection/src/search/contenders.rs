@@ -10,11 +10,12 @@ use crate::objectives::{Costs, Objectives, Order};
 use epicyclic_numerics::front::{dominates, nowhere_worse, thinned};
 use std::sync::{Mutex, PoisonError};
 
-/// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes forward while
-/// designs are tried.
+/// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes
+/// forward while designs are tried.
 ///
-/// It is always the costs of some design, and before it stand more entries of the front of what was tried than are wanted.
-/// What is tried later may dominate them and leave fewer than wanted; then the bound came too far.
+/// It is always the costs of some design, and before it stand more entries of the front of what was tried
+/// than are wanted. What is tried later may dominate them and leave fewer than wanted; then the bound came
+/// too far.
 #[derive(Debug)]
 pub(super) struct Bound {
     pub(super) order: Order,
@@ -115,8 +116,9 @@ impl Contenders {
         self.keep(&places);
     }
 
-    /// Keeps the first designs in an order, at most `count`, in the places that they had among each other: all whose
-    /// costs stand before the costs returned, which are the first left out. There must be more than `count`.
+    /// Keeps the first designs in an order, at most `count`, in the places that they had among each other:
+    /// all whose costs stand before the costs returned, which are the first left out. There must be more than
+    /// `count`.
     pub(super) fn first(&mut self, count: usize, order: Order) -> Costs {
         let mut places: Vec<u32> = (0..self.costs.len() as u32).collect();
         let compare = |a: &u32, b: &u32| order.compare(&self.costs[*a as usize], &self.costs[*b as usize]);

@@ -1,7 +1,8 @@
 //! Numbers of twice a double's digits: the sum of two doubles, exact to some 2⁻¹⁰⁰ of itself.
 //!
-//! Sums and products of doubles are split into the rounded value and its exact error (Dekker), and the errors are
-//! carried along. For the few objectives of which a double does not tell to which point of the grid they belong.
+//! Sums and products of doubles are split into the rounded value and its exact error (Dekker), and the errors
+//! are carried along. For the few objectives of which a double does not tell to which point of the grid they
+//! belong.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -5,8 +5,8 @@ use super::{Found, ToothSearch, Watch};
 use crate::Error;
 
 impl ToothSearch {
-    /// The first entry of the front of each structure by itself, where it has any; the best first by the order. Another structure may
-    /// dominate it.
+    /// The first entry of the front of each structure by itself, where it has any; the best first by the
+    /// order. Another structure may dominate it.
     ///
     /// # Errors
     /// As [`front_watched`](Self::front_watched).

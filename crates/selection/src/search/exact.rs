@@ -5,8 +5,8 @@ use crate::objectives::{on_grid, on_relative_grid};
 use crate::tolerance::{GRID_STEP, RELATIVE_STEP, TIE};
 use epicyclic_schemes::structures::SetRoles;
 
-/// Coefficients of a set with losses by role, times the teeth of its sun, and times `η₀` where it divides; `exponent` is the
-/// direction of its rolling power, 1 from sun to ring.
+/// Coefficients of a set with losses by role, times the teeth of its sun, and times `η₀` where it divides;
+/// `exponent` is the direction of its rolling power, 1 from sun to ring.
 pub(super) fn coefficients(set: SetRoles, teeth: [f64; 2], exponent: i8, eta0: f64) -> [Double; 4] {
     let eta0 = Double::from(eta0);
     let [sun, ring] = teeth.map(Double::from);
@@ -22,8 +22,8 @@ pub(super) fn coefficients(set: SetRoles, teeth: [f64; 2], exponent: i8, eta0: f
     found
 }
 
-/// Cube of the relative ring diameter of a set of these teeth of sun and ring, and of the planet, one planet carrying all:
-/// `k³·(1 + 1/r)/(w²·min(1, r))` times the torque on the sun.
+/// Cube of the relative ring diameter of a set of these teeth of sun and ring, and of the planet, one planet
+/// carrying all: `k³·(1 + 1/r)/(w²·min(1, r))` times the torque on the sun.
 pub(super) fn cube([sun, ring]: [f64; 2], planet: f64, working: f64, torque: Double) -> Double {
     let (one, w) = (Double::from(1.0), Double::from(working));
     let [k, r] = [ring, planet].map(|teeth| Double::from(teeth) / Double::from(sun));

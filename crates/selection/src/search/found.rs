@@ -48,8 +48,8 @@ pub struct Counts {
     pub feasible: u64,
 }
 
-/// Designs of one structure that share objectives: any of these tooth numbers in set 1 with any in set 2, except
-/// where [`pairs`](Self::pairs) says otherwise.
+/// Designs of one structure that share objectives: any of these tooth numbers in set 1 with any in set 2,
+/// except where [`pairs`](Self::pairs) says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToothDesign {
     /// Which structure.
@@ -145,8 +145,8 @@ impl Found {
         entry.members.iter().filter_map(|&member| self.design(self.points.get(member)?, entry)).collect()
     }
 
-    /// The first design of an entry, with its first pair of tooth numbers alone, and how many pairs the entry has in all;
-    /// never more than one design is held. `None` of an entry of another search.
+    /// The first design of an entry, with its first pair of tooth numbers alone, and how many pairs the entry
+    /// has in all; never more than one design is held. `None` of an entry of another search.
     #[must_use]
     pub fn first_design(&self, entry: &Entry) -> Option<(ToothDesign, u64)> {
         let mut first: Option<ToothDesign> = None;

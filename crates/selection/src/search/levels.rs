@@ -1,10 +1,11 @@
 //! Tooth numbers by their ring-to-sun and planet-to-sun ratios: all that objectives can tell apart.
 //!
-//! Ratios, speeds of links, torques and losses of a gearbox depend on its tooth numbers through `k = z_b/z_a` alone, speeds of planets and
-//! the size on `r = z_g/z_a` too, and the size on the number of planets. So the tooth numbers of one `k` and one `r` are one *level*; within
-//! it only the share `K_γ/N` of the most loaded planet tells them apart, and those whose share is not the least
-//! make a design no better than those of the least. Without profile shift `r = (k − 1)/2`, and of the 8016 combinations within the default
-//! bounds 2696 `k` are distinct; with offsets of the ring one `k` may have several `r`.
+//! Ratios, speeds of links, torques and losses of a gearbox depend on its tooth numbers through `k = z_b/z_a`
+//! alone, speeds of planets and the size on `r = z_g/z_a` too, and the size on the number of planets. So the
+//! tooth numbers of one `k` and one `r` are one *level*; within it only the share `K_γ/N` of the most loaded
+//! planet tells them apart, and those whose share is not the least make a design no better than those of the
+//! least. Without profile shift `r = (k − 1)/2`, and of the 8016 combinations within the default bounds 2696
+//! `k` are distinct; with offsets of the ring one `k` may have several `r`.
 
 use crate::Error;
 use crate::requirements::Limits;
@@ -36,8 +37,9 @@ pub(crate) struct Level {
     pub(crate) share: f64,
 }
 
-/// `k_low/k` below a range, `k/k_high` above, 1 within: `e` to the power of the distance of `ln k` from it. As a fraction of
-/// teeth and a factor: fractions of teeth multiply without rounding, so equal products of two levels are equal to the bit.
+/// `k_low/k` below a range, `k/k_high` above, 1 within: `e` to the power of the distance of `ln k` from it.
+/// As a fraction of teeth and a factor: fractions of teeth multiply without rounding, so equal products of
+/// two levels are equal to the bit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Distance {
     fraction: [f64; 2],

@@ -1,14 +1,15 @@
-//! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the
-//! exact Pareto front and the best, with nothing missed. For two speeds all tooth numbers of one set and all ways to use it:
-//! [`OneSetSearch`].
+//! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the exact
+//! Pareto front and the best, with nothing missed. For two speeds all tooth numbers of one set and all ways
+//! to use it: [`OneSetSearch`].
 //!
 //! # Why nothing is missed
 //! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
 //! 2.8·10¹⁰ designs. What is left out is left out for a reason that holds for each:
 //!
-//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂`, of planet speeds and size on the planets' teeth over the suns' `r₁`, `r₂`, and
-//!    of the size on the number of planets. Tooth numbers of one `k` and one `r` are one level, the best share of planets stands for it;
-//!    others of the level are no better, and where they are equal they are listed as members of the same entry.
+//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂`, of planet speeds and size on the planets'
+//!    teeth over the suns' `r₁`, `r₂`, and of the size on the number of planets. Tooth numbers of one `k` and
+//!    one `r` are one level, the best share of planets stands for it; others of the level are no better, and
+//!    where they are equal they are listed as members of the same entry.
 //! 2. **Reach.** A structure is left out where, by the corners of the range of `k`, a ratio cannot come
 //!    within tolerance: a quotient of bilinear functions, monotonous in each between zeros and poles.
 //! 3. **Windows.** Beside each `k₁` only the interval of `k₂` is tried outside which a ratio, a link speed
@@ -24,43 +25,47 @@
 //! oracle of tests and benches.
 //!
 //! # Sets with profile shift
-//! With [`ToothSearch::shift`] the tooth numbers are those of sets that some shifts close without a fault, found set by set before levels are
-//! made; sets without an offset of the ring are closed in the same way. Within the default bounds and offsets from −3 to 3 they are 38 437 with
-//! 21 380 levels in place of 8016 with 2696, and some 60 times as many pairs are tried. Nothing else changes.
+//! With [`ToothSearch::shift`] the tooth numbers are those of sets that some shifts close without a fault,
+//! found set by set before levels are made; sets without an offset of the ring are closed in the same way.
+//! With the default bounds and offsets of −3 to 3 there are 38 437 with 21 380 levels, for 8016 with 2696,
+//! and 60 times as many pairs.
 //!
 //! # The first designs without the rest
-//! What dominates a design stands before it in any order of objectives. So whether a design before some bound is on the
-//! front depends on the designs before that bound alone, and [`ToothSearch::best`] need not hold, nor compute to the point
-//! of the grid, what comes after it. The bound is the costs of a design: of a sample first, then of what was tried, so far
-//! down the front of these that more entries stand before it than are wanted. A first look (`screen`) decides for most
-//! pairs that they come after it and whether they meet the criteria; all others are measured. If in the end fewer entries
-//! than wanted stand before the bound, because later designs dominate those by which it was set, the search is repeated with one
-//! farther off, and at last without any. So the answer is that of the whole front, and the bound only costs or saves time.
+//! What dominates a design stands before it in any order of objectives. So whether a design before some bound
+//! is on the front depends on the designs before that bound alone, and [`ToothSearch::best`] need not hold,
+//! nor compute to the point of the grid, what comes after it. The bound is the costs of a design: of a sample
+//! first, then of what was tried, so far down the front of these that more entries stand before it than are
+//! wanted. A first look (`screen`) decides for most pairs that they come after it and whether they meet the
+//! criteria; all others are measured. If in the end fewer entries than wanted stand before the bound, because
+//! later designs dominate those by which it was set, the search is repeated with one farther off, and at last
+//! without any. So the answer is that of the whole front, and the bound only costs or saves time.
 //!
 //! # What is equal
-//! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an objective in
-//! common, reached by different figures. They must not be parted by rounding, or one would dominate the other. Teeth are
-//! whole numbers, and what ratios and speeds have above and below the line is so too: the only rounding is that of the
-//! quotient, and equal ones are equal to the bit. Of efficiencies and sizes the rounding is bounded; where it could carry
-//! one over to the next point of the grid of [objectives](crate::objectives), it is computed with twice the digits. So the
-//! point is that of the exact value, whatever way led to it.
+//! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an
+//! objective in common, reached by different figures. They must not be parted by rounding, or one would
+//! dominate the other. Teeth are whole numbers, and what ratios and speeds have above and below the line is
+//! so too: the only rounding is that of the quotient, and equal ones are equal to the bit. Of efficiencies
+//! and sizes the rounding is bounded; where it could carry one over to the next point of the grid of
+//! [objectives](crate::objectives), it is computed with twice the digits. So the point is that of the exact
+//! value, whatever way led to it.
 //!
 //! # What it costs
 //! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
-//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 087 entries are on
-//! the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Within a strip neighbours
-//! dominate most of what is dominated; that is left out as it comes. The first of the front ([`ToothSearch::best`]) needs a sort.
+//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 087 entries
+//! are on the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Within a
+//! strip neighbours dominate most of what is dominated; that is left out as it comes. The first of the front
+//! ([`ToothSearch::best`]) needs a sort.
 //!
 //! # What it refuses
-//! More than [`MOST_TOOTH_SETS`] combinations of tooth numbers a set, [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of ring-to-sun ratios, all
-//! counted before anything is tried, with their numbers. Within these limits a search takes less than 1 GiB: one patch
-//! is tried after another, and where the designs held become more than 4·10⁶ those that cannot be among the first
-//! entries are left out ([`ToothSearch::best`]), or those that others dominate ([`ToothSearch::front`]). Where that
-//! would leave too few to answer, the search is refused and nothing is left out in silence.
+//! More than [`MOST_TOOTH_SETS`] combinations of tooth numbers a set, [`MOST_WINDOWS`] windows or
+//! [`MOST_PAIRS`] pairs of ring-to-sun ratios, all counted before anything is tried, with their numbers.
+//! Within these limits a search takes less than 1 GiB: one patch is tried after another, and where the
+//! designs held become more than 4·10⁶ those that cannot be among the first entries are left out
+//! ([`ToothSearch::best`]), or those that others dominate ([`ToothSearch::front`]). Where that would leave
+//! too few to answer, the search is refused and nothing is left out in silence.
 //!
 //! Results do not depend on the number of threads: work is cut into pieces by content and put together in
-//! their order. With the feature `parallel`, on by default, run it within a `rayon::ThreadPool` of your own to choose
-//! their number; without it there is one.
+//! their order. With the feature `parallel` (default) a `rayon::ThreadPool` around it sets their number.
 //!
 //! ```
 //! use epicyclic_selection::search::ToothSearch;
@@ -126,7 +131,8 @@ pub struct Progress {
     pub counts: Counts,
 }
 
-/// Called before anything is tried, and from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
+/// Called before anything is tried, and from any thread whenever a piece of work is done;
+/// [`ControlFlow::Break`] cancels.
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 /// Directions of rotation of the output that a search tries.
@@ -167,7 +173,8 @@ pub struct ToothSearch {
     pub bounds: Bounds,
     /// Sets with profile shift in place of those without; `None` by default.
     pub shift: Option<ProfileShift>,
-    /// Order of objectives by which entries are sorted; circulating power, which is not compared here, stands last.
+    /// Order of objectives by which entries are sorted; circulating power, which is not compared here, stands
+    /// last.
     pub order: Order,
     /// Module that each set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -189,8 +196,8 @@ pub const MOST_WINDOWS: u64 = 20_000_000;
 /// The most pairs of ring-to-sun ratios that are tried, a minute or two of work.
 pub const MOST_PAIRS: u64 = 1_000_000_000;
 
-/// One in so many strips, and in these one in so many pairs, is tried for a first bound; of more than some `SAMPLE_PAIRS`
-/// fewer.
+/// One in so many strips, and in these one in so many pairs, is tried for a first bound; of more than some
+/// `SAMPLE_PAIRS` fewer.
 const SAMPLE: usize = 8;
 const SAMPLE_PAIRS: u64 = 1 << 15;
 
@@ -282,8 +289,8 @@ impl ToothSearch {
                 return Ok(found);
             }
         }
-        // The first design in the order that was left out. All before it are held, and what dominates a design stands
-        // before it; so entries before it are those of the front of all.
+        // The first design in the order that was left out. All before it are held, and what dominates a
+        // design stands before it; so entries before it are those of the front of all.
         let mut left_out: Option<Costs> = None;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             let first_out = held.first(self.most_held / 2, self.order);
@@ -305,8 +312,9 @@ impl ToothSearch {
         Ok(found)
     }
 
-    /// Puts the first entries into what is found, if they can be had without holding the rest: all that stands before the
-    /// bound is held, so entries before it are those of the front of all. `false` where they are fewer than wanted.
+    /// Puts the first entries into what is found, if they can be had without holding the rest: all that
+    /// stands before the bound is held, so entries before it are those of the front of all. `false` where
+    /// they are fewer than wanted.
     fn first_before(
         &self,
         bound: &Bound,
@@ -341,8 +349,8 @@ impl ToothSearch {
         Ok(true)
     }
 
-    /// Brings the bound to where a few strips of all patches put it: otherwise it would be far off until the patch with the
-    /// best designs is tried.
+    /// Brings the bound to where a few strips of all patches put it: otherwise it would be far off until the
+    /// patch with the best designs is tried.
     fn sample(&self, found: &Found, bound: &Bound) {
         let mut gathered = Contenders::default();
         let pairs: u64 = found.patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
@@ -411,12 +419,12 @@ impl ToothSearch {
         Ok(Found { entries, points, patches, levels, tooth_sets, left_out, counts, size, allowed, rating })
     }
 
-    /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts these
-    /// together in the order of the pieces. Where more come together than are held, `reduce` leaves some out; what is not
-    /// before the bound may be left out at any time.
+    /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts
+    /// these together in the order of the pieces. Where more come together than are held, `reduce` leaves
+    /// some out; what is not before the bound may be left out at any time.
     ///
-    /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a batch and
-    /// what is held.
+    /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a
+    /// batch and what is held.
     fn each(
         &self,
         found: &mut Found,

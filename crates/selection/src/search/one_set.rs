@@ -1,8 +1,9 @@
 //! The same search for two speeds: all tooth numbers of one set, in all ways to use it.
 //!
-//! With one set every objective is a function of one ring-to-sun ratio, so nothing has to be left out to be quick: all tooth numbers
-//! whose ratio is within tolerance in any of the ways are tried, once for each `k`. Ratios and speeds are quotients of whole numbers, and
-//! efficiency and size are placed on their grid by twice a double's digits, so what is equal is equal to the bit ([`super`]).
+//! With one set every objective is a function of one ring-to-sun ratio, so nothing has to be left out to be
+//! quick: all tooth numbers whose ratio is within tolerance in any of the ways are tried, once for each `k`.
+//! Ratios and speeds are quotients of whole numbers, and efficiency and size are placed on their grid by
+//! twice a double's digits, so what is equal is equal to the bit ([`super`]).
 //!
 //! With coefficients `c = (z_a, z_b, −(z_a + z_b))` at the links of sun, ring and carrier, and T₁ at rest,
 //!
@@ -10,8 +11,8 @@
 //! i = −c_B/c_D      ω_D = 1      ω_B = 1/i      T_a = z_a/c_D      η = î/i
 //! ```
 //!
-//! speeds and torques as multiples of the input's; `î` and `T_a` with losses are those of a set with `k·η₀^x`, `x` the sign of its
-//! rolling power.
+//! speeds and torques as multiples of the input's; `î` and `T_a` with losses are those of a set with
+//! `k·η₀^x`, `x` the sign of its rolling power.
 
 use super::double::Double;
 use super::exact;
@@ -47,7 +48,8 @@ pub struct OneSetSearch {
     pub bounds: Bounds,
     /// Sets with profile shift in place of those without; `None` by default.
     pub shift: Option<ProfileShift>,
-    /// Order of objectives by which entries are sorted; circulating power, of which one set has none, stands last.
+    /// Order of objectives by which entries are sorted; circulating power, of which one set has none, stands
+    /// last.
     pub order: Order,
     /// Module that the set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -142,13 +144,14 @@ impl OneSetSearch {
     /// The whole Pareto front, the best first by the order.
     ///
     /// # Errors
-    /// Invalid bounds, limits and ratios, [`Error::OneRatio`] unless one ratio is wanted, [`Error::SizeWithoutTorque`],
-    /// [`Error::NoObjectiveOfTeeth`], [`Error::TooManyNear`].
+    /// Invalid bounds, limits and ratios, [`Error::OneRatio`] unless one ratio is wanted,
+    /// [`Error::SizeWithoutTorque`], [`Error::NoObjectiveOfTeeth`], [`Error::TooManyNear`].
     pub fn front(&self) -> Result<OneSetFound, Error> {
         self.front_watched(|_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the search.
+    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
+    /// search.
     ///
     /// # Errors
     /// As [`front`](Self::front).
@@ -204,7 +207,8 @@ impl OneSetSearch {
         Ok(OneSetFound { entries, points, ways, levels, tooth_sets: near, left_out, counts, size, rating })
     }
 
-    /// Ways to use the set, with the ratio wanted of each; none that cannot be drawn, unless that does not matter.
+    /// Ways to use the set, with the ratio wanted of each; none that cannot be drawn, unless that does not
+    /// matter.
     fn ways(&self) -> Result<Vec<Way>, Error> {
         let limits = &self.requirements.limits;
         let mut found = vec![];
@@ -350,7 +354,8 @@ impl Measured {
 }
 
 impl OneSetFound {
-    /// Entries of the front, the best first by the search's order. Their members are for [`designs`](Self::designs).
+    /// Entries of the front, the best first by the search's order. Their members are for
+    /// [`designs`](Self::designs).
     #[must_use]
     pub fn entries(&self) -> &[Entry] {
         &self.entries

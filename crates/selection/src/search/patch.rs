@@ -29,10 +29,11 @@ pub(crate) struct Patch {
     pub(crate) strips: Vec<[u32; 3]>,
 }
 
-/// A set at one level: coefficients without losses, times the teeth of its sun, and with those of gears 1 and 2.
+/// A set at one level: coefficients without losses, times the teeth of its sun, and with those of gears 1 and
+/// 2.
 ///
-/// The former are whole numbers, and so are their minors and all that speeds have above and below the line: nothing is
-/// rounded but the one quotient, and ratios and speeds that are equal are equal to the bit.
+/// The former are whole numbers, and so are their minors and all that speeds have above and below the line:
+/// nothing is rounded but the one quotient, and ratios and speeds that are equal are equal to the bit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Side {
     pub(super) ideal: Coefficients,
@@ -162,8 +163,8 @@ impl Patch {
         found
     }
 
-    /// Set 1 at each level, and set 2. They take more memory than all else of a patch, so they are kept while it is
-    /// tried and no longer.
+    /// Set 1 at each level, and set 2. They take more memory than all else of a patch, so they are kept while
+    /// it is tried and no longer.
     pub(crate) fn sides(&self, levels: &[Level]) -> [Vec<Side>; 2] {
         [0, 1].map(|set| levels.iter().map(|level| self.side(set, level)).collect())
     }
@@ -246,17 +247,17 @@ impl Patch {
         {
             return None;
         }
-        // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products make eight
-        // times the rounding of the terms, and five more operations follow.
+        // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products
+        // make eight times the rounding of the terms, and five more operations follow.
         let doubt = ROUNDING * (9.0 * cancelled + 6.0);
         Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques, doubt })
     }
 
     /// Costs of a measured pair of levels with the shares `K_γ/N` of its sets.
     ///
-    /// Each on the point of its grid where the exact value belongs: of ratios and speeds by construction; of efficiency
-    /// and size by the double, unless rounding may have carried that over half the way to the next point, and then by
-    /// twice the digits.
+    /// Each on the point of its grid where the exact value belongs: of ratios and speeds by construction; of
+    /// efficiency and size by the double, unless rounding may have carried that over half the way to the next
+    /// point, and then by twice the digits.
     #[inline]
     pub(crate) fn costs(&self, measured: &Measured, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
         let cube = measured.cube(0, levels[0], shares[0]).max(measured.cube(1, levels[1], shares[1]));
@@ -264,7 +265,8 @@ impl Patch {
         let size = on_relative_grid(cube);
         let distance = on_grid(levels[0].distance.times(levels[1].distance));
         let mut costs = [efficiency, on_grid(measured.speed), distance, on_grid(measured.ratio_error), size];
-        // Of `k³·(1 + 1/r)/(w²·min(1, r))`: of `r = (k − 1)/2` twice what `k − 1` loses of `k`, and the operations; `r = z_g/z_a` loses less.
+        // Of `k³·(1 + 1/r)/(w²·min(1, r))`: of `r = (k − 1)/2` twice what `k − 1` loses of `k`, and the
+        // operations; `r = z_g/z_a` loses less.
         let of_k = |level: &Level| level.k / (level.k - 1.0);
         let doubt = measured.doubt + ROUNDING * (16.0 + 3.0 * of_k(levels[0]).max(of_k(levels[1])));
         let half = relative_step(cube) / 2.0;
@@ -277,8 +279,8 @@ impl Patch {
         costs
     }
 
-    /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its free link;
-    /// a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
+    /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its
+    /// free link; a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
     fn exact_parts(&self, levels: [&Level; 2], gear: usize) -> ([Double; 2], [Double; 2]) {
         let eta0 = self.eta0;
         let x = [Role::T2.index(), Role::T1.index()][gear];
@@ -343,9 +345,9 @@ impl Measured {
 
 /// What circulates in a gear between two sets, with losses, over what enters.
 ///
-/// Each set gives or takes power at each link. What one gives and the other takes at a link can go round if as much
-/// comes back at other links: of two sets there is no other loop. As the definition asks ([`epicyclic_train::power_flow`]), it is
-/// the most that goes through the link with the most.
+/// Each set gives or takes power at each link. What one gives and the other takes at a link can go round if
+/// as much comes back at other links: of two sets there is no other loop. As the definition asks
+/// ([`epicyclic_train::power_flow`]), it is the most that goes through the link with the most.
 fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f64 {
     let x = [Role::T2.index(), Role::T1.index()][gear];
     let (one, two) = (&one.loaded[gear], &two.loaded[gear]);

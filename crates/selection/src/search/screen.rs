@@ -1,14 +1,16 @@
-//! A first look at pairs of levels: which of them need no measuring, because rounding cannot matter to what decides.
+//! A first look at pairs of levels: which of them need no measuring, because rounding cannot matter to what
+//! decides.
 //!
-//! The first designs in an order ([`best`](super::ToothSearch::best)) are few, and the rest need only be counted. Beside
-//! a set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact here as in a measure, minors with
-//! losses are the same to the bit, and all that follows misses its value by less than 1e-14 of it. So
+//! The first designs in an order ([`best`](super::ToothSearch::best)) are few, and the rest need only be
+//! counted. Beside a set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact
+//! here as in a measure, minors with losses are the same to the bit, and all that follows misses its value by
+//! less than 1e-14 of it. So
 //!
-//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too, and where all figures keep to their limits by
-//!   as much, the pair is feasible;
-//! - a first objective beyond that of a bound by [`BEHIND`] is beyond it on the grid of objectives as well, whose step is
-//!   1e-12. Torques and ratios with losses lose digits where their terms cancel; a pair of which more than [`CANCELLED`]
-//!   cancels is measured, and of the others the loss is below 2e-10.
+//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too, and where all figures keep to
+//!   their limits by as much, the pair is feasible;
+//! - a first objective beyond that of a bound by [`BEHIND`] is beyond it on the grid of objectives as well,
+//!   whose step is 1e-12. Torques and ratios with losses lose digits where their terms cancel; a pair of
+//!   which more than [`CANCELLED`] cancels is measured, and of the others the loss is below 2e-10.
 //!
 //! Whatever is neither is measured. So no pair is judged otherwise than by a measure.
 
@@ -120,8 +122,8 @@ impl Ceiling {
 pub(super) struct Screen<'a> {
     columns: &'a Columns,
     over_wanted: [f64; 2],
-    /// Speeds of planets relative to the sun's carrier, by gear and set, and slip of the direct-drive clutch by gear: the
-    /// share in them of the numerator of the ratio, its denominator, and the minor of D and B.
+    /// Speeds of planets relative to the sun's carrier, by gear and set, and slip of the direct-drive clutch
+    /// by gear: the share in them of the numerator of the ratio, its denominator, and the minor of D and B.
     planets: [[[f64; 3]; 2]; 2],
     slip: [[f64; 3]; 2],
     ratio_error: Ceiling,
@@ -145,7 +147,8 @@ impl<'a> Screen<'a> {
         bound: &Costs,
         order: Order,
     ) -> Self {
-        // Speeds of the links times the numerator of the ratio: D, the braked link at rest, B and the free link.
+        // Speeds of the links times the numerator of the ratio: D, the braked link at rest, B and the free
+        // link.
         let speed = |role: Role, gear: usize| match role {
             Role::D => [1.0, 0.0, 0.0],
             Role::B => [0.0, 1.0, 0.0],
@@ -197,7 +200,8 @@ impl<'a> Screen<'a> {
         })
     }
 
-    /// By how much limits are broken, the most of all, and by how much the first objective is behind the bound.
+    /// By how much limits are broken, the most of all, and by how much the first objective is behind the
+    /// bound.
     #[inline]
     fn figures<const FIRST: usize>(&self, one: &Side, level: &Level, from: usize) -> [Column; 2] {
         let at = |column: &'a [f64]| -> &'a Column {

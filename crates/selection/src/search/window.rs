@@ -1,16 +1,17 @@
 //! Which ring-to-sun ratios `k₂` are worth a look beside a given `k₁`: every bound that prunes.
 //!
-//! With `k₁` given every minor of [`pair`](epicyclic_schemes::pair) is linear in `k₂`, so ratios and link speeds are
-//! quotients of linear functions of `k₂`. Such a quotient is monotonous on either side of its pole and
-//! passes each limit at most once; so between limits and pole it keeps to its limits or breaks them
-//! throughout, and the parts that keep to them are found by a look into the middle of each. The window
-//! is the least interval that holds these parts for all of
+//! With `k₁` given every minor of [`pair`](epicyclic_schemes::pair) is linear in `k₂`, so ratios and link
+//! speeds are quotients of linear functions of `k₂`. Such a quotient is monotonous on either side of its pole
+//! and passes each limit at most once; so between limits and pole it keeps to its limits or breaks them
+//! throughout, and the parts that keep to them are found by a look into the middle of each. The window is the
+//! least interval that holds these parts for all of
 //!
 //! 1. both ratios within tolerance;
 //! 2. both free braked links within the limit of link speeds (D has 1, and B the reciprocal of a ratio);
 //! 3. planets of set 1 within theirs: `(ω_a − ω_H)/r₁`, of the same kind;
-//! 4. planets of set 2: for `k₂` up to the window's end `e` they have `r₂ ≤ (e − 1)/2 + δ`, with `δ` the most by which an offset of the ring
-//!    puts `r` above `(k − 1)/2`; so `|ω_a − ω_H| ≤ limit·((e − 1)/2 + δ)` must hold.
+//! 4. planets of set 2: for `k₂` up to the window's end `e` they have `r₂ ≤ (e − 1)/2 + δ`, with `δ` the most
+//!    by which an offset of the ring puts `r` above `(k − 1)/2`; so `|ω_a − ω_H| ≤ limit·((e − 1)/2 + δ)`
+//!    must hold.
 //!
 //! Outside the window some required criterion fails; inside, every pair is tried in full. Limits are
 //! widened by 2·10⁻⁹ of themselves, twice what the trial allows for rounding, so rounding can only let

@@ -70,7 +70,8 @@ pub(crate) fn designs_of(
     (found, tried)
 }
 
-/// All tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is closed.
+/// All tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is
+/// closed.
 pub(crate) fn shifted_by_trial(bounds: &Bounds, shift: &ProfileShift) -> Vec<ToothNumbers> {
     let count = |teeth| ToothCount::new(teeth).expect("the bounds have teeth");
     let mut found = vec![];

@@ -17,9 +17,10 @@
 //! Y_M = 1/(1 − R·(1 − M)/(1 + M))                 R ratio of least to greatest root stress, M sensitivity to mean stress
 //! ```
 //!
-//! `s_R` is the thickness of the rim, `h_t` the height of the teeth, `ρ'` the slip-layer thickness. Between its listed strengths `ρ'` is
-//! interpolated, beyond them it is that of the nearest. For static strength `Y_δrelT` of case-hardened steel is `0.44·Y_S + 0.12`; of the other classes
-//! the formula was not available, and the factor is given.
+//! `s_R` is the thickness of the rim, `h_t` the height of the teeth, `ρ'` the slip-layer thickness. Between
+//! its listed strengths `ρ'` is interpolated, beyond them it is that of the nearest. For static strength
+//! `Y_δrelT` of case-hardened steel is `0.44·Y_S + 0.12`; of the other classes the formula was not available,
+//! and the factor is given.
 //!
 //! # Source
 //! ISO 6336-3:2006, clauses 6 to 10 and 13 to 15, annex B.

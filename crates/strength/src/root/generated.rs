@@ -1,7 +1,8 @@
 //! The second way to the critical section: the fillet as the tool leaves it, point by point.
 //!
-//! Points of the envelope of the tool's tip arc are laid in the gear's plane, with the tooth's centre line upright. Tangents, curvature and the line of
-//! the load come from differences of neighbouring points; nothing is taken from the standard's formulas.
+//! Points of the envelope of the tool's tip arc are laid in the gear's plane, with the tooth's centre line
+//! upright. Tangents, curvature and the line of the load come from differences of neighbouring points;
+//! nothing is taken from the standard's formulas.
 
 use super::factors::form_factor;
 use super::section::{RootSection, Shaper, section};
@@ -65,8 +66,8 @@ fn by_shaper(ring: &InvoluteGear, shaper: Shaper, angle: f64) -> Point {
     upright(point, (angle - own) * z0 / z + PI / z)
 }
 
-/// The section on a curve of points that runs from the root to the flank, by bisection on the angle between tangent and centre line. The tooth stands
-/// upwards, or downwards of a ring.
+/// The section on a curve of points that runs from the root to the flank, by bisection on the angle between
+/// tangent and centre line. The tooth stands upwards, or downwards of a ring.
 fn on(
     curve: impl Fn(f64) -> Point,
     up: f64,
@@ -156,7 +157,8 @@ fn the_generated_fillet_of_a_hobbed_gear_is_the_standards() {
     }
 }
 
-/// The standard takes a virtual rack for the shaper: the true section is thicker by a hundredth, its fillet sharper.
+/// The standard takes a virtual rack for the shaper: the true section is thicker by a hundredth, its fillet
+/// sharper.
 #[test]
 fn the_generated_fillet_of_a_shaped_ring_is_near_the_standards() {
     for (teeth, shift, shaper) in [(93, 0.1171, 30), (72, 0.0, 20), (120, 0.2, 40)] {

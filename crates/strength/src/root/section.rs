@@ -1,6 +1,7 @@
 //! The critical section of a tooth root, method B: load at the outer point of single contact.
 //!
-//! Lengths in normal modules, of the virtual spur gear `z_n`; `z`, `d` and `z_n` of an internal gear are negative.
+//! Lengths in normal modules, of the virtual spur gear `z_n`; `z`, `d` and `z_n` of an internal gear are
+//! negative.
 //!
 //! ```text
 //! z_n = z/(cos²β_b·cos β)   ε_αn = ε_α/cos²β_b   d_n = z_n   d_bn = d_n·cos α_n   d_an = d_n + d_a − d
@@ -19,9 +20,10 @@
 //! h_Fe = ½·((cos γ_e − sin γ_e·tan α_Fen)·d_en − z_n·cos(T − θ) − w'·(G/cos θ − ρ_v))     w' = 1, internal √3
 //! ```
 //!
-//! With `z_n` below 0 the fillet radius of a ring is that of the fillet which the virtual rack makes. A commercial program prints a larger one (0.418
-//! instead of 0.380 for the ring of the NREL reference gearbox), which follows with `|z_n|`; a shaper's true fillet is sharper still (0.370).
-//! The radius enters `Y_S` alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
+//! With `z_n` below 0 the fillet radius of a ring is that of the fillet which the virtual rack makes. A
+//! commercial program prints a larger one (0.418 instead of 0.380 for the ring of the NREL reference
+//! gearbox), which follows with `|z_n|`; a shaper's true fillet is sharper still (0.370). The radius enters
+//! `Y_S` alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
 //!
 //! Left out: notches from grinding (`Y_Sg`), which stock without as much protuberance leaves.
 //!
@@ -64,8 +66,8 @@ const MOST_STEPS: u32 = 30;
 /// The critical section of a gear in a mesh with the contact ratio `ε_α`; an internal gear needs its shaper.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless `1 ≤ ε_αn < 2.5`; [`Error::NoRootSection`] for an internal gear without shaper, or where the
-/// tool leaves no section; [`Error::NotPositive`] for a shaper without teeth.
+/// [`Error::OutOfRange`] unless `1 ≤ ε_αn < 2.5`; [`Error::NoRootSection`] for an internal gear without
+/// shaper, or where the tool leaves no section; [`Error::NotPositive`] for a shaper without teeth.
 ///
 /// # Example
 /// ```

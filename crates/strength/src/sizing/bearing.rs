@@ -1,12 +1,14 @@
 //! The bearings that planets may turn on: two small tables, and tables of one's own.
 //!
-//! A table is a text of lines `designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN` below a header that names these columns, in any order;
-//! `C0_kN` may be missing or empty. Lines that begin with `#` are remarks. Cells are parted by commas and have no quotes.
+//! A table is a text of lines `designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN` below a header that names these
+//! columns, in any order; `C0_kN` may be missing or empty. Lines that begin with `#` are remarks. Cells are
+//! parted by commas and have no quotes.
 //!
 //! # Source
-//! The tables are of a maker's catalogues, named in their headers: deep groove ball bearings, and single-row cylindrical roller bearings, whose
-//! rows another maker's catalogue confirms. Full complement and needle roller bearings are in neither: of those two catalogues that could be read
-//! differ by a quarter, or none could be read.
+//! The tables are of a maker's catalogues, named in their headers: deep groove ball bearings, and single-row
+//! cylindrical roller bearings, whose rows another maker's catalogue confirms. Full complement and needle
+//! roller bearings are in neither: of those two catalogues that could be read differ by a quarter, or none
+//! could be read.
 
 use crate::Error;
 use epicyclic_gears::life::Rolling;
@@ -39,7 +41,8 @@ const ROWS_OF_BALLS: f64 = 0.7;
 const ROWS_OF_ROLLERS: f64 = 7.0 / 9.0;
 
 impl Bearing {
-    /// Two of it side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C` with balls, `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
+    /// Two of it side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C` with balls,
+    /// `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
     ///
     /// ```
     /// use epicyclic_strength::sizing::bearing;
@@ -112,8 +115,9 @@ const COLUMNS: [&str; 7] = ["designation", "rolling", "d_mm", "D_mm", "B_mm", "C
 /// The bearings of a table in the form of the [module](self).
 ///
 /// # Errors
-/// [`Error::BearingColumn`] for a column that is missing, unknown or named twice, [`Error::BearingCell`], with line and column, for a
-/// cell that is missing or wrong, [`Error::NoBearings`] for a table without lines.
+/// [`Error::BearingColumn`] for a column that is missing, unknown or named twice, [`Error::BearingCell`],
+/// with line and column, for a cell that is missing or wrong, [`Error::NoBearings`] for a table without
+/// lines.
 pub fn parse(text: &str) -> Result<Vec<Bearing>, Error> {
     let mut lines = text
         .trim_start_matches('\u{feff}')

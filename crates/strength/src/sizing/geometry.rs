@@ -142,7 +142,8 @@ fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
     })
 }
 
-/// Whether planets at stated angles touch: the set itself knows them as near to equal angles as they assemble.
+/// Whether planets at stated angles touch: the set itself knows them as near to equal angles as they
+/// assemble.
 fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
     let planet =
         TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };

@@ -11,9 +11,10 @@
 //! | centre distances: whole multiples of a step, from `a_0 − r·m` to `a_0 + r·m` | `a` | [`Space::centre_distance_step`], [`Space::reach`] |
 //! | planet bearings, or none | `D`, `B`, `C` | [`Space::bearings`] |
 //!
-//! `a_0` is the [natural centre distance](epicyclic_gears::involute::family::natural_centre_distance). The shifts are no choice of their own:
-//! at a centre distance they are the ones that the aim picks among those without faults ([`Family::choose`]). Given shifts are held; then each module has
-//! the one centre distance at which they have no backlash.
+//! `a_0` is the [natural centre distance](epicyclic_gears::involute::family::natural_centre_distance). The
+//! shifts are no choice of their own: at a centre distance they are the ones that the aim picks among those
+//! without faults ([`Family::choose`]). Given shifts are held; then each module has the one centre distance
+//! at which they have no backlash.
 //!
 //! # What a design must keep
 //!
@@ -34,19 +35,22 @@
 //! M   = b·π/4·(ρ_s·Ø_s² + p·ρ_p·(Ø_p² − D²) + ρ_r·(D_r² − Ø_r²))      Ø² = (d_a² + d_f²)/2,   D_r = d_fr + 2·s_r
 //! ```
 //!
-//! Teeth fill half of the annulus between tip and root circle. The sun is solid, the planets are bored to the bearing's outside diameter `D`, the ring has the rim
-//! `s_r`. Of designs with equal objective the other one decides, then fewer planets, smaller module, face width and centre distance, and the bearing that stands
+//! Teeth fill half of the annulus between tip and root circle. The sun is solid, the planets are bored to the
+//! bearing's outside diameter `D`, the ring has the rim `s_r`. Of designs with equal objective the other one
+//! decides, then fewer planets, smaller module, face width and centre distance, and the bearing that stands
 //! first in the table.
 //!
 //! # Why nothing better is lost
-//! The geometry of every centre distance is calculated; with it the objective of every design is known before its strength is. Designs are
-//! taken in ascending order of the objective, each held against all requirements, and the search ends at the first that keeps them: every design of a
-//! smaller objective was taken and failed. [`LeftOut`] counts what each requirement left out; these, the designs found and those not reached add up to the
-//! space.
+//! The geometry of every centre distance is calculated; with it the objective of every design is known before
+//! its strength is. Designs are taken in ascending order of the objective, each held against all
+//! requirements, and the search ends at the first that keeps them: every design of a smaller objective was
+//! taken and failed. [`LeftOut`] counts what each requirement left out; these, the designs found and those
+//! not reached add up to the space.
 //!
-//! Sets of a gearbox are sized one by one: speeds and torques without losses follow from the tooth numbers and the links alone (Willis's equation, and the
-//! balance `T_s/z_s = T_r/z_r` of a planet), so neither module, width, planets nor centre distance of one set change what another carries. Mass is a sum over the sets;
-//! the largest ring is the largest of the smallest ones.
+//! Sets of a gearbox are sized one by one: speeds and torques without losses follow from the tooth numbers
+//! and the links alone (Willis's equation, and the balance `T_s/z_s = T_r/z_r` of a planet), so neither
+//! module, width, planets nor centre distance of one set change what another carries. Mass is a sum over the
+//! sets; the largest ring is the largest of the smallest ones.
 //!
 //! # Bearings
 //! The force on a planet's bearing follows from both meshes and the planet's mass `M_p`:
@@ -56,8 +60,9 @@
 //! F = √((K_γ·(F_1 + F_2))² + (K_γ·(F_1·tan α_w1 − F_2·tan α_w2) + M_p·a·ω_H²)²)        n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at work), plain bearings, more than two bearings side by side
-//! (two: [`Bearing::pair`](bearing::Bearing::pair)).
+//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at
+//! work), plain bearings, more than two bearings side by side (two:
+//! [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
 mod geometry;
@@ -142,7 +147,8 @@ pub struct SetOverload {
 pub struct HeldShifts {
     /// Profile shift coefficients.
     pub profile: [f64; 3],
-    /// Tip alterations; where none are given the tips of the ring are shortened to stay out of the fillets of the planets.
+    /// Tip alterations; where none are given the tips of the ring are shortened to stay out of the fillets of
+    /// the planets.
     pub tips: Option<[f64; 3]>,
 }
 
@@ -185,7 +191,8 @@ pub struct Sizing {
     pub held_ring_rim: Option<Length>,
     /// Bore of the planets where no bearing is sought.
     pub planet_bore: Option<Length>,
-    /// The least angle between neighbouring planets where they stand at stated angles; `None` where they must stand at equal ones.
+    /// The least angle between neighbouring planets where they stand at stated angles; `None` where they must
+    /// stand at equal ones.
     pub least_planet_angle: Option<Angle>,
     /// What is minimised.
     pub objective: Objective,
@@ -265,13 +272,15 @@ pub struct Design {
     pub meshes: [[GearDuty<Worn>; 2]; 2],
     /// What is met least against the overloads; `None` where none loads the set.
     pub overload: Option<Governing>,
-    /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under load.
+    /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under
+    /// load.
     pub bearing_life: Option<Time>,
     /// The requirement that is met least.
     pub governing: Governing,
 }
 
-/// How many designs each requirement left out. A design that fails several of the last four counts with the one it meets least.
+/// How many designs each requirement left out. A design that fails several of the last four counts with the
+/// one it meets least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
     /// Planets that do not stand at equal angles.

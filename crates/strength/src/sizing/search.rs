@@ -20,15 +20,18 @@ use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
 
-/// Below this rim over tooth height a rim weakens the root ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
+/// Below this rim over tooth height a rim weakens the root
+/// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
 /// The best `most` designs of the space, unless `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`],
-/// [`Error::Negative`] and [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard holds
-/// for, which are left out and counted; those of [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
+/// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or
+/// centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
+/// [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard
+/// holds for, which are left out and counted; those of
+/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
 pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
     check(task)?;
     let modules_mm = sorted(&task.space.modules);
@@ -111,7 +114,8 @@ impl Space {
     /// Refuses a space of nothing.
     ///
     /// # Errors
-    /// [`Error::NothingToSearch`] without modules, face widths or planets; [`Error::NotPositive`] and [`Error::Negative`] for a quantity.
+    /// [`Error::NothingToSearch`] without modules, face widths or planets; [`Error::NotPositive`] and
+    /// [`Error::Negative`] for a quantity.
     pub fn check(&self) -> Result<(), Error> {
         for (quantity, lengths) in
             [(Quantity::Module, &self.modules), (Quantity::FaceWidth, &self.face_widths)]

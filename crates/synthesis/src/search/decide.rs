@@ -28,8 +28,8 @@ enum Verdict {
 type Demand<'a> = &'a dyn Fn(&[usize]) -> bool;
 
 impl<W: Word> Search<W> {
-    /// The solution of a candidate, if it has all gears at one point; where several choices of sets with equal `k` have such points, with
-    /// the one that has the least deviation at its best.
+    /// The solution of a candidate, if it has all gears at one point; where several choices of sets with
+    /// equal `k` have such points, with the one that has the least deviation at its best.
     pub(super) fn decide(&mut self, chosen: u64, parts: Parts, watch: &Watch<'_>) -> Option<Solution> {
         self.tally.candidates += 1;
         let mut locals: Vec<Local> = Vec::new();
@@ -49,7 +49,8 @@ impl<W: Word> Search<W> {
             let (equal, on_it) = self.equals[place];
             let mut choices = choices.clone();
             if equal != Equal::NONE {
-                // Where input or output stand still wherever these k are equal, there is no ratio, whatever is left of the formula.
+                // Where input or output stand still wherever these k are equal, there is no ratio, whatever
+                // is left of the formula.
                 let motion = &mut self.motion;
                 let mut drives = |choice: &u64| {
                     let speeds = motion.gear(&places(*choice).collect::<Vec<_>>());
@@ -89,8 +90,9 @@ impl<W: Word> Search<W> {
         Some(found.swap_remove(best))
     }
 
-    /// A point and functions of which those of gears side by side fall at the best `k`, too, if some exchange of them does: the best `k` of
-    /// all exchanges are one, since any ratio of these gears is as good. Else the same as given.
+    /// A point and functions of which those of gears side by side fall at the best `k`, too, if some exchange
+    /// of them does: the best `k` of all exchanges are one, since any ratio of these gears is as good. Else
+    /// the same as given.
     fn falling_at_best(
         &self,
         k: Vec<f64>,
@@ -116,7 +118,8 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// What a candidate comes to in some parts with some `k` equal, by its functions and, for each, the choices that have it.
+    /// What a candidate comes to in some parts with some `k` equal, by its functions and, for each, the
+    /// choices that have it.
     fn decide_with(
         &self,
         chosen: u64,

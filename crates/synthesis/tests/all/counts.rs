@@ -52,7 +52,8 @@ fn all_sparse_structures_of_four_sets() {
     assert_eq!(count::words(class), 18_003_384);
 }
 
-/// Figures that the study had not. Burnside's lemma takes long for seven links, where more sets share their links.
+/// Figures that the study had not. Burnside's lemma takes long for seven links, where more sets share their
+/// links.
 #[test]
 fn structures_of_four_sets_with_seven_and_nine_links() {
     check(Kind::Core, 4, 9, Some(20_376));

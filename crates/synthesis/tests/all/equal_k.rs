@@ -1,4 +1,5 @@
-//! Sets with equal `k` as a wish, against trial of every point of a grid of the common `k`, planted gearboxes and a scan.
+//! Sets with equal `k` as a wish, against trial of every point of a grid of the common `k`, planted gearboxes
+//! and a scan.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -33,7 +34,8 @@ fn all(class: Class, wish: &Wish) -> Answer {
     search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap()
 }
 
-/// A solution by the solver: its ratios are within their bounds at `k` of which so many are one number, and so are their ranges.
+/// A solution by the solver: its ratios are within their bounds at `k` of which so many are one number, and
+/// so are their ranges.
 fn confirmed(found: &Found, wish: &Wish) -> Judged {
     let judged = judge(found, wish, MeshEfficiency::IDEAL).unwrap();
     assert!(judged.ratios.iter().zip(&wish.gears).all(|(ratio, gear)| gear.contain(*ratio)));
@@ -52,7 +54,8 @@ fn wide(speed: Ternary<u8>) -> Polynomial {
     Polynomial { plus: speed.plus.into(), minus: speed.minus.into() }
 }
 
-/// The ratios of each pair of three elements at a common `k`, by the speeds before anything is cancelled; nothing where one stands still.
+/// The ratios of each pair of three elements at a common `k`, by the speeds before anything is cancelled;
+/// nothing where one stands still.
 fn ratios_at(speeds: &[[Polynomial; 2]], k: f64) -> Vec<f64> {
     let values = speeds.iter().map(|[input, output]| [input.value(&[k; 2]), output.value(&[k; 2])]);
     values.filter(|[input, output]| input.abs() > 1e-9 && output.abs() > 1e-9).map(|[p, q]| p / q).collect()

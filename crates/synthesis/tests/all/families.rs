@@ -35,7 +35,8 @@ fn orders(sets: usize) -> Vec<Vec<usize>> {
     })
 }
 
-/// Whether two solutions have the same ratios at random points, those of one taken in some order of sets with the same range.
+/// Whether two solutions have the same ratios at random points, those of one taken in some order of sets with
+/// the same range.
 fn are_alike(one: &Found, other: &Found, wish: &Wish, points: &[Vec<f64>]) -> bool {
     if one.structure.double_planets() != other.structure.double_planets() {
         return false;
@@ -53,7 +54,8 @@ fn are_alike(one: &Found, other: &Found, wish: &Wish, points: &[Vec<f64>]) -> bo
     })
 }
 
-/// How many solutions and families a search has, each pair compared by random points; members judged as of one function.
+/// How many solutions and families a search has, each pair compared by random points; members judged as of
+/// one function.
 fn families(class: Class, wish: &Wish) -> [usize; 2] {
     let found = search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap().found;
     let gears: Vec<usize> = (0..wish.gears.len()).collect();

@@ -174,7 +174,8 @@ fn the_8hp_and_the_9g_tronic_are_the_only_solution_of_their_structures() {
     }
 }
 
-/// Plants random gearboxes of a class and seeks them in their own structure; one in so many in the whole class.
+/// Plants random gearboxes of a class and seeks them in their own structure; one in so many in the whole
+/// class.
 fn planted<W: Word>(class: Class, count: usize, elements_of: usize, gears: usize, whole_class_every: usize) {
     let structures = enumerate::all(class);
     let mut random = Random(0x2545_f491_4f6c_dd1d);
@@ -232,7 +233,8 @@ fn planted<W: Word>(class: Class, count: usize, elements_of: usize, gears: usize
                 })
                 .collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        // Elements that lock the same count once, so the set may be a smaller one; then it is not sought here.
+        // Elements that lock the same count once, so the set may be a smaller one; then it is not sought
+        // here.
         let distinct = {
             let mut motion = Motion::<W>::new(structure.freedom());
             motion.take(structure, &kept);
@@ -256,8 +258,8 @@ fn planted_gearboxes_of_two_to_four_sets_are_found() {
     planted::<u16>(class(Kind::Core, 4, 8), 5 * times, 5, 6, usize::MAX);
 }
 
-/// Every set of three elements of every structure, at every point of a grid of k: those with all gears at some point must be
-/// among the solutions. How many there were.
+/// Every set of three elements of every structure, at every point of a grid of k: those with all gears at
+/// some point must be among the solutions. How many there were.
 fn found_by_trial(class: Class, ratios: [f64; 3]) -> usize {
     let gears: Vec<Bounds> = ratios.iter().map(|ratio| around(*ratio, 0.05)).collect();
     let wish = Wish::new(gears, 3, vec![1.5..=4.0; 2]);
@@ -353,8 +355,9 @@ fn a_search_that_is_ended_keeps_what_it_has() {
     assert!(!answer.complete && !answer.found.is_empty() && answer.tally.structures < 24_702);
 }
 
-/// Bounds of round numbers that gears reach together at one point, or along a line, where they are at their bounds: `k₂·k₃` up to
-/// 3.6·1.05 beside `k₂ ≥ 3·0.9` and `k₃ ≥ 1.4`. Without a point there all of the line would be halved to the smallest boxes, 10⁷ of them.
+/// Bounds of round numbers that gears reach together at one point, or along a line, where they are at their
+/// bounds: `k₂·k₃` up to 3.6·1.05 beside `k₂ ≥ 3·0.9` and `k₃ ≥ 1.4`. Without a point there all of the line
+/// would be halved to the smallest boxes, 10⁷ of them.
 #[test]
 fn gears_that_meet_at_their_bounds_alone_are_found() {
     let ratios = [3.6, 2.2, 1.4, 1.0, 0.7, -3.0];

@@ -1,4 +1,5 @@
-//! Sets that share planets, against compound sets written by hand, against the trial of tooth numbers, and by what separate sets would lose.
+//! Sets that share planets, against compound sets written by hand, against the trial of tooth numbers, and by
+//! what separate sets would lose.
 
 #![allow(
     clippy::unwrap_used,
@@ -43,7 +44,8 @@ fn circulating(analysis: &Analysis<'_>) -> Option<f64> {
     analysis.driving().map(|load| load.power.circulating)
 }
 
-/// The 6HP of `0-1-a b-2-c d-2-c*` with a Ravigneaux set by hand: suns 38 and 31, ring 85; before it 37 and 71.
+/// The 6HP of `0-1-a b-2-c d-2-c*` with a Ravigneaux set by hand: suns 38 and 31, ring 85; before it 37 and
+/// 71.
 fn six_hp() -> Gearbox {
     let rear = CompoundSpec::new("rear", "c")
         .sun("b", 38)
@@ -96,7 +98,8 @@ fn common(structure: &Structure, [one, other]: [usize; 2]) -> [bool; 3] {
     [one[2] == other[2], one[0] == other[0], one[1] == other[1]]
 }
 
-/// The gearbox with the two last sets as one set by hand: a simple set and a double-planet set with this ring, or this sun, in common.
+/// The gearbox with the two last sets as one set by hand: a simple set and a double-planet set with this
+/// ring, or this sun, in common.
 fn by_hand(structure: &Structure, teeth: [u32; 3], used: &[Element]) -> Gearbox {
     let name = |link: Link| solver_name(link);
     let [sun, ring, carrier] = structure.members(1).map(name);
@@ -131,7 +134,8 @@ fn by_hand(structure: &Structure, teeth: [u32; 3], used: &[Element]) -> Gearbox 
     builder.gear("1", own_names(used)).build().unwrap()
 }
 
-/// Random structures of three sets, the last a double-planet set on one carrier with the second, with a sun or a ring in common.
+/// Random structures of three sets, the last a double-planet set on one carrier with the second, with a sun
+/// or a ring in common.
 #[test]
 fn planted_compound_sets_are_rated_as_sets_written_by_hand() {
     let class = Class::new(Kind::AllSparse, 3, 6).unwrap();
@@ -200,7 +204,8 @@ fn sets_that_leave_no_room_or_need_steps_are_apart() {
         assert!(sharing.compounds.len() + sharing.apart.len() <= 1, "{sharing:?}");
         sharing.apart.first().map(|apart| apart.why)
     };
-    // A ring in common: the planet of the simple set would run into the larger sun of the double-planet set, also into one as large.
+    // A ring in common: the planet of the simple set would run into the larger sun of the double-planet set,
+    // also into one as large.
     assert_eq!(why("1-2-a b-2-a*", &[2.2, 2.8 - 1.0]), None);
     assert_eq!(why("1-2-a b-2-a*", &[2.8, 2.2 - 1.0]), Some(Obstacle::Room));
     assert_eq!(why("1-2-a b-2-a*", &[2.2, 2.2 - 1.0]), Some(Obstacle::Room));

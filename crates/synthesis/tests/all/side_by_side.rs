@@ -1,4 +1,5 @@
-//! Free gears side by side, whose bounds overlap, against trial of a grid and against gears with bounds of their own.
+//! Free gears side by side, whose bounds overlap, against trial of a grid and against gears with bounds of
+//! their own.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 

@@ -100,7 +100,8 @@ fn ratios_with_a_double_planet_set_are_those_of_the_solver_and_nothing_is_lost()
     assert_eq!(teeth, tried);
 }
 
-/// Its own 38 and 85 teeth of the second set leave 23.5 for a planet, which needs shifted profiles: others do.
+/// Its own 38 and 85 teeth of the second set leave 23.5 for a planet, which needs shifted profiles: others
+/// do.
 #[test]
 fn a_6hp_has_tooth_numbers() {
     let class = Class::new(Kind::AllSparse, 3, 6).unwrap();

@@ -1,4 +1,5 @@
-//! The best point of a solution and its ranges by bisection with the branch-and-bound of the search: the plain way of `refine`.
+//! The best point of a solution and its ranges by bisection with the branch-and-bound of the search: the
+//! plain way of `refine`.
 
 use epicyclic_synthesis::parts::{Bounds, Cuboid};
 use epicyclic_synthesis::ratio::Ratio;

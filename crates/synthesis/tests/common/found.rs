@@ -4,8 +4,8 @@ use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::run::Found;
 
-/// Whether a structure with these elements is among what was found; an automorphism may have given another set of the same
-/// solution.
+/// Whether a structure with these elements is among what was found; an automorphism may have given another
+/// set of the same solution.
 pub(crate) fn holds(found: &[Found], structure: &Structure, wanted: &[Element]) -> bool {
     found.iter().filter(|found| found.structure == *structure).any(|found| {
         structure.automorphisms().iter().any(|order| {

@@ -1,8 +1,8 @@
 //! Polynomials with integer coefficients, at most of the first degree in each symbol.
 //!
-//! Such a polynomial has factors that share no symbol. It splits over some of its symbols if its coefficients, as a
-//! table of the products of these symbols by the products of the others, have rank 1; a row and a column of the table
-//! are then the factors, each times a number.
+//! Such a polynomial has factors that share no symbol. It splits over some of its symbols if its
+//! coefficients, as a table of the products of these symbols by the products of the others, have rank 1; a
+//! row and a column of the table are then the factors, each times a number.
 
 use crate::elimination::Scalar;
 use epicyclic_gears::simple_set::Fraction;
@@ -34,8 +34,8 @@ impl Polynomial {
         }
     }
 
-    /// Coefficients and symbols of the terms as they are written: products of fewer symbols first, then by symbol, but
-    /// a positive term at the head where there is one.
+    /// Coefficients and symbols of the terms as they are written: products of fewer symbols first, then by
+    /// symbol, but a positive term at the head where there is one.
     #[must_use]
     pub fn terms(&self) -> Vec<(i64, Vec<usize>)> {
         let mut products: Vec<Product> = self.terms.keys().copied().collect();
@@ -94,8 +94,8 @@ impl Polynomial {
         is_product.then_some([inner, outer])
     }
 
-    /// Factors that split no further, without a common divisor of their coefficients and with a positive lowest term,
-    /// and the number that they lack.
+    /// Factors that split no further, without a common divisor of their coefficients and with a positive
+    /// lowest term, and the number that they lack.
     pub(super) fn factors(&self) -> (i64, Vec<Self>) {
         let number = self.content();
         if number == 0 {
@@ -108,7 +108,8 @@ impl Polynomial {
         let mut rest = primitive(self.clone());
         let mut factors = vec![];
         while rest.variables() != 0 {
-            // The fewest symbols with the lowest one over which the rest splits give a factor that splits no further.
+            // The fewest symbols with the lowest one over which the rest splits give a factor that splits no
+            // further.
             let all = rest.variables();
             let lowest = all & all.wrapping_neg();
             let others = all ^ lowest;

@@ -1,8 +1,9 @@
 //! The way to a ratio: equations with their numbers, conditions, substitutions.
 //!
-//! The same equations as those of the formula, with numbers in place of the symbols, are solved one after the other:
-//! of those that are left the one with the fewest unknown speeds comes next, what is known is put in, and one unknown
-//! speed is expressed by the others. The output's speed comes last. Numbers are fractions where all teeth are known.
+//! The same equations as those of the formula, with numbers in place of the symbols, are solved one after the
+//! other: of those that are left the one with the fewest unknown speeds comes next, what is known is put in,
+//! and one unknown speed is expressed by the others. The output's speed comes last. Numbers are fractions
+//! where all teeth are known.
 
 use super::Formula;
 use super::symbol::Symbol;

@@ -43,8 +43,8 @@ impl Symbol {
         let [r, c, h] = one.links;
         let (size, exact) =
             (one.ratio.abs(), one.exact.map(|exact| if exact < 0.into() { -exact } else { exact }));
-        // From the root: of a short description, whose root is its first gear, and from a sun to a ring, so that k is z_ring/z_sun. Else a
-        // compound set's root is the ring that the other gears are related to.
+        // From the root: of a short description, whose root is its first gear, and from a sun to a ring, so
+        // that k is z_ring/z_sun. Else a compound set's root is the ring that the other gears are related to.
         let kind = |place: usize| set.centrals()[place].kind;
         let from_root = matches!(set.description(), Description::Short(_))
             || (kind(root), kind(central)) == (CentralKind::Sun, CentralKind::Ring);

@@ -94,7 +94,8 @@ impl System {
         sets
     }
 
-    /// `det C` and `det C_out`: speeds of input and output up to a common factor. Symbol `n` belongs to equation `n`.
+    /// `det C` and `det C_out`: speeds of input and output up to a common factor. Symbol `n` belongs to
+    /// equation `n`.
     pub(super) fn determinants(&self, symbols: &[Symbol]) -> [Polynomial; 2] {
         let node = |link: LinkId| self.topology.node[link.index()];
         let rows: Vec<Vec<(Option<usize>, [i64; 2])>> = symbols
@@ -219,7 +220,8 @@ fn matching(equations: &[usize], nodes: usize, of: &dyn Fn(usize) -> Vec<usize>)
     settles
 }
 
-/// The determinant of rows of columns with number and factor of the row's symbol, row by row over sets of columns.
+/// The determinant of rows of columns with number and factor of the row's symbol, row by row over sets of
+/// columns.
 fn determinant(rows: &[Vec<(usize, [i64; 2])>]) -> Polynomial {
     let mut minors = BTreeMap::from([(0_u32, Polynomial::constant(1))]);
     for (symbol, row) in rows.iter().enumerate() {

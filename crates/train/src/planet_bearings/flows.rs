@@ -18,8 +18,8 @@ pub(super) struct Flows {
 pub(super) enum Part {
     /// All of that on one central gear, its only mesh.
     Whole(usize),
-    /// Of a central gear in several meshes: each with 1 where the gear is the one nearer to the root, else −1. What losses leave open is
-    /// shared alike.
+    /// Of a central gear in several meshes: each with 1 where the gear is the one nearer to the root, else
+    /// −1. What losses leave open is shared alike.
     Shared { central: usize, mesh: usize, all: Vec<(usize, f64)> },
     /// Between two planets: the power through it by this factor.
     Between { mesh: usize, factor: f64 },
@@ -39,12 +39,13 @@ impl Flows {
         }
     }
 
-    /// Power that a mesh carries from its first gear's side, over a speed relative to the carrier of 1 of the first
-    /// central gear: the mean of what enters the mesh and of what leaves it.
+    /// Power that a mesh carries from its first gear's side, over a speed relative to the carrier of 1 of the
+    /// first central gear: the mean of what enters the mesh and of what leaves it.
     pub(super) fn through(&self, mesh: usize, torques: &[f64]) -> f64 {
         let powers = || self.speeds.iter().zip(torques).map(|(speed, torque)| speed * torque);
         let (sum, largest) = (powers().sum::<f64>(), powers().map(f64::abs).fold(0.0, f64::max));
-        // What enters is more than what leaves: so the sum has the sense in which the set turns. Where it is nothing, nothing is lost.
+        // What enters is more than what leaves: so the sum has the sense in which the set turns. Where it is
+        // nothing, nothing is lost.
         let sense = if sum.abs() <= POWER * largest { 0.0 } else { sum.signum() };
         let [first, second] = self.meshes[mesh].0;
         (self.out_of(first, mesh, torques, sense) - self.out_of(second, mesh, torques, sense)) / 2.0

@@ -120,13 +120,14 @@ impl Contact {
         planet_of(self.with).is_some() && self.part.is_none()
     }
 
-    /// Its torque for these on the central gears: about the main axis, with a central gear; `τ_q·N`, with another planet.
+    /// Its torque for these on the central gears: about the main axis, with a central gear; `τ_q·N`, with
+    /// another planet.
     pub(super) fn weighed(&self, flows: &Flows, torques_n_m: &[f64]) -> Option<f64> {
         Some(flows.torque(self.part.as_ref()?, torques_n_m))
     }
 
-    /// Force of another planet on this one, outwards and along the positive direction, N; and its moment about the
-    /// main axis, N·m.
+    /// Force of another planet on this one, outwards and along the positive direction, N; and its moment
+    /// about the main axis, N·m.
     pub(super) fn of_planet(
         &self,
         flows: &Flows,
@@ -173,12 +174,12 @@ impl PlanetBearing {
         self.forces(torques.as_deref(), None)
     }
 
-    /// The forces of these torques on the members of the set, in the order of [`PlanetSet::members`](crate::PlanetSet::members), at this speed of
-    /// the carrier.
+    /// The forces of these torques on the members of the set, in the order of
+    /// [`PlanetSet::members`](crate::PlanetSet::members), at this speed of the carrier.
     ///
     /// # Errors
-    /// Those of [`epicyclic_gears::planet_bearing`]; [`Error::OutOfRange`] for a number of torques other than that of the
-    /// members.
+    /// Those of [`epicyclic_gears::planet_bearing`]; [`Error::OutOfRange`] for a number of torques other than
+    /// that of the members.
     pub fn forces(
         &self,
         torques: Option<&[Torque]>,
@@ -268,7 +269,8 @@ impl PlanetBearing {
         self.lacks.iter().any(of_pair)
     }
 
-    /// Basic rating life of the bearings under this force, at this speed of the planet relative to the carrier.
+    /// Basic rating life of the bearings under this force, at this speed of the planet relative to the
+    /// carrier.
     ///
     /// # Errors
     /// Those of [`basic_rating_life`](life::basic_rating_life).

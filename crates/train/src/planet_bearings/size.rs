@@ -7,14 +7,14 @@ use epicyclic_gears::{Error, Quantity};
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
 
-/// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
-/// itself.
+/// What is known of the size of a set. What is said of all planets or meshes stands for each that says
+/// nothing itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetSize {
     /// Module `m` of the meshes, of helical teeth the transverse one.
     pub module: Option<Length>,
-    /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth. Where
-    /// planets differ, each has its own: [`PlanetSize::carrier_radius`].
+    /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth.
+    /// Where planets differ, each has its own: [`PlanetSize::carrier_radius`].
     pub carrier_radius: Option<Length>,
     /// Face width of a planet with one gear.
     pub face_width: Option<Length>,
@@ -28,10 +28,11 @@ pub struct SetSize {
     pub density: MassDensity,
     /// Working pressure angle `α`.
     pub pressure_angle: Angle,
-    /// What single planets have of their own, in the order of [`PlanetSet::planets`]; those at the end may be left
-    /// out.
+    /// What single planets have of their own, in the order of [`PlanetSet::planets`]; those at the end may be
+    /// left out.
     pub planets: Vec<PlanetSize>,
-    /// What single meshes have of their own, in the order of [`PlanetSet::meshes`]; those at the end may be left out.
+    /// What single meshes have of their own, in the order of [`PlanetSet::meshes`]; those at the end may be
+    /// left out.
     pub meshes: Vec<MeshSize>,
 }
 
@@ -55,10 +56,11 @@ pub struct PlanetSize {
 pub struct MeshSize {
     /// Its module, which the other meshes of its two gears have too.
     pub module: Option<Length>,
-    /// Its working pressure angle, if not that of the set: of a mesh with a central gear, where profiles are shifted.
+    /// Its working pressure angle, if not that of the set: of a mesh with a central gear, where profiles are
+    /// shifted.
     pub pressure_angle: Option<Angle>,
-    /// Of a mesh of two planets: the one described later stands behind the other, not ahead in the positive direction
-    /// of rotation.
+    /// Of a mesh of two planets: the one described later stands behind the other, not ahead in the positive
+    /// direction of rotation.
     pub is_behind: bool,
 }
 

@@ -219,7 +219,8 @@ fn masses_follow_from_the_shape_of_every_planet_with_one_width() {
     assert!(((mass / (body(2.0) + body(3.0))).value - 1.0).abs() < 1e-12);
 }
 
-/// Power through each mesh from torques alone, against that of the power flow: a Ravigneaux set in its second gear.
+/// Power through each mesh from torques alone, against that of the power flow: a Ravigneaux set in its second
+/// gear.
 #[test]
 fn torques_say_what_the_power_flow_says_of_each_mesh() {
     let eta = MeshEfficiency::new(0.98).unwrap();

@@ -44,8 +44,8 @@ struct Known {
 const NOTHING: Known = Known { value: 0.0, error: 0.0 };
 
 impl Proof {
-    /// Of a gear with one more node than equations, all of which can turn; `None` where there are too many, or an
-    /// equation says nothing.
+    /// Of a gear with one more node than equations, all of which can turn; `None` where there are too many,
+    /// or an equation says nothing.
     pub(super) fn new(topology: &Topology, input: usize) -> Option<Self> {
         let count = topology.equations.len();
         let output = topology.output?;
@@ -88,7 +88,8 @@ impl Proof {
         Some(Self { equations: equations.collect::<Option<_>>()?, is_direct: input == output })
     }
 
-    /// The output's speed as a multiple of the input's; `None` where it is not certain that the equations settle it.
+    /// The output's speed as a multiple of the input's; `None` where it is not certain that the equations
+    /// settle it.
     pub(super) fn output_speed(&self, ratios: &[f64]) -> Option<f64> {
         macro_rules! sizes {
             ($($n:literal)*) => {

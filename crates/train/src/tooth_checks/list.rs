@@ -86,7 +86,8 @@ pub struct SetChecks {
 impl Gearbox {
     /// The checks of the teeth of all sets: those of [`tooth_checks`](Self::tooth_checks), and all that hold.
     ///
-    /// `modules` are those that are stated of the meshes of a set, in any unit; with them the steps of planets are compared.
+    /// `modules` are those that are stated of the meshes of a set, in any unit; with them the steps of
+    /// planets are compared.
     #[must_use]
     pub fn set_checks(
         &self,
@@ -144,7 +145,8 @@ impl Checks<'_> {
         all
     }
 
-    /// Whether it is a simple set whose teeth share a centre distance with profile shifts alone; none are stated, so nothing is known of its teeth.
+    /// Whether it is a simple set whose teeth share a centre distance with profile shifts alone; none are
+    /// stated, so nothing is known of its teeth.
     fn needs_shifts(&self) -> bool {
         let is_simple = self.set.short().is_some_and(|spec| spec.kind == SetKind::Simple);
         is_simple && self.gears().into_iter().all(|gear| self.set.teeth(gear).is_some())
@@ -204,7 +206,8 @@ impl Checks<'_> {
         own.and_then(|gear| self.whole_teeth(gear)).is_some_and(|teeth| !self.rack.undercuts(teeth))
     }
 
-    /// Teeth of a gear; of the planet of a simple set those that equal centre distances leave it, where they are whole.
+    /// Teeth of a gear; of the planet of a simple set those that equal centre distances leave it, where they
+    /// are whole.
     fn whole_teeth(&self, gear: GearOf) -> Option<ToothCount> {
         let teeth = teeth_of(self.set, gear).filter(|teeth| teeth.fract() == 0.0 && *teeth >= 1.0)?;
         ToothCount::new(teeth as u32).ok()
@@ -235,7 +238,8 @@ impl Checks<'_> {
         (2..planets).rev().find(|&fewer| self.clears(&neighbours, &super::equal_steps(fewer)))
     }
 
-    /// By how much the tips of the ring of a simple set are shorter than its basic rack has them, where the file says nothing of tips.
+    /// By how much the tips of the ring of a simple set are shorter than its basic rack has them, where the
+    /// file says nothing of tips.
     fn ring_tips(&self, set: &InvoluteSet) -> Option<SetCheck> {
         let spec = self.set.short()?;
         if spec.shifts.is_some_and(|shifts| shifts.tips.is_some()) {
@@ -247,8 +251,8 @@ impl Checks<'_> {
         Some(self.shortened(&pair, ring, &["planet".to_owned(), "ring".to_owned()]))
     }
 
-    /// The check that a ring runs with its full teeth: a remark where their tips reach into fillets alone, and a warning where they reach below the base
-    /// circle of the mate.
+    /// The check that a ring runs with its full teeth: a remark where their tips reach into fillets alone,
+    /// and a warning where they reach below the base circle of the mate.
     fn shortened(&self, full: &Pair, ring: &InvoluteGear, [one, other]: &[String; 2]) -> SetCheck {
         let by = ring.tip_alteration();
         let below_base = full.interference().is_some_and(|free| free.base < 0.0);
@@ -275,7 +279,8 @@ impl Checks<'_> {
     /// Checks of gears and meshes without profile shift, each mesh on its own centre distance.
     fn of_meshes(&self) -> Vec<SetCheck> {
         let mut all = vec![];
-        // The virtual teeth of bevel gears depend on angles that nothing gives; helical sets of which teeth are missing have no spur teeth.
+        // The virtual teeth of bevel gears depend on angles that nothing gives; helical sets of which teeth
+        // are missing have no spur teeth.
         if self.is_bevel() || self.set.short().is_some_and(crate::set::SetSpec::is_helical) {
             return all;
         }
@@ -313,7 +318,8 @@ impl Checks<'_> {
         all
     }
 
-    /// What does not fit of the numbers of teeth and planets; `is_toothed` of a simple set whose teeth share a centre distance.
+    /// What does not fit of the numbers of teeth and planets; `is_toothed` of a simple set whose teeth share
+    /// a centre distance.
     pub(super) fn structure(&self, is_toothed: bool) -> Vec<ToothWarning> {
         let mut found = vec![];
         found.extend(self.small_rings());
@@ -351,7 +357,8 @@ impl Checks<'_> {
         }
     }
 
-    /// Steps of one planet whose meshes have different centre distances with the modules that are stated, and steps that reach across the axis.
+    /// Steps of one planet whose meshes have different centre distances with the modules that are stated, and
+    /// steps that reach across the axis.
     fn steps(&self) -> Vec<ToothWarning> {
         let mut found = vec![];
         for planet in 0..self.set.planets().len() {

@@ -119,8 +119,9 @@ fn every_fault_of_a_simple_set_is_told() {
     );
 }
 
-/// A planet of 40 teeth at 20° in a ring with few teeth more, whose tips are shortened to stay out of the fillets: in a ring of 41 the planet encloses the
-/// tips of the ring. The condition is tested where it is made.
+/// A planet of 40 teeth at 20° in a ring with few teeth more, whose tips are shortened to stay out of the
+/// fillets: in a ring of 41 the planet encloses the tips of the ring. The condition is tested where it is
+/// made.
 #[test]
 fn a_ring_with_few_teeth_more_meets_the_tips_of_its_planet() {
     let check = |ring: u32| {

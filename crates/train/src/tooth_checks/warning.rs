@@ -15,7 +15,8 @@ pub(super) struct NamedGear {
     pub(super) teeth: u32,
 }
 
-/// What profile shifts of both meshes of a planet make up at the most, in modules: sums of `x` from about −0.5 to 1.5.
+/// What profile shifts of both meshes of a planet make up at the most, in modules: sums of `x` from about
+/// −0.5 to 1.5.
 const MOST_SHIFT: f64 = 2.0;
 
 /// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
@@ -61,7 +62,8 @@ pub(super) enum ToothWarning {
         planets: u32,
         /// By how much the tip circles overlap, in modules; 0 where they touch.
         overlap: f64,
-        /// The largest number of each that clears at equal angles; `None` where not even two do, and of planets at other angles.
+        /// The largest number of each that clears at equal angles; `None` where not even two do, and of
+        /// planets at other angles.
         most: Option<u32>,
         /// Whether they are at equal angles.
         is_equal: bool,
@@ -120,7 +122,8 @@ pub(super) enum ToothWarning {
 }
 
 impl ToothWarning {
-    /// How grave it is: gears that only must be arranged so, and steps whose modules are not stated, are a remark.
+    /// How grave it is: gears that only must be arranged so, and steps whose modules are not stated, are a
+    /// remark.
     pub(super) const fn severity(&self) -> Severity {
         match self {
             Self::DifferentPlanes { .. } | Self::StepModule { is_stated: false, .. } => Severity::Remark,

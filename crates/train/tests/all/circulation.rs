@@ -1,5 +1,5 @@
-//! Circulating power against the smallest cut: what circulates through an arc of the power graph is, by the theorem
-//! of Ford and Fulkerson, the least that any set of vertices between its ends lets through.
+//! Circulating power against the smallest cut: what circulates through an arc of the power graph is, by the
+//! theorem of Ford and Fulkerson, the least that any set of vertices between its ends lets through.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -116,8 +116,8 @@ fn what_circulates_is_the_least_cut() {
     assert!(compared > 1000 && round > 200 && without > 500 && entwined > 50);
 }
 
-/// A set with more than two central gears is drawn as several; what enters at a central gear or at the carrier enters
-/// at their members of that name together, and each by itself obeys the balance of powers.
+/// A set with more than two central gears is drawn as several; what enters at a central gear or at the
+/// carrier enters at their members of that name together, and each by itself obeys the balance of powers.
 #[test]
 fn drawn_sets_have_the_powers_of_their_set_together() {
     let mut dice = Dice(0xd7a);

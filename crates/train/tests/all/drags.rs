@@ -1,4 +1,5 @@
-//! Drag torques beside mesh losses: balance of energy, and the same without them as by the ways that know none.
+//! Drag torques beside mesh losses: balance of energy, and the same without them as by the ways that know
+//! none.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 

@@ -1,4 +1,5 @@
-//! Ratios as formulas: known ones, and those of random gearboxes against the solver, also at other numbers of teeth.
+//! Ratios as formulas: known ones, and those of random gearboxes against the solver, also at other numbers of
+//! teeth.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 

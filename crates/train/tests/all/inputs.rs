@@ -30,7 +30,8 @@ fn watts(power: Power) -> f64 {
     power.get::<watt>()
 }
 
-/// Engine on the carrier, generator on the sun, wheels on the ring; the motor on the ring by a set with its carrier held.
+/// Engine on the carrier, generator on the sun, wheels on the ring; the motor on the ring by a set with its
+/// carrier held.
 fn power_split(eta: f64) -> Gearbox {
     let loss = MeshLoss::Set(MeshEfficiency::new(eta).unwrap());
     Gearbox::builder("power split")
@@ -69,7 +70,8 @@ fn at(
     gearbox.with_inputs(gearbox.gear(gear).unwrap(), &speeds, &torques)
 }
 
-/// With the speeds of engine and ring given, the generator is an open end, and takes what the ring's torque leaves.
+/// With the speeds of engine and ring given, the generator is an open end, and takes what the ring's torque
+/// leaves.
 #[test]
 fn an_open_end_takes_the_torque_that_is_left() {
     let gearbox = power_split(0.97);
@@ -243,7 +245,8 @@ fn a_second_input_at_rest_is_a_brake() {
     }
 }
 
-/// Random gearboxes, driven: one speed and one torque say what the analysis says; one freed and given again too.
+/// Random gearboxes, driven: one speed and one torque say what the analysis says; one freed and given again
+/// too.
 #[test]
 fn one_input_agrees_with_the_analysis() {
     let mut dice = Dice(0x0dd);

@@ -237,8 +237,8 @@ fn a_wolfrom_drive_loses_in_three_meshes_not_in_four() {
     assert!((found.efficiency().unwrap() - 0.680).abs() < 5e-4, "{:?}", found.efficiency());
 }
 
-/// Low gear of a two-speed Ravigneaux set: the 28-tooth sun drives long planets, these short ones, these the held sun
-/// of 23 teeth; the ring on the short planets idles, the carrier drives.
+/// Low gear of a two-speed Ravigneaux set: the 28-tooth sun drives long planets, these short ones, these the
+/// held sun of 23 teeth; the ring on the short planets idles, the carrier drives.
 #[test]
 fn an_idle_ring_neither_loses_nor_circulates() {
     let each = eta(0.99);

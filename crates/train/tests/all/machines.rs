@@ -145,9 +145,9 @@ fn the_compiled_gear_equals_the_analysis_and_the_plain_way() {
     }
 }
 
-/// Ford AOD: gears 4 and R turn the long planets by the large sun, 36 teeth at the input's speed against the carrier.
-/// The short ones are in mesh with them, so the double planet's speeds need its teeth: 18 and 18 make all planets
-/// alike, 15 of the short ones turn them the fastest.
+/// Ford AOD: gears 4 and R turn the long planets by the large sun, 36 teeth at the input's speed against the
+/// carrier. The short ones are in mesh with them, so the double planet's speeds need its teeth: 18 and 18
+/// make all planets alike, 15 of the short ones turn them the fastest.
 #[test]
 fn planets_in_mesh_turn_by_their_teeth() {
     let planets = |gearbox: &Gearbox, gear: &str, set: usize| -> Vec<Option<f64>> {

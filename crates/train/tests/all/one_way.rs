@@ -10,7 +10,8 @@ use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::f64::{AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
 
-/// A Simpson set: the sprag keeps the second carrier from turning backwards, beside the brake for low and reverse.
+/// A Simpson set: the sprag keeps the second carrier from turning backwards, beside the brake for low and
+/// reverse.
 fn simpson() -> GearboxBuilder {
     let set = |id: &str, members| {
         let loss = MeshLoss::Set(MeshEfficiency::new(0.97).unwrap());
@@ -93,7 +94,8 @@ fn contradictions_are_told() {
     let own = duty(&gearbox, "R on the sprag");
     assert_eq!((own.drive, own.coast), (Duty::WouldOverrun, Duty::Holds));
     assert!(own.drive.is_contradiction());
-    // A gear in which the freed sprag would have to turn backwards: first gear's carrier as a free output of the sun.
+    // A gear in which the freed sprag would have to turn backwards: first gear's carrier as a free output of
+    // the sun.
     let turned = simpson().one_way_clutch("BACK", "ground", "CB").build().unwrap();
     let found = turned.analyze("2").unwrap();
     let back = found.one_way_clutches()[1];
@@ -105,7 +107,8 @@ fn contradictions_are_told() {
     assert_eq!((own.drive, own.coast), (Duty::Unknown, Duty::Unknown));
 }
 
-/// A one-way clutch carries no torque below 0: at a braking input it lets go, and so it does where the input is turned backwards.
+/// A one-way clutch carries no torque below 0: at a braking input it lets go, and so it does where the input
+/// is turned backwards.
 #[test]
 fn an_operating_point_that_reverses_its_torque_releases_it() {
     let gearbox = simpson().build().unwrap();

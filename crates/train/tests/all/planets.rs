@@ -1,5 +1,5 @@
-//! Planets in random sets of every form: forces on their bearings against vectors at the pitch points, assembly
-//! against every position of the teeth, clearance against coordinates.
+//! Planets in random sets of every form: forces on their bearings against vectors at the pitch points,
+//! assembly against every position of the teeth, clearance against coordinates.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -142,8 +142,8 @@ fn planet(gear: GearOf) -> Option<usize> {
     }
 }
 
-/// Centre of each planet in metres, from the radii alone: the first at angle 0, one in mesh with it at the distance
-/// that its module and teeth ask.
+/// Centre of each planet in metres, from the radii alone: the first at angle 0, one in mesh with it at the
+/// distance that its module and teeth ask.
 fn centres(set: &PlanetSet, bearings: &[PlanetBearing], module_m: f64, behind: bool) -> Vec<[f64; 2]> {
     let radii: Vec<f64> = bearings.iter().map(|bearing| bearing.radius.unwrap().value).collect();
     let mut centres: Vec<[f64; 2]> = radii.iter().map(|radius| [*radius, 0.0]).collect();
@@ -170,8 +170,8 @@ fn plus(a: [f64; 2], b: [f64; 2], times: f64) -> [f64; 2] {
 /// A planet that a mesh presses, with the directions of a force of 1 and of what pushes the gears apart.
 type Press = (usize, [f64; 2], [f64; 2]);
 
-/// Force on each planet as a vector, of forces at the pitch points that balance every central gear and every planet
-/// about its own axis; and what of the balances is left.
+/// Force on each planet as a vector, of forces at the pitch points that balance every central gear and every
+/// planet about its own axis; and what of the balances is left.
 fn forces(set: &PlanetSet, centres: &[[f64; 2]], torques: &[f64], planets: f64) -> (Vec<[f64; 2]>, f64) {
     let centrals = set.centrals().len();
     let mut balance = DMatrix::zeros(centrals + centres.len(), set.meshes().len());
@@ -253,7 +253,8 @@ fn assembly(gearbox: &Gearbox) -> Option<(Option<u32>, Option<u32>)> {
     Some((numbers.next(), numbers.next()))
 }
 
-/// Each central gear beside the one of reference, the first unless a mesh says otherwise, with the planets on the way.
+/// Each central gear beside the one of reference, the first unless a mesh says otherwise, with the planets on
+/// the way.
 #[test]
 fn sets_of_every_form_are_drawn_as_kinds_of_three_members() {
     use epicyclic_train::set::SetKind::{DoublePlanet, Simple, SteppedRings, SteppedSunRing, SteppedSuns};
@@ -288,7 +289,8 @@ fn sets_of_every_form_are_drawn_as_kinds_of_three_members() {
     }
 }
 
-/// The teeth of a planet with one gear cancel between its meshes: without them all but its own speed is known.
+/// The teeth of a planet with one gear cancel between its meshes: without them all but its own speed is
+/// known.
 #[test]
 fn a_planet_without_teeth_has_no_speed_of_its_own() {
     let set = |first: &[u32], second: &[u32]| {
@@ -313,7 +315,8 @@ fn a_planet_without_teeth_has_no_speed_of_its_own() {
     }
 }
 
-/// Between the first two central gears: sun, planets and ring, whatever else is in mesh; of a set in short the set's own.
+/// Between the first two central gears: sun, planets and ring, whatever else is in mesh; of a set in short
+/// the set's own.
 #[test]
 fn the_efficiency_of_a_set_is_that_of_the_meshes_between_its_first_gears() {
     let eta = |value: f64| MeshEfficiency::new(value).unwrap();
@@ -377,8 +380,8 @@ fn random_sets_of_every_form_meet_both_answers() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, max_global_rejects: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Without losses the forces are those of the vectors, and all planets together carry the carrier's torque; with
-    /// any torques they carry it still.
+    /// Without losses the forces are those of the vectors, and all planets together carry the carrier's
+    /// torque; with any torques they carry it still.
     #[test]
     fn forces_on_planets_are_the_sum_of_vectors(
         (kind, suns, planets, rings, count) in teeth(),
@@ -424,7 +427,8 @@ proptest! {
         prop_assert!((sum - torques[last].abs()).abs() < 1e-9 * largest, "{} {}", sum, torques[last]);
     }
 
-    /// Where no position of the teeth lets a second planet in, the number of planets is warned of, and only there.
+    /// Where no position of the teeth lets a second planet in, the number of planets is warned of, and only
+    /// there.
     #[test]
     fn planets_assemble_where_some_position_of_the_teeth_lets_them(small in small()) {
         let gearbox = of(small);
@@ -512,8 +516,8 @@ proptest! {
     }
 }
 
-/// Whether identical planets fit in the next place, by trying every position: a gear turned by a fraction of a turn
-/// has a tooth or a gap at its contact, and these must be as they are in the first place.
+/// Whether identical planets fit in the next place, by trying every position: a gear turned by a fraction of
+/// a turn has a tooth or a gap at its contact, and these must be as they are in the first place.
 fn assembles(set: &PlanetSet, count: i64) -> bool {
     let z = |gear: GearOf| i64::from(set.teeth(gear).unwrap().get());
     // Angles are whole parts of one turn of this many.
@@ -522,8 +526,8 @@ fn assembles(set: &PlanetSet, count: i64) -> bool {
         .iter()
         .flat_map(|planet| planet.gears.iter().flatten())
         .fold(count, |parts, teeth| parts * i64::from(teeth.get()));
-    // Where a gear's teeth stand at the contact, in parts of one tooth: planets stand one place on, `parts/count`,
-    // turned by `turns`; central gears stand still.
+    // Where a gear's teeth stand at the contact, in parts of one tooth: planets stand one place on,
+    // `parts/count`, turned by `turns`; central gears stand still.
     let phase = |gear: GearOf, turns: &[i64]| match gear {
         GearOf::Central(_) => z(gear) * (parts / count),
         // It looks one place on too.

@@ -152,7 +152,8 @@ fn numbers_are_finite(found: &Analysis<'_>) -> bool {
         && found.sets().iter().flat_map(|set| set.planets.iter().flatten()).all(|p| p.relative.is_finite())
 }
 
-/// What circulates through an arc is a part of its power, in its sense, and none of all circulates more than the gear.
+/// What circulates through an arc is a part of its power, in its sense, and none of all circulates more than
+/// the gear.
 fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
     let power = &case.power;
     let tolerance = 1e-9 * power.largest;
@@ -362,7 +363,8 @@ proptest! {
             prop_assert!((speed - 1.0).abs() < 1e-12);
         }
         if let Some(case) = found.driving() {
-            // Torques that circulate are rounded as what they are: fourteen thousand times the input's in some.
+            // Torques that circulate are rounded as what they are: fourteen thousand times the input's in
+            // some.
             let rounding = 1e-12 * case.power.largest;
             prop_assert!((case.efficiency - 1.0).abs() < rounding && case.signs.iter().all(|s| *s == 0));
         }

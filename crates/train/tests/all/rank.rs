@@ -1,4 +1,5 @@
-//! States at the edge of rank: ratios beyond 1e10, loops that close exactly or by a hair, against exact arithmetic.
+//! States at the edge of rank: ratios beyond 1e10, loops that close exactly or by a hair, against exact
+//! arithmetic.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -421,8 +422,8 @@ fn extreme(dice: &mut Dice) -> (Planted, Vec<SetSpec>) {
     (Planted { links, sets, input, output }, specs)
 }
 
-/// Every state against ranks over fractions that share no code with the solver: the ratios are the rationals that their
-/// numbers are.
+/// Every state against ranks over fractions that share no code with the solver: the ratios are the rationals
+/// that their numbers are.
 #[test]
 fn ratios_near_one_and_near_a_billion_have_the_exact_state() {
     let cases = common::cases(4000);

@@ -201,7 +201,8 @@ fn central_gears_that_turn_alike_leave_their_carrier_alone() {
     assert_eq!(loose.ratio(), Some(1.0));
 }
 
-/// With its central gears tied a set turns as a block, unless they turn alike anyway: then nothing ties the carrier.
+/// With its central gears tied a set turns as a block, unless they turn alike anyway: then nothing ties the
+/// carrier.
 #[test]
 fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {
     use epicyclic_train::set::SetKind;
@@ -220,8 +221,8 @@ fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {
     }
 }
 
-/// Two suns on one shaft that mesh with one piece of planets at one ratio: the second mesh is redundant, and nothing turns as a block. With
-/// any other ratio it does.
+/// Two suns on one shaft that mesh with one piece of planets at one ratio: the second mesh is redundant, and
+/// nothing turns as a block. With any other ratio it does.
 #[test]
 fn fused_suns_of_one_ratio_run_and_others_are_a_block() {
     use epicyclic_gears::efficiency::MeshEfficiency;

@@ -65,7 +65,8 @@ impl Plan {
         builder.input(&name(input)).output(&name(output)).build()
     }
 
-    /// Many of them numbers at which equations may depend on each other, or near ones at which a gear locks itself.
+    /// Many of them numbers at which equations may depend on each other, or near ones at which a gear locks
+    /// itself.
     fn k(&self, dice: &mut Dice) -> Vec<f64> {
         let one = |kind: SetKind, dice: &mut Dice| match (kind, dice.below(3)) {
             (SetKind::Simple, 0) => 2.0,

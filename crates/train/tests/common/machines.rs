@@ -88,8 +88,8 @@ pub(crate) fn simpson() -> Machine {
     Machine { gearbox, gears }
 }
 
-/// Ford AOD: a Ravigneaux set, with the efficiencies of its meshes at the small sun, between the planets, at the
-/// large sun and at the ring.
+/// Ford AOD: a Ravigneaux set, with the efficiencies of its meshes at the small sun, between the planets, at
+/// the large sun and at the ring.
 pub(crate) fn ravigneaux_set(etas: [f64; 4]) -> GearboxBuilder {
     let [small, between, large, ring] = etas.map(|eta| MeshEfficiency::new(eta).unwrap());
     let set = CompoundSpec::new("RAV", "C")

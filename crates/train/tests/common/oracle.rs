@@ -1,5 +1,6 @@
-//! An oracle that shares no formula with the solver: every mesh is an unknown force, every gear, planet, carrier and
-//! link a body with its own balance of moments, every body a speed of its own. nalgebra solves what comes of it.
+//! An oracle that shares no formula with the solver: every mesh is an unknown force, every gear, planet,
+//! carrier and link a body with its own balance of moments, every body a speed of its own. nalgebra solves
+//! what comes of it.
 //!
 //! ```text
 //! mesh of a and b     z_a·ν_a ± z_b·ν_b = 0    ν = ω − ω_H             + outside, − inside a ring
@@ -222,8 +223,8 @@ impl SetPlan {
         Self { kind: None, carrier: 0, centrals, planets, meshes }
     }
 
-    /// Any tree: 2 to 5 central gears, 1 to 4 planets with 1 to 3 gears, planet shafts, a central gear in mesh
-    /// with two planets.
+    /// Any tree: 2 to 5 central gears, 1 to 4 planets with 1 to 3 gears, planet shafts, a central gear in
+    /// mesh with two planets.
     fn tree(dice: &mut Dice) -> Self {
         use CentralKind::{PlanetShaft, Ring, Sun};
         let planets: Vec<Vec<u32>> = (0..dice.between(1, 4))
@@ -277,8 +278,8 @@ pub(crate) const KINDS: [SetKind; 9] = [
 ];
 
 impl BoxPlan {
-    /// A gearbox of up to this many sets; with `compound` in 100 of them compound. As many conditions as speeds, so
-    /// that most are driven.
+    /// A gearbox of up to this many sets; with `compound` in 100 of them compound. As many conditions as
+    /// speeds, so that most are driven.
     pub(crate) fn random(most: usize, compound: usize, dice: &mut Dice) -> Self {
         let mut sets: Vec<SetPlan> = (0..=dice.below(most))
             .map(|_| {
@@ -664,7 +665,8 @@ fn settle(
     None
 }
 
-/// Torques with losses: signs of the gear without losses, then losses raised step by step, signs settled at each.
+/// Torques with losses: signs of the gear without losses, then losses raised step by step, signs settled at
+/// each.
 pub(crate) fn lossy(plan: &BoxPlan, speeds: &Speeds, direction: Direction) -> Option<(Vec<i8>, Loads)> {
     let ideal = loads(plan, speeds, direction, &vec![0; plan.mesh_count()], 1.0)?;
     let mut signs = ideal.signs();

@@ -6,7 +6,8 @@
 use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 
-/// Equations of sets with these ratios of their first central gear to each other, of permanent connections and engaged shift elements.
+/// Equations of sets with these ratios of their first central gear to each other, of permanent connections
+/// and engaged shift elements.
 pub(crate) fn equations(gearbox: &Gearbox, gear: &Gear, ratios: &[f64]) -> DMatrix<f64> {
     let links = gearbox.links().len();
     let engaged = gear.engaged().iter().map(|&c| gearbox.shift_elements()[c].links());

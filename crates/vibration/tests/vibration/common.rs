@@ -27,7 +27,8 @@ pub(crate) fn hz(value: Frequency) -> f64 {
 /// Radius of the planets' circle of [`lin_parker`], m: chosen, as frequencies depend on `I/r²` alone.
 pub(crate) const CARRIER_RADIUS: f64 = 0.1;
 
-/// The example of Lin and Parker 1999. Base radii are those that a circle of planets of 0.1 m gives with 24.6°.
+/// The example of Lin and Parker 1999. Base radii are those that a circle of planets of 0.1 m gives with
+/// 24.6°.
 pub(crate) fn lin_parker(planets: usize) -> PlanetarySet {
     let support = |radial, tangential| Support { radial: n_m(radial), tangential: n_m(tangential) };
     let cos = libm::cos(24.6_f64.to_radians());

@@ -1,4 +1,5 @@
-//! Several sets in the plane on common links and centres: one set alone, rigid centres, kinds and their numbers, order and angle of the sets.
+//! Several sets in the plane on common links and centres: one set alone, rigid centres, kinds and their
+//! numbers, order and angle of the sets.
 
 use crate::common::{body, degrees, groups, hz, lin_parker, n_m};
 use epicyclic_vibration::coupled::{Centre, CoupledParts, Placed, Shaft, planar};
@@ -66,7 +67,8 @@ fn one_set_on_its_own_links_and_centres_is_the_set() {
     }
 }
 
-/// Simpson's wiring: one sun, the ring of the first on the carrier of the second, which are one piece in the plane, too.
+/// Simpson's wiring: one sun, the ring of the first on the carrier of the second, which are one piece in the
+/// plane, too.
 const LINKS: [[usize; 3]; 2] = [[0, 1, 2], [0, 3, 1]];
 
 fn second() -> PlanetarySet {
@@ -94,7 +96,8 @@ fn every_mode_is_of_one_kind_as_often_as_coordinates_say() {
     let groups = solved(&model, &parts);
     let count =
         |kind| groups.iter().filter(|group| group.kind == kind).map(Group::multiplicity).sum::<usize>();
-    // Rotational: the links and three coordinates of the planets of each set; translational: twice the centres and three of each set; planet: what is left.
+    // Rotational: the links and three coordinates of the planets of each set; translational: twice the
+    // centres and three of each set; planet: what is left.
     assert_eq!(count(Kind::Rotational), 3 + 2 * 3);
     assert_eq!(count(Kind::Translational), 2 * (4 + 2 * 3));
     assert_eq!(count(Kind::Planet), 3 * (5 - 3));
@@ -147,7 +150,8 @@ fn neither_the_order_of_the_sets_nor_the_angle_between_them_matters() {
     same(&told(&solved(&model, &parts)), &wanted, 1e-9);
 }
 
-/// Two planets meet a centre with a stiffness of its own in each direction. One such set may stand anyhow among others; two may not.
+/// Two planets meet a centre with a stiffness of its own in each direction. One such set may stand anyhow
+/// among others; two may not.
 #[test]
 fn the_angle_between_two_sets_of_two_planets_matters() {
     let with_two = |set: &PlanetarySet, by: f64| {

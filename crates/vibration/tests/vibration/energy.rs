@@ -3,10 +3,12 @@
 use crate::common::lin_parker;
 use epicyclic_vibration::PlanetarySet;
 
-/// Energy of all springs at finite displacements: exact involutes on base circles, bearings that turn with their carrier.
+/// Energy of all springs at finite displacements: exact involutes on base circles, bearings that turn with
+/// their carrier.
 ///
-/// Flank positions along a line of action: a base circle of radius `r` unwinds `r·(θ − φ)`, with `φ` the angle of the tangent point. The line
-/// of action is the common tangent of two base circles wherever their centres are.
+/// Flank positions along a line of action: a base circle of radius `r` unwinds `r·(θ − φ)`, with `φ` the
+/// angle of the tangent point. The line of action is the common tangent of two base circles wherever their
+/// centres are.
 struct Finite {
     radii: [f64; 4],
     carrier: f64,

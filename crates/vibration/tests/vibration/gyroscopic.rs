@@ -1,4 +1,5 @@
-//! Modes in a turning frame: closed forms, motions of the housing's frame, and the eigenvalues of the first-order system.
+//! Modes in a turning frame: closed forms, motions of the housing's frame, and the eigenvalues of the
+//! first-order system.
 
 use crate::common::{body, degrees, groups, hz, lin_parker, n_m};
 use epicyclic_vibration::{
@@ -20,7 +21,8 @@ fn omegas(modes: &[WhirlMode]) -> Vec<f64> {
     modes.iter().map(|mode| mode.omega.value).collect()
 }
 
-/// `G` and `K_Ω` written here from the acceleration in a turning frame, for models whose bodies are all planar.
+/// `G` and `K_Ω` written here from the acceleration in a turning frame, for models whose bodies are all
+/// planar.
 pub(crate) fn turning(
     model: &Model,
     carrier: usize,
@@ -47,8 +49,8 @@ pub(crate) fn load(planets: f64, speed: f64) -> f64 {
     planets * 0.66 / (1.0 - 0.66 * speed * speed / 1e8)
 }
 
-/// A disc on a round support whirls at `ω_0 ± Ω` in a frame that turns at `Ω`: the same motion, seen from the frame. The motion that goes
-/// round with the frame is the slower one there.
+/// A disc on a round support whirls at `ω_0 ± Ω` in a frame that turns at `Ω`: the same motion, seen from the
+/// frame. The motion that goes round with the frame is the slower one there.
 #[test]
 fn a_disc_on_a_support_is_seen_at_its_frequency_plus_and_minus_the_speed() {
     let mut model = Model::new();
@@ -80,7 +82,8 @@ fn a_disc_on_a_support_is_seen_at_its_frequency_plus_and_minus_the_speed() {
     );
 }
 
-/// The energy of a planet bearing at finite rotation of carrier and planet, in the turning frame with its centrifugal potential.
+/// The energy of a planet bearing at finite rotation of carrier and planet, in the turning frame with its
+/// centrifugal potential.
 #[test]
 fn a_finite_rotation_of_a_turning_carrier_with_its_planets_costs_no_energy() {
     let (stiffness, mass, radius, speed) = (1e8, 0.66, 0.1, 400.0);
@@ -201,7 +204,8 @@ fn kinds_survive_a_turning_carrier() {
     assert!(translational.windows(2).all(|pair| pair[1] - pair[0] > 1e-3), "{translational:?}");
 }
 
-/// Without the load of the bearings a set that can rotate freely loses its zero mode and diverges; held against rotation it does not.
+/// Without the load of the bearings a set that can rotate freely loses its zero mode and diverges; held
+/// against rotation it does not.
 #[test]
 fn the_published_terms_alone_let_a_free_set_diverge() {
     let modes = |set: &PlanetarySet| {

@@ -26,7 +26,8 @@ fn shares_of_energy_add_up_to_one() {
     }
 }
 
-/// In a planet mode nothing but planets moves, and the supports carry nothing; a rotational mode has no radial support at work.
+/// In a planet mode nothing but planets moves, and the supports carry nothing; a rotational mode has no
+/// radial support at work.
 #[test]
 fn energy_is_where_the_kind_of_the_mode_says() {
     let (_, model, parts, groups) = model();
@@ -75,7 +76,8 @@ fn compare(
         if group.is_zero() {
             assert!(found.iter().all(|value| *value == 0.0));
         } else {
-            // Where the change splits a double frequency, the lower one of a decrease belongs to the higher of an increase.
+            // Where the change splits a double frequency, the lower one of a decrease belongs to the higher
+            // of an increase.
             let last = first + group.multiplicity() - 1;
             for (index, found) in found.iter().enumerate() {
                 let slope = (up[first + index] - down[last - index]) / (2.0 * step * hz(group.frequency));

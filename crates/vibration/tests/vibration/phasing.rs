@@ -5,8 +5,9 @@ use epicyclic_vibration::train::{Link, Placed, torsional};
 use epicyclic_vibration::{Error, Group, Kind, Model, SetParts, phasing};
 use uom::si::f64::{MomentOfInertia, Torque};
 
-/// Work of unit transmission errors of the meshes with `p` periods a turn in a group of modes: the sum over its modes of `|Σ k·δ·exp(i·p·ψ)|²`,
-/// with a phase of its own of the ring's meshes, over the same sum without phases between planets.
+/// Work of unit transmission errors of the meshes with `p` periods a turn in a group of modes: the sum over
+/// its modes of `|Σ k·δ·exp(i·p·ψ)|²`, with a phase of its own of the ring's meshes, over the same sum
+/// without phases between planets.
 fn work(model: &Model, parts: &SetParts, group: &Group, periods: u64) -> f64 {
     let count = parts.planets.len();
     let mut sums = [0.0; 2];
@@ -45,7 +46,8 @@ fn meshes_work_in_the_modes_of_the_rule_and_in_no_others() {
     }
 }
 
-/// The work of a set's meshes in the torsional modes of two sets on common links: the rule of each set, beside the other.
+/// The work of a set's meshes in the torsional modes of two sets on common links: the rule of each set,
+/// beside the other.
 #[test]
 fn meshes_of_each_of_several_sets_work_in_the_torsional_modes_of_the_rule() {
     for [one, other] in [[2_u32, 3], [3, 4], [4, 5], [5, 2]] {

@@ -47,7 +47,8 @@ fn angles_not_equally_spaced_mix_the_kinds() {
     assert!(groups.iter().all(|group| group.multiplicity() == 1));
 }
 
-/// Planets opposite in pairs, 80° and 100° apart: the set is mapped to itself by a half turn, under which rotation is even and translation odd.
+/// Planets opposite in pairs, 80° and 100° apart: the set is mapped to itself by a half turn, under which
+/// rotation is even and translation odd.
 #[test]
 fn diametrically_opposed_planets_keep_rotation_and_translation_apart() {
     let mut set = lin_parker(4);

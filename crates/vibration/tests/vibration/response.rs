@@ -1,4 +1,5 @@
-//! Forced vibration: against a direct solution of the equations of motion, and in the limits of low and high frequency.
+//! Forced vibration: against a direct solution of the equations of motion, and in the limits of low and high
+//! frequency.
 
 use crate::common::{body, lin_parker, n_m};
 use crate::gyroscopic::{load, turning};
@@ -27,7 +28,8 @@ fn errors(parts: &SetParts, teeth: f64) -> Vec<Displacement> {
     parts.sun_meshes.iter().enumerate().map(of).collect()
 }
 
-/// `(K + i·ω·C − ω²·M)·q = F` by elimination; the damping matrix from the matrix square root, `C = 2·ζ·M^½·(M^-½·K·M^-½)^½·M^½`, not from modes one by one.
+/// `(K + i·ω·C − ω²·M)·q = F` by elimination; the damping matrix from the matrix square root,
+/// `C = 2·ζ·M^½·(M^-½·K·M^-½)^½·M^½`, not from modes one by one.
 ///
 /// In axes that turn with a carrier of four planets at a speed `(K − Ω²·K_Ω + i·ω·(C + Ω·G) − ω²·M)·q = F`.
 fn direct(
@@ -62,7 +64,8 @@ fn direct(
             omega * (damping[at] + speed * g[at]),
         )
     });
-    // The drive as the force that the displacement of a spring alone has at the coordinates: K of this spring on a unit of it.
+    // The drive as the force that the displacement of a spring alone has at the coordinates: K of this spring
+    // on a unit of it.
     let mut drive = DVector::from_element(size, Complex::new(0.0, 0.0));
     let springs: Vec<_> = model.springs().collect();
     for displacement in displacements {
@@ -152,7 +155,8 @@ fn the_response_of_a_turning_set_is_the_direct_solution() {
             // At rest the superposition of modes.
             let resting = flat(&model, &model.response(&modes, &drive, at(omega), 0.02).unwrap());
             assert!(apart(&of(0.0), &resting) < 1e-9, "{teeth} {hertz}");
-            // One and three periods around four planets drive opposite whirls: turning the other way exchanges them, and the speed changes both.
+            // One and three periods around four planets drive opposite whirls: turning the other way
+            // exchanges them, and the speed changes both.
             if teeth == 1.0 {
                 assert!(
                     apart(&of(300.0), &resting) > 1e-4 && apart(&of(-300.0), &of(300.0)) > 1e-4,
@@ -163,7 +167,8 @@ fn the_response_of_a_turning_set_is_the_direct_solution() {
     }
 }
 
-/// A disc on a round support, driven along `x` of axes that turn: with `z = x + i·y`, `m·(z̈ + 2·i·Ω·ż − Ω²·z) + k·z = k·a·cos(ω·t)`, so that
+/// A disc on a round support, driven along `x` of axes that turn: with `z = x + i·y`,
+/// `m·(z̈ + 2·i·Ω·ż − Ω²·z) + k·z = k·a·cos(ω·t)`, so that
 /// `z = k·a/2·(exp(i·ω·t)/(k − m·(ω + Ω)²) + exp(−i·ω·t)/(k − m·(ω − Ω)²))`.
 #[test]
 fn a_disc_in_turning_axes_follows_its_closed_form() {

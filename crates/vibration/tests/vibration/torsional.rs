@@ -114,7 +114,8 @@ fn groups_of((model, parts): (Model, epicyclic_vibration::SetParts)) -> Vec<epic
     model.groups(&parts.central()).unwrap()
 }
 
-/// Equal inertias on equal shafts, both ends free: `ω_j = 2·√(k/I)·sin(j·π/(2·n))`. The radii of the bodies do not matter.
+/// Equal inertias on equal shafts, both ends free: `ω_j = 2·√(k/I)·sin(j·π/(2·n))`. The radii of the bodies
+/// do not matter.
 #[test]
 fn a_chain_of_shafts_has_the_frequencies_of_its_closed_form() {
     let (count, inertia, stiffness) = (7_usize, 0.3, 2e4);

@@ -35,7 +35,8 @@ fn frequencies(links: &[Link], sets: &[Placed<'_>], shafts: &[Shaft]) -> (usize,
     (zeros, all[zeros..].to_vec())
 }
 
-/// Teeth 20, 40, 100 with a radius of the planets' circle of 0.09 m; inertias in kg·m², of planets as `I/r²` in kg.
+/// Teeth 20, 40, 100 with a radius of the planets' circle of 0.09 m; inertias in kg·m², of planets as `I/r²`
+/// in kg.
 fn geared(stiffness: f64) -> PlanetarySet {
     let cos = libm::cos(20_f64.to_radians());
     let of = |kg_m2: f64, radius: f64| body(1.0, kg_m2 / (radius * radius), radius);
@@ -84,8 +85,9 @@ fn one_set_on_its_own_links_is_its_torsional_model() {
     }
 }
 
-/// With rigid meshes the lowest frequency is that of two inertias on a shaft, `ω² = k·(1/J_1 + 1/J_2)`, each the inertia of a
-/// set with a held ring by its energy: at the carrier of the first and at the sun of the second. The error falls as the compliance of the meshes.
+/// With rigid meshes the lowest frequency is that of two inertias on a shaft, `ω² = k·(1/J_1 + 1/J_2)`, each
+/// the inertia of a set with a held ring by its energy: at the carrier of the first and at the sun of the
+/// second. The error falls as the compliance of the meshes.
 #[test]
 fn rigid_sets_on_a_shaft_swing_as_two_inertias() {
     // Speeds over the carrier's by Willis: sun 1 + 100/20, planet 1 − (6 − 1)·20/40.

@@ -1,5 +1,6 @@
-//! Ctrl-C, and a request to end (SIGTERM, SIGHUP): the program ends at once, its temporary files removed; but where something was found
-//! that can be told, it is asked first to end by itself, and ended at the second signal, or where it does not end in time.
+//! Ctrl-C, and a request to end (SIGTERM, SIGHUP): the program ends at once, its temporary files removed; but
+//! where something was found that can be told, it is asked first to end by itself, and ended at the second
+//! signal, or where it does not end in time.
 
 use epicyclic::desk::disk::remove_temporary;
 use epicyclic_commands::failure::{INTERRUPTED, NOTHING_TO_SHOW};
@@ -59,7 +60,8 @@ pub(crate) fn hear() {
             end();
         }
     };
-    // Where no handler can be set the signal ends the program, and a temporary file may be left, for the next call to remove.
+    // Where no handler can be set the signal ends the program, and a temporary file may be left, for the next
+    // call to remove.
     let _ = ctrlc::set_handler(heard);
 }
 
@@ -78,7 +80,8 @@ fn end() -> ! {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// From here, or no more, there is something to tell: the first signal asks for it, the second ends the program.
+/// From here, or no more, there is something to tell: the first signal asks for it, the second ends the
+/// program.
 pub(crate) fn search_hears(hears: bool) {
     HEARS.store(hears, Ordering::SeqCst);
 }

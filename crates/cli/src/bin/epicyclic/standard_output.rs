@@ -1,8 +1,8 @@
 //! Standard output that takes nothing: one that is closed, or open for reading alone.
 //!
-//! A write to either succeeds by the standard library, and the answer would be lost with exit code 0. Before `main` the library also opens
-//! `/dev/null` in place of a closed stream, and a program that was given `/dev/null` cannot be told from one that was given nothing. So
-//! standard output is looked at before that.
+//! A write to either succeeds by the standard library, and the answer would be lost with exit code 0. Before
+//! `main` the library also opens `/dev/null` in place of a closed stream, and a program that was given
+//! `/dev/null` cannot be told from one that was given nothing. So standard output is looked at before that.
 
 use std::io;
 use std::path::Path;

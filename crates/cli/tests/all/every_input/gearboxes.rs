@@ -942,7 +942,8 @@ fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     if output.status.success() { Ok(text(&output.stdout)) } else { Err(text(&output.stderr)) }
 }
 
-/// Each key changes what is seen of it, each remark changes nothing, and every path of the schema is among them.
+/// Each key changes what is seen of it, each remark changes nothing, and every path of the schema is among
+/// them.
 fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
     let folder = here();
     keys::check(file, keys, |file, look| seen(folder.path(), file, look));

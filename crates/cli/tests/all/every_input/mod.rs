@@ -1,7 +1,7 @@
 //! Every key of a file and every option of a command changes the answer.
 //!
-//! The keys are those of the schemas, the options those of the help, so that neither grows without an entry here. Drives stand here,
-//! gearboxes and transmissions in `gearboxes`, options in `options`.
+//! The keys are those of the schemas, the options those of the help, so that neither grows without an entry
+//! here. Drives stand here, gearboxes and transmissions in `gearboxes`, options in `options`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 

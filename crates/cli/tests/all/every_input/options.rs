@@ -6,8 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Command lines where options matter, and below each what is added to it, option by option: it takes the place of what the
-/// line has of the same option.
+/// Command lines where options matter, and below each what is added to it, option by option: it takes the
+/// place of what the line has of the same option.
 const TRIED: &str = "\
 teeth: --ratio 6 --format json
   --ratio 5
@@ -915,8 +915,9 @@ fn check(commands: &[&str]) {
         let before = left(command, words).0;
         for more in added {
             let (after, told) = left(command, &with(words, more));
-            // Nothing found is an answer too; `--z1` is a check, and nothing but a refusal shows it; all parts together
-            // with `--merge` give the same, and only parts that are not all show it; `--longest` refuses.
+            // Nothing found is an answer too; `--z1` is a check, and nothing but a refusal shows it; all
+            // parts together with `--merge` give the same, and only parts that are not all show it;
+            // `--longest` refuses.
             if before == after {
                 faults.push(format!("{command} {words:?}: {more:?} changes nothing: {told}"));
             } else if after.0 > Some(1) && !["--z1", "--merge", "--longest"].contains(&more[0].as_str()) {

@@ -219,7 +219,8 @@ pub struct Substitution {
     pub set: String,
     /// The symbol of its basic ratio.
     pub symbol: String,
-    /// The equation under the conditions, a link standing for all that turn as one with it: the sum of these is 0.
+    /// The equation under the conditions, a link standing for all that turn as one with it: the sum of these
+    /// is 0.
     pub under_conditions: Vec<Speed>,
     /// Speeds known before, which are put in.
     pub known: Vec<Known>,

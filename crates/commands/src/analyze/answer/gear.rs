@@ -198,7 +198,8 @@ pub struct Set {
     pub efficiency: Option<f64>,
     /// In which direction the rolling power runs.
     pub rolling_power_runs: Option<RollingPower>,
-    /// Rolling power, seen from the carrier, over what enters; positive from the first central gear to the second.
+    /// Rolling power, seen from the carrier, over what enters; positive from the first central gear to the
+    /// second.
     pub rolling_power_of_entering: Option<f64>,
     /// Loss over what enters.
     pub loss_of_entering: Option<f64>,
@@ -329,8 +330,8 @@ impl Answer for OneGear {
 /// A gear with the input as asked.
 ///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::Load`] for a load that the gear cannot take; [`Error::Gearbox`] for speeds and loads that
-/// are no numbers.
+/// [`Error::NoGear`]; [`Error::Load`] for a load that the gear cannot take; [`Error::Gearbox`] for speeds and
+/// loads that are no numbers.
 pub fn answer(subject: &Subject<'_>, gear: &str, input: Input) -> Result<OneGear, Error> {
     let gearbox = &subject.gearbox;
     let worked = Worked::new(gearbox, gear, input)?;

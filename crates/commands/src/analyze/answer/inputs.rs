@@ -1,4 +1,5 @@
-//! Gears with several inputs: speeds and torques of several links, at one point or over a [`map`] of two speeds.
+//! Gears with several inputs: speeds and torques of several links, at one point or over a [`map`] of two
+//! speeds.
 
 pub mod map;
 
@@ -187,8 +188,8 @@ impl Answer for Inputs {
 /// A gear with several inputs at one point.
 ///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques, [`Error::Document`] with the
-/// place for those of the file.
+/// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques,
+/// [`Error::Document`] with the place for those of the file.
 pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inputs, Error> {
     let task = Task::new(subject, gear)?;
     let speeds = match (&wanted.speeds, subject.inputs(gear)) {
@@ -255,8 +256,8 @@ impl<'a> Task<'a> {
         values.iter().map(|(name, value)| Ok((self.link(name, at)?, *value))).collect()
     }
 
-    /// The torques given, else those of the file where its speeds or a map are asked for: other speeds ask another
-    /// question.
+    /// The torques given, else those of the file where its speeds or a map are asked for: other speeds ask
+    /// another question.
     fn torques(
         &self,
         given: Option<&[(String, Torque)]>,

@@ -57,10 +57,11 @@ pub struct Gear {
     /// What it engages, its state, ratio and efficiencies.
     #[serde(flatten)]
     pub facts: GearFacts,
-    /// Ratio step: the next larger ratio of the progression over this one; none of the largest. The order of the file does not matter.
+    /// Ratio step: the next larger ratio of the progression over this one; none of the largest. The order of
+    /// the file does not matter.
     pub step: Option<f64>,
-    /// The ratio over that of the geometric progression between the first and the last gear of its progression, less 1;
-    /// `null` where there are no other gears between these.
+    /// The ratio over that of the geometric progression between the first and the last gear of its
+    /// progression, less 1; `null` where there are no other gears between these.
     pub geometric_deviation: Option<f64>,
     /// The ratio over that of the progressive progression between the same, less 1.
     pub progressive_deviation: Option<f64>,
@@ -82,11 +83,12 @@ impl Answer for Overview {
     const NAME: &'static str = "analyze";
 }
 
-/// All gears with the input as asked; `progression_factor` is that of the progressive progression, by default the one that fits best.
+/// All gears with the input as asked; `progression_factor` is that of the progressive progression, by default
+/// the one that fits best.
 ///
 /// # Errors
-/// [`Error::Load`] for a load that a gear cannot take, [`Error::ProgressionFactor`] for a factor that leaves no progression,
-/// [`Error::Gearbox`] for speeds and loads that are no numbers.
+/// [`Error::Load`] for a load that a gear cannot take, [`Error::ProgressionFactor`] for a factor that leaves
+/// no progression, [`Error::Gearbox`] for speeds and loads that are no numbers.
 pub fn answer(
     subject: &Subject<'_>,
     input: Input,

@@ -15,8 +15,8 @@ use uom::si::f64::Torque;
 
 /// The bearing of each of the planets of one kind, in a gear.
 ///
-/// Tangential forces are along the orbit, positive against the carrier; radial ones are those of the meshes, positive
-/// outwards. All planets carry alike.
+/// Tangential forces are along the orbit, positive against the carrier; radial ones are those of the meshes,
+/// positive outwards. All planets carry alike.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PlanetBearing {
@@ -32,7 +32,8 @@ pub struct PlanetBearing {
     pub carrier_radius_m: Option<f64>,
     /// Mass of one.
     pub planet_mass_kg: Option<f64>,
-    /// Size of the torque of the set's carrier over the input's; none of a set of planets that differ, which share it.
+    /// Size of the torque of the set's carrier over the input's; none of a set of planets that differ, which
+    /// share it.
     pub carrier_torque_of_input: Option<f64>,
     /// The part of it for each planet; none of a set of planets that differ.
     pub carrier_torque_each_of_input: Option<f64>,
@@ -48,7 +49,8 @@ pub struct PlanetBearing {
     pub centrifugal_force_n: Option<f64>,
     /// All of them together.
     pub force_n: Option<f64>,
-    /// Axial forces of the meshes with sun and ring on the planet at the load, against each other; none of spur teeth.
+    /// Axial forces of the meshes with sun and ring on the planet at the load, against each other; none of
+    /// spur teeth.
     pub axial_forces_n: Option<[f64; 2]>,
     /// Moment by which they tilt the planet; it is no part of the force together.
     pub tilting_moment_n_m: Option<f64>,
@@ -217,7 +219,8 @@ fn one(
     })
 }
 
-/// Axial forces of the meshes of a helical set on one planet, and their moment, of the torques on sun and ring.
+/// Axial forces of the meshes of a helical set on one planet, and their moment, of the torques on sun and
+/// ring.
 fn axial(
     subject: &Subject<'_>,
     set: &PlanetSet,

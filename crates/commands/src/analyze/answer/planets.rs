@@ -16,7 +16,8 @@ pub struct OverGears {
     pub set: String,
     /// The planet: its name, or its number in the set.
     pub planet: String,
-    /// Its largest speed relative to the carrier; of equal ones the first. `null` where it never turns there or no speed follows.
+    /// Its largest speed relative to the carrier; of equal ones the first. `null` where it never turns there
+    /// or no speed follows.
     pub largest_speed: Option<LargestSpeed>,
     /// The largest force on its bearing; of equal ones the first. `null` where none follows.
     pub largest_force: Option<LargestForce>,
@@ -34,8 +35,8 @@ pub struct LargestSpeed {
     pub relative_speed_rad_s: Option<f64>,
 }
 
-/// The largest force on a planet bearing: by all forces together where they follow, else by the tangential one at the load, else by that
-/// at 1 N·m on the input.
+/// The largest force on a planet bearing: by all forces together where they follow, else by the tangential
+/// one at the load, else by that at 1 N·m on the input.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LargestForce {

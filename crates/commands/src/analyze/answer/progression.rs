@@ -1,7 +1,7 @@
 //! The progression of the gears: spread, steps, and how far each ratio is from an ideal progression.
 //!
-//! Gears are of one progression where they have the same input and output and turn the output in the same direction. Ordered by falling
-//! ratio, each ratio counted once, they are `i_1 … i_n`:
+//! Gears are of one progression where they have the same input and output and turn the output in the same
+//! direction. Ordered by falling ratio, each ratio counted once, they are `i_1 … i_n`:
 //!
 //! ```text
 //! φ_G = i_1/i_n                                              spread
@@ -9,9 +9,10 @@
 //! progressive: i_j = i_n·φ_1^(n−j)·φ_2^((n−j)·(n−j−1)/2)     each step φ_2 times the next one
 //! ```
 //!
-//! Both ideals have the first and the last ratio of the gearbox, so that `φ_1 = φ/φ_2^((n−2)/2)`. All steps are above 1 where
-//! `φ_2` is between `φ_G^(−2/((n−1)(n−2)))` and its inverse. Where no `φ_2` is given it is the one that fits best: with
-//! `r_j = ln(i_j/i_j,geometric)` and `c_j = −(n−j)(j−1)/2` the sum of `(r_j − c_j·ln φ_2)²` is least at `ln φ_2 = Σ r_j·c_j/Σ c_j²`.
+//! Both ideals have the first and the last ratio of the gearbox, so that `φ_1 = φ/φ_2^((n−2)/2)`. All steps
+//! are above 1 where `φ_2` is between `φ_G^(−2/((n−1)(n−2)))` and its inverse. Where no `φ_2` is given it is
+//! the one that fits best: with `r_j = ln(i_j/i_j,geometric)` and `c_j = −(n−j)(j−1)/2` the sum of
+//! `(r_j − c_j·ln φ_2)²` is least at `ln φ_2 = Σ r_j·c_j/Σ c_j²`.
 
 use crate::error::Error;
 use crate::tolerance::SAME_RATIO;
@@ -38,7 +39,8 @@ pub struct Progression {
     pub spread: f64,
     /// The one step of the geometric progression between first and last.
     pub geometric_step: f64,
-    /// Progression factor φ_2: each step of the progressive progression over the next one. `null` of two ratios.
+    /// Progression factor φ_2: each step of the progressive progression over the next one. `null` of two
+    /// ratios.
     pub progression_factor: Option<f64>,
     /// Whether it was given; else it is the one that fits the ratios best.
     pub progression_factor_is_given: bool,

@@ -147,7 +147,8 @@ pub struct GearFacts {
     pub efficiency: Option<f64>,
     /// The same by Kreines' rule, from the ratio alone.
     pub kreines_efficiency: Option<f64>,
-    /// Efficiency driven from the output; none where the mesh losses hold the gear, or a one-way clutch overruns.
+    /// Efficiency driven from the output; none where the mesh losses hold the gear, or a one-way clutch
+    /// overruns.
     pub back_driving_efficiency: Option<f64>,
     /// In which directions it is self-locking.
     pub self_locking: Option<SelfLocking>,
@@ -284,7 +285,8 @@ pub struct OneWayClutch {
     pub coast: Option<Duty>,
     /// Whether the output can drive the input in this gear, of gears that rely on a one-way clutch.
     pub engine_braking: Option<bool>,
-    /// Shift elements between the same links that hold in both directions: with one of them engaged besides, the gear holds on coast.
+    /// Shift elements between the same links that hold in both directions: with one of them engaged besides,
+    /// the gear holds on coast.
     pub beside: Vec<String>,
 }
 

@@ -20,7 +20,8 @@ pub struct SetFacts {
     pub kind: Kind,
     /// Its gears with their teeth, central gears first.
     pub gears: Vec<TeethOf>,
-    /// Basic ratio i₀ of a set with two central gears: with the carrier fixed, speed of the first over that of the second.
+    /// Basic ratio i₀ of a set with two central gears: with the carrier fixed, speed of the first over that
+    /// of the second.
     pub basic_ratio: Option<f64>,
     /// The same, exactly, where the teeth are known.
     pub exact_ratio: Option<Fraction>,
@@ -40,8 +41,8 @@ pub struct SetFacts {
 pub struct TeethOf {
     /// What it is called: `sun`, `ring`, `planet`, with its name where a set has several of a kind.
     pub gear: String,
-    /// Its teeth; `null` where they are not known. The planet of a simple set has those that equal centre distances leave it, if need be
-    /// with half a tooth.
+    /// Its teeth; `null` where they are not known. The planet of a simple set has those that equal centre
+    /// distances leave it, if need be with half a tooth.
     pub teeth: Option<f64>,
 }
 
@@ -57,7 +58,8 @@ pub enum Fit {
     PlanetsNotGiven,
     /// Not checked: teeth are not given.
     TeethNotGiven,
-    /// Not checked: where the planets stand does not follow from their teeth, as of bevel gears and planets with a shaft of their own.
+    /// Not checked: where the planets stand does not follow from their teeth, as of bevel gears and planets
+    /// with a shaft of their own.
     NotChecked,
     /// Gears on fixed axes: there are no planets.
     NoPlanets,

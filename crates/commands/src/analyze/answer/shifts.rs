@@ -1,9 +1,9 @@
 //! Shifts from gear to gear: what is released and applied, and what the input and the shift elements do.
 //!
-//! While a gearbox shifts, its output keeps its speed: the machine is heavier than the motor. A shift from ratio `i_a` to `i_b` then
-//! takes the input from `ω` to `ω·i_b/i_a`, and each shift element from its slip in the first gear to that in the second. All are told over
-//! the input's speed before the shift. Shifts are told towards the smaller ratio; the way back releases what is applied here, and applies
-//! what is released.
+//! While a gearbox shifts, its output keeps its speed: the machine is heavier than the motor. A shift from
+//! ratio `i_a` to `i_b` then takes the input from `ω` to `ω·i_b/i_a`, and each shift element from its slip in
+//! the first gear to that in the second. All are told over the input's speed before the shift. Shifts are
+//! told towards the smaller ratio; the way back releases what is applied here, and applies what is released.
 
 use super::progression::{Ordered, ordered};
 use super::warnings;
@@ -27,8 +27,8 @@ pub struct Shifts {
     pub gearbox: String,
     /// The input's speed before each shift, if it was given.
     pub input_speed_rad_s: Option<f64>,
-    /// The shifts between gears of different ratios that have input and output in common and turn the output in the same direction: those
-    /// between neighbours, and those that pass gears over.
+    /// The shifts between gears of different ratios that have input and output in common and turn the output
+    /// in the same direction: those between neighbours, and those that pass gears over.
     pub shifts: Vec<Shift>,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
@@ -101,7 +101,8 @@ pub struct ElementInShift {
 /// All shifts, with the input's speed before each of them.
 ///
 /// # Errors
-/// [`Error::ManyGears`] for a gearbox of more than [`MOST_GEARS`] gears; [`Error::Gearbox`] for a gear that cannot be analysed.
+/// [`Error::ManyGears`] for a gearbox of more than [`MOST_GEARS`] gears; [`Error::Gearbox`] for a gear that
+/// cannot be analysed.
 pub fn answer(subject: &Subject<'_>, speed: Option<AngularVelocity>) -> Result<Shifts, Error> {
     let gearbox = &subject.gearbox;
     let count = gearbox.gears().len();

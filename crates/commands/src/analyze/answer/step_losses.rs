@@ -8,7 +8,8 @@ use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Torques and powers with losses, driven from the input: torques over the input's, speeds over the input's, powers over what enters.
+/// Torques and powers with losses, driven from the input: torques over the input's, speeds over the input's,
+/// powers over what enters.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct StepLosses {
@@ -26,10 +27,11 @@ pub struct StepLosses {
 pub struct SetSteps {
     /// The set.
     pub set: String,
-    /// Its efficiency with its carrier fixed, η₀; `null` of a set with more than two central gears, which has its meshes alone.
+    /// Its efficiency with its carrier fixed, η₀; `null` of a set with more than two central gears, which has
+    /// its meshes alone.
     pub efficiency: Option<f64>,
-    /// Exponent w in `T_1 : T_2 : T_H = 1 : −i₀·η₀^w : i₀·η₀^w − 1`: 1 where the rolling power runs from gear 1 to gear 2, −1 the other way, 0
-    /// where none does; `null` of a set with more than two central gears.
+    /// Exponent w in `T_1 : T_2 : T_H = 1 : −i₀·η₀^w : i₀·η₀^w − 1`: 1 where the rolling power runs from gear
+    /// 1 to gear 2, −1 the other way, 0 where none does; `null` of a set with more than two central gears.
     pub exponent: Option<i8>,
     /// Its members, the carrier last.
     pub members: Vec<MemberSteps>,

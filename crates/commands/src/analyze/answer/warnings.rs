@@ -91,7 +91,8 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
     Some(Warning { name: "self-locking", message })
 }
 
-/// Gears whose output is not driven, one line for each state; but for those that the file gives speeds of several links.
+/// Gears whose output is not driven, one line for each state; but for those that the file gives speeds of
+/// several links.
 pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
     let is_told = |gear: &&&Analysis<'_>| {
         !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
@@ -121,7 +122,8 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     of_gearbox.chain(teeth).collect()
 }
 
-/// Sets with helical teeth among those whose planet bearings have forces or are rated: neither has the moment of the axial forces.
+/// Sets with helical teeth among those whose planet bearings have forces or are rated: neither has the moment
+/// of the axial forces.
 pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);

@@ -77,7 +77,8 @@ pub(crate) struct Several {
     #[arg(long, value_name = "LINK=TORQUE, …", requires = "gear", conflicts_with_all = ["torque", "power", "speed"])]
     torques: Option<Assignments<Quantity<Torque>>>,
 
-    /// The state over ranges of two speeds, a line a place: engine=800rpm..4000rpm/9, mg1=-5000rpm..5000rpm/11.
+    /// The state over ranges of two speeds, a line a place: engine=800rpm..4000rpm/9,
+    /// mg1=-5000rpm..5000rpm/11.
     #[arg(long, value_name = "LINK=FROM..TO/PLACES, …", requires = "gear", conflicts_with_all = ["speeds", "torque", "power", "speed"])]
     map: Option<Assignments<Range>>,
 }

@@ -130,7 +130,8 @@ fn states(overview: &Overview) -> Option<Text> {
     (!states.is_empty()).then(|| Text::list("Gears that are not simply driven", states))
 }
 
-/// The first table of a page: what each gear engages, its ratio, step and efficiency, and what the output does.
+/// The first table of a page: what each gear engages, its ratio, step and efficiency, and what the output
+/// does.
 pub(crate) fn in_short(overview: &Overview) -> Records {
     let at = &overview.operating_point;
     let has_output = at.speed_rad_s.is_some() || is_loaded(overview);
@@ -160,8 +161,8 @@ pub(crate) fn in_short(overview: &Overview) -> Records {
     records(overview, vec![View { note, ..View::new("Gears", &shown) }])
 }
 
-/// The chapter of all gears on a page: what the page says first is left out, and what the figures of each gear say again; with
-/// `shifts` where no other chapter has them.
+/// The chapter of all gears on a page: what the page says first is left out, and what the figures of each
+/// gear say again; with `shifts` where no other chapter has them.
 pub(crate) fn chapter(overview: &Overview, shifts: bool) -> Vec<Part> {
     let is_told = |name: &&str| in_short(overview).views.iter().any(|view| view.columns.contains(name));
     let mut shown = vec!["gear"];

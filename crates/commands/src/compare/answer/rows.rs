@@ -1,9 +1,10 @@
 //! Which gears of several gearboxes stand beside each other.
 //!
-//! Where all gearboxes have gears of the same names in the same order of their ratios, those of one name do. Otherwise gears stand together by their ratios: with one
-//! gearbox after the other the gears are laid beside those of the gearboxes before, both by falling size of the ratio and apart by its
-//! sign, so that the sum of `|ln(i/i')|` over all pairs is least, where a gear that stays alone costs half of `ln 1.2`. No two gears whose
-//! ratios differ by more than a fifth are a pair.
+//! Where all gearboxes have gears of the same names in the same order of their ratios, those of one name do.
+//! Otherwise gears stand together by their ratios: with one gearbox after the other the gears are laid beside
+//! those of the gearboxes before, both by falling size of the ratio and apart by its sign, so that the sum of
+//! `|ln(i/i')|` over all pairs is least, where a gear that stays alone costs half of `ln 1.2`. No two gears
+//! whose ratios differ by more than a fifth are a pair.
 
 use crate::analyze::answer::overview::{Gear, Overview};
 use crate::error::Error;

@@ -24,8 +24,9 @@ use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Parts of the tolerance within which all deviations count as equal, the least first: only where no design of a class has sizes, the
-/// next class is searched. So a deviation is never given for mass beyond a tenth of the tolerance.
+/// Parts of the tolerance within which all deviations count as equal, the least first: only where no design
+/// of a class has sizes, the next class is searched. So a deviation is never given for mass beyond a tenth of
+/// the tolerance.
 const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
 
 /// Tooth numbers and sizes of a scheme.
@@ -192,7 +193,8 @@ impl Tried {
 /// What a fault calls the gearbox in the making.
 const MAKING: &str = "the gearbox in the making";
 
-/// The gearbox with what its strength asks for and its duty, as a file. The number of planets and the profile shifts are left to the sizes.
+/// The gearbox with what its strength asks for and its duty, as a file. The number of planets and the profile
+/// shifts are left to the sizes.
 fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
     let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
     let document = Document::parse_one(MAKING, text.as_bytes())?;

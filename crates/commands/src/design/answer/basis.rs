@@ -38,8 +38,9 @@ impl Default for Basis {
 }
 
 impl Basis {
-    /// The basis that a file gives: `strength` and `tools`, at its top or of the first set with `strength`, and its keys such as `life`.
-    /// The keys that it lacks are [usual](USUAL). So a gearbox whose strength is calculated is a basis for another.
+    /// The basis that a file gives: `strength` and `tools`, at its top or of the first set with `strength`,
+    /// and its keys such as `life`. The keys that it lacks are [usual](USUAL). So a gearbox whose strength is
+    /// calculated is a basis for another.
     ///
     /// # Errors
     /// [`Error::Document`] for a file without `strength`.
@@ -88,8 +89,8 @@ impl Basis {
         self
     }
 
-    /// The same with factors of both meshes by the names of their symbols, in place of those of the same symbol under any key and
-    /// in any spelling.
+    /// The same with factors of both meshes by the names of their symbols, in place of those of the same
+    /// symbol under any key and in any spelling.
     #[must_use]
     pub fn with_factors(mut self, factors: &[(String, f64)]) -> Self {
         let Some(strength) = self.strength.as_mapping_mut() else { return self };

@@ -156,7 +156,8 @@ pub struct TeethStep {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethTaken {
-    /// The number of the design, from 1: the least class of deviation first, then the smallest ring at one load of the teeth.
+    /// The number of the design, from 1: the least class of deviation first, then the smallest ring at one
+    /// load of the teeth.
     pub number: usize,
     /// Mass of its gears; `null` where a set has no size.
     pub mass_kg: Option<f64>,

@@ -84,13 +84,15 @@ pub enum Limit {
     Planets,
 }
 
-/// Factors on a limit that is just enough for exact ratios: tooth numbers come near them and may need a little more.
+/// Factors on a limit that is just enough for exact ratios: tooth numbers come near them and may need a
+/// little more.
 const MARGINS: [f64; 3] = [1.0, 1.05, 1.15];
 
 /// The greatest tolerance that is tried: that of the source.
 const GREATEST_TOLERANCE: f64 = 0.1;
 
-/// Tooth numbers of sun and planet from here on, and of rings up to here, are tried where those wanted give nothing.
+/// Tooth numbers of sun and planet from here on, and of rings up to here, are tried where those wanted give
+/// nothing.
 const TEETH: RangeInclusive<u32> = 12..=200;
 
 /// Ring offsets that are tried where sets without an offset give nothing.
@@ -179,7 +181,8 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// With a wider tolerance: the one that the gearbox found with the widest needs, if it is found with this one, too.
+    /// With a wider tolerance: the one that the gearbox found with the widest needs, if it is found with this
+    /// one, too.
     fn of_tolerance(&self) -> Result<Option<WayOut>, Error> {
         if self.wanted.selection.requirements.tolerance >= GREATEST_TOLERANCE {
             return Ok(None);

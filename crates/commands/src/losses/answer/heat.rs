@@ -4,11 +4,13 @@
 //! P_V = P_K + G·Δθ
 //! ```
 //!
-//! `P_V` is the loss, `P_K` what a cooler takes, `G` the conductance of the housing to the air about it, its area times a coefficient of heat
-//! transfer, and `Δθ` by how much the oil is warmer than the air once nothing changes any more. `G` and `P_K` are given: measured, or by a
-//! maker's catalogue. Of a cooler that could take more than is lost the rest is left.
+//! `P_V` is the loss, `P_K` what a cooler takes, `G` the conductance of the housing to the air about it, its
+//! area times a coefficient of heat transfer, and `Δθ` by how much the oil is warmer than the air once
+//! nothing changes any more. `G` and `P_K` are given: measured, or by a maker's catalogue. Of a cooler that
+//! could take more than is lost the rest is left.
 //!
-//! With an allowed `Δθ` the greatest torque on the input follows, at the same speed and in the same direction: the thermal limit.
+//! With an allowed `Δθ` the greatest torque on the input follows, at the same speed and in the same
+//! direction: the thermal limit.
 
 use super::{GearLosses, GivenLoad, Wanted, at};
 use crate::analyze::answer as analyze;
@@ -23,7 +25,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Power, TemperatureInterval, ThermalConductance, Torque};
 
-/// Doublings and halvings of a torque on the way to its limit: from any torque to none, or to what no gear bears.
+/// Doublings and halvings of a torque on the way to its limit: from any torque to none, or to what no gear
+/// bears.
 const DOUBLINGS: u32 = 60;
 
 /// What takes the heat.
@@ -92,8 +95,8 @@ pub struct GearHeat {
     pub housing_w: f64,
     /// By how much the oil is warmer than the air once nothing changes any more.
     pub rise_k: f64,
-    /// The greatest torque on the input with the allowed rise, at this speed; 0 where drags alone heat more, `null` where none is asked or no
-    /// torque heats so much.
+    /// The greatest torque on the input with the allowed rise, at this speed; 0 where drags alone heat more,
+    /// `null` where none is asked or no torque heats so much.
     pub thermal_torque_n_m: Option<f64>,
 }
 
@@ -124,7 +127,8 @@ pub(super) fn of(
     })
 }
 
-/// The torque on the input at which the gear loses what cooler and housing take at the allowed rise. What is lost grows with it.
+/// The torque on the input at which the gear loses what cooler and housing take at the allowed rise. What is
+/// lost grows with it.
 fn thermal_torque(
     subject: &Subject<'_>,
     wanted: &Wanted,

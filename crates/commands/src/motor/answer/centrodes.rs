@@ -10,7 +10,8 @@ use serde::Serialize;
 /// The most points of a half-lobe.
 pub const MOST_POINTS: u32 = 100_000;
 
-/// Points of both centrodes, evenly spaced along each half-lobe, counter-clockwise from a crest on the x axis.
+/// Points of both centrodes, evenly spaced along each half-lobe, counter-clockwise from a crest on the x
+/// axis.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Centrodes {

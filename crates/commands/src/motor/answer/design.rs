@@ -90,8 +90,8 @@ pub struct Designed {
 /// The motor that a question means.
 ///
 /// # Errors
-/// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, a form that no teeth have;
-/// [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
+/// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, a form that no teeth
+/// have; [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
     let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
@@ -153,7 +153,8 @@ pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, 
 /// The title and the motor of a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refusal is about.
+/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refusal is
+/// about.
 pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error> {
     let (file, motor, family) = file::read(document)?;
     let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));

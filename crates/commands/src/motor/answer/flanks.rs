@@ -21,7 +21,8 @@ use uom::si::f64::{Length, Pressure};
 pub struct Flanks {
     /// Satellites that part high from low pressure, `2n`; the others are idle.
     pub loaded_satellites: u32,
-    /// Ripple of flow and torque, satellites sealing at the flanks; that at the pitch points is `work.ripple`.
+    /// Ripple of flow and torque, satellites sealing at the flanks; that at the pitch points is
+    /// `work.ripple`.
     pub ripple: f64,
     /// Least over mean flow, which is that of the torque.
     pub least_over_mean: f64,
@@ -49,7 +50,8 @@ pub struct FlankForces {
     pub by_crest: ForceAt,
     /// The greatest of one by a trough.
     pub by_trough: ForceAt,
-    /// A bound of the force on the stator's flanks with the contacts where they are and a third flank that holds the satellite.
+    /// A bound of the force on the stator's flanks with the contacts where they are and a third flank that
+    /// holds the satellite.
     pub stator_bound: ForceAt,
     /// The same on the rotor's flanks.
     pub rotor_bound: ForceAt,
@@ -83,9 +85,11 @@ pub struct ContactStresses {
     pub at_pitch_point_pa: f64,
     /// The greatest where one pair of flanks alone is in mesh; null where there always are two.
     pub alone_pa: Option<f64>,
-    /// Where that is, along the line of action from the pitch point, positive towards the satellite's base circle.
+    /// Where that is, along the line of action from the pitch point, positive towards the satellite's base
+    /// circle.
     pub alone_offset_m: Option<f64>,
-    /// The greatest on the whole path with all load on one pair, a bound; null where a loaded satellite has no path.
+    /// The greatest on the whole path with all load on one pair, a bound; null where a loaded satellite has
+    /// no path.
     pub on_path_pa: Option<f64>,
     /// Where that is.
     pub on_path_offset_m: Option<f64>,

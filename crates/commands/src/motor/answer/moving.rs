@@ -1,7 +1,8 @@
 //! A motor as it turns: its outlines once, then where everything stands at each angle of the rotor.
 //!
-//! While the rotor turns by one of its lobes, `2π/n`, each satellite comes where the next one stood, `2π/(N + n)` on, and each chamber too. So
-//! the frames over one lobe, repeated, are the motion of the whole motor.
+//! While the rotor turns by one of its lobes, `2π/n`, each satellite comes where the next one stood,
+//! `2π/(N + n)` on, and each chamber too. So the frames over one lobe, repeated, are the motion of the whole
+//! motor.
 
 use super::Designed;
 use crate::answer::Answer;
@@ -35,8 +36,8 @@ pub struct Moving {
     pub stator_diameter_m: f64,
     /// Angle of the rotor between two frames.
     pub step_rad: f64,
-    /// What a satellite has turned about itself more when it comes to the same place after a round: what its rotation jumps by where the last of the
-    /// frames' satellites goes on as the first.
+    /// What a satellite has turned about itself more when it comes to the same place after a round: what its
+    /// rotation jumps by where the last of the frames' satellites goes on as the first.
     pub round_turn_rad: f64,
     /// Frames over one lobe of the rotor, its end left out.
     pub frames: Vec<MovingFrame>,

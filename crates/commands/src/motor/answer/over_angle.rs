@@ -66,13 +66,14 @@ pub fn over_angle(designed: &Designed) -> Result<OverAngle, Error> {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverCycle {
-    /// Phases, from half a cycle before to half a cycle after the chamber is greatest, and the satellite at a crest.
+    /// Phases, from half a cycle before to half a cycle after the chamber is greatest, and the satellite at a
+    /// crest.
     pub phases_rad: Vec<f64>,
-    /// Pressure in the chamber, which is greatest at 0, with the ports as made; empty without ports, bulk modulus or pressure, null in a short
-    /// circuit.
+    /// Pressure in the chamber, which is greatest at 0, with the ports as made; empty without ports, bulk
+    /// modulus or pressure, null in a short circuit.
     pub chamber_pressures_pa: Vec<Option<f64>>,
-    /// Contact stress of a satellite, which stands at a crest at 0, at the pitch point with the stator; null while it is idle, empty without a
-    /// pressure or teeth.
+    /// Contact stress of a satellite, which stands at a crest at 0, at the pitch point with the stator; null
+    /// while it is idle, empty without a pressure or teeth.
     pub stator_contact_pa: Vec<Option<f64>>,
     /// The same with the rotor.
     pub rotor_contact_pa: Vec<Option<f64>>,

@@ -75,7 +75,8 @@ fn of_contact(stress: f64) -> Warning {
     warning("contact-stress-above-usual", message)
 }
 
-/// The greatest contact stress where one pair of flanks carries alone; at the pitch point where there always are two.
+/// The greatest contact stress where one pair of flanks carries alone; at the pitch point where there always
+/// are two.
 pub(crate) fn greatest_contact(stresses: &[ContactStresses]) -> Option<f64> {
     stresses.iter().map(|one| one.alone_pa.unwrap_or(one.at_pitch_point_pa)).reduce(f64::max)
 }

@@ -179,8 +179,8 @@ pub struct Clearance {
     pub clearance_in_modules: f64,
     /// Part of the wheel's tooth where it is.
     pub part: Option<ToothPart>,
-    /// Rotation of the rotor at which it is; null for flanks in mesh, which are equally near all along, and where it is
-    /// the same at every angle.
+    /// Rotation of the rotor at which it is; null for flanks in mesh, which are equally near all along, and
+    /// where it is the same at every angle.
     pub rotation_rad: Option<f64>,
     /// Where it is, of satellites and a wheel; null for flanks in mesh.
     pub x_m: Option<f64>,

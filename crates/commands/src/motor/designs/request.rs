@@ -1,4 +1,5 @@
-//! What both searches for motors have in common: what is wanted, numbers and size, and what is shown, drawn and written.
+//! What both searches for motors have in common: what is wanted, numbers and size, and what is shown, drawn
+//! and written.
 
 use crate::desk::Content;
 use crate::failure::Failure;
@@ -38,7 +39,8 @@ pub(crate) struct Sought {
     #[arg(long, allow_hyphen_values = true)]
     speed: Option<Quantity<AngularVelocity>>,
 
-    /// Modules to choose from: '2 mm, 2.5 mm'. Default: the first series of ISO 54, unless the width is given.
+    /// Modules to choose from: '2 mm, 2.5 mm'. Default: the first series of ISO 54, unless the width is
+    /// given.
     #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
     module: Option<Quantities<Length>>,
 
@@ -78,7 +80,8 @@ pub(crate) struct Sought {
     #[arg(long, value_name = "TEETH", default_value = "8..60")]
     zs: Span<u32>,
 
-    /// Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the pitch points.
+    /// Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the
+    /// pitch points.
     #[arg(long, value_enum, default_value_t = Divisor::Any)]
     divisor: Divisor,
 }

@@ -1,4 +1,5 @@
-//! What the tables of both searches for hydromotors share: the numbers of a design, and what it does in its size.
+//! What the tables of both searches for hydromotors share: the numbers of a design, and what it does in its
+//! size.
 
 use crate::table::figure::{Figure, count};
 use crate::table::quantities::column;
@@ -95,7 +96,8 @@ impl Duty<'_> {
     }
 }
 
-/// Columns of the sizes: what is known of the first design's duty after the given ones, as many as fit a table.
+/// Columns of the sizes: what is known of the first design's duty after the given ones, as many as fit a
+/// table.
 pub(crate) fn size_columns(
     given: &[&'static str],
     first: Option<&Duty<'_>>,

@@ -1,4 +1,5 @@
-//! The search for hydromotors with the tooth form free: families, forms and flanks under load, for a displacement or torque.
+//! The search for hydromotors with the tooth form free: families, forms and flanks under load, for a
+//! displacement or torque.
 
 mod choices;
 pub(crate) mod funnel;
@@ -37,8 +38,8 @@ pub struct Wanted {
     pub made: Groups,
 }
 
-/// Satellites and wheels of one material, with its limits of contact and root stress. Without limits any do: stresses do not depend on
-/// them, and what they would allow is not told.
+/// Satellites and wheels of one material, with its limits of contact and root stress. Without limits any do:
+/// stresses do not depend on them, and what they would allow is not told.
 ///
 /// # Errors
 /// [`Error::Motor`] for a modulus that is not above 0, or a Poisson's ratio outside 0 to 0.5.
@@ -52,7 +53,8 @@ pub fn material(
     Ok(MaterialLimits { contact, root, modulus })
 }
 
-/// Hydromotors with their tooth forms for a displacement: designs that no other surpasses in all objectives together.
+/// Hydromotors with their tooth forms for a displacement: designs that no other surpasses in all objectives
+/// together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorForms {
@@ -62,8 +64,8 @@ pub struct MotorForms {
     pub objectives: Vec<Objective>,
     /// What they are ordered by.
     pub order: Objective,
-    /// Every admissible point of the space, tried or not, is in no objective better than some design by more than this, relative; null
-    /// where the designs are the exact front of all admissible points.
+    /// Every admissible point of the space, tried or not, is in no objective better than some design by more
+    /// than this, relative; null where the designs are the exact front of all admissible points.
     pub resolution: Option<f64>,
     /// How many non-dominated designs there are.
     pub found: usize,
@@ -99,7 +101,8 @@ pub struct Design {
     pub satellite_teeth: u32,
     /// The family.
     pub family: Family,
-    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs over the module; null elsewhere.
+    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs over the
+    /// module; null elsewhere.
     pub l_over_module: Option<f64>,
     /// The relative amplitude of the rotor's second harmonic, `ε₂`: 0 by the cosine law; null for two arcs.
     pub second_amplitude: Option<f64>,
@@ -188,7 +191,8 @@ pub struct Size {
     pub width_m: f64,
     /// Greatest diameter of the stator's centrode; teeth and housing come on top.
     pub outer_diameter_m: f64,
-    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs from the axis; null elsewhere.
+    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs from the axis;
+    /// null elsewhere.
     pub l_m: Option<f64>,
     /// Displacement a revolution.
     pub displacement_m3: f64,
@@ -217,7 +221,8 @@ pub struct Searched {
 /// Searches; `watch` is told how far it is, from any thread, and may end it.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotorForm`] where no point is admissible.
+/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotorForm`] where no
+/// point is admissible.
 pub fn search(wanted: &Wanted, watch: &Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     if found.designs.is_empty() {

@@ -25,28 +25,16 @@ const SHARE_OF_MOTORS: f64 = 0.1;
 
 /// Non-dominated motors with their tooth forms for a displacement or torque.
 ///
-/// Every set of lobes and teeth is tried at places of its families with every tooth form within the steps; of the points that keep
-/// all checks, limits of the teeth and bounds, those remain that no other surpasses in all objectives together. What cannot be
-/// better than a design by more than the resolution is left out, and counted. Steps have both ends and how many values:
-/// 20deg..30deg/5. Other ranges include both ends and may be open: 3..6, ..90.
+/// Every set of lobes and teeth is tried at places of its families with every tooth form within the steps; of
+/// the points that keep all checks, limits of the teeth and bounds, those remain that no other surpasses in
+/// all objectives together. What cannot be better than a design by more than the resolution is left out, and
+/// counted. Steps have both ends and how many values: 20deg..30deg/5. Other ranges include both ends and may
+/// be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "\
 epicyclic motor forms [OPTIONS] --displacement <DISPLACEMENT>
        epicyclic motor forms [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
-#[command(after_help = "\
-Objectives, also of --by: volume, ripple (at the pitch points), radius (the
-least of curvature), contact-ratio, flank-ripple, least-torque, contact-stress,
-root-stress, allowed-pressure. With those of flanks under load every admissible
-point is tried, which takes longer.
-
-Example:
-  epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --module '2 mm' \\
-      --stator 6 --z3 66 --zs 10 --families arcs --shift 0.1..0.3/3
-  epicyclic motor forms --torque '600 N·m' --pressure '20 MPa' --stator 6 \\
-      --z3 66 --zs 10 --places 4 --pressure-angle '25 deg' --shift 0.2 \\
-      --contact-limit '1500 MPa' --root-limit '400 MPa' \\
-      --objectives volume,allowed-pressure --by allowed-pressure \\
-      --save motor.yaml")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     sought: Sought,

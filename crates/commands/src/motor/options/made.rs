@@ -10,11 +10,13 @@ use std::str::FromStr;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "As made, each with the keys of a file")]
 pub(crate) struct Made {
-    /// Material of the teeth: youngs_modulus, poissons_ratio, contact_limit, root_limit. Default: steel without limits.
+    /// Material of the teeth: youngs_modulus, poissons_ratio, contact_limit, root_limit. Default: steel
+    /// without limits.
     #[arg(long, value_name = "KEYS")]
     material: Option<Group<MaterialGroup>>,
 
-    /// The fluid: viscosity or dynamic_viscosity, density, bulk_modulus, turbulence. 'viscosity: 46 mm²/s, density: 870 kg/m³'
+    /// The fluid: viscosity or dynamic_viscosity, density, bulk_modulus, turbulence. 'viscosity: 46 mm²/s,
+    /// density: 870 kg/m³'
     #[arg(long, value_name = "KEYS")]
     oil: Option<Group<OilGroup>>,
 

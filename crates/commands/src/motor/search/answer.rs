@@ -46,7 +46,8 @@ pub struct MotorSearch {
     pub order: Objective,
     /// The tooth form.
     pub form: Form,
-    /// Whether every design has teeth that keep their limits and ideal ports; else teeth and ports were not judged.
+    /// Whether every design has teeth that keep their limits and ideal ports; else teeth and ports were not
+    /// judged.
     pub made: bool,
     /// How many non-dominated designs there are.
     pub found: usize,
@@ -100,7 +101,8 @@ pub struct Design {
     pub least_radius_in_modules: f64,
     /// Whether the teeth keep their limits.
     pub teeth_limits: TeethLimits,
-    /// The greatest contact stress of steel teeth where one pair of flanks carries alone, at the pressure; null without it or without teeth.
+    /// The greatest contact stress of steel teeth where one pair of flanks carries alone, at the pressure;
+    /// null without it or without teeth.
     pub contact_stress_pa: Option<f64>,
     /// The check of the centrodes with least to spare.
     pub nearest_check: Subject,
@@ -175,7 +177,8 @@ pub struct Searched {
 /// Searches; `watch` is told how far it is, from any thread, and may end it.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotor`] where no motor passes.
+/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotor`] where no motor
+/// passes.
 pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     let form = wanted.search.flanks.form;

@@ -19,33 +19,23 @@ const PLACES_IN_A_SECOND: f64 = 6e3;
 
 /// Non-dominated motors for a displacement or torque.
 ///
-/// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits, the motors
-/// remain that no other surpasses in all objectives together. The module is chosen from a list and the width follows, or the other way
-/// round. Between the places tried a motor may be better: by how much is estimated and said. The teeth are of one form, as `motor` has
-/// it; every motor listed keeps its limits and can have ideal ports. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100
-/// times the stator's nominal radius m·Z₃/2. Ranges include both ends and may be open: 3..6, ..90.
+/// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and
+/// limits, the motors remain that no other surpasses in all objectives together. The module is chosen from a
+/// list and the width follows, or the other way round. Between the places tried a motor may be better: by how
+/// much is estimated and said. The teeth are of one form, as `motor` has it; every motor listed keeps its
+/// limits and can have ideal ports. Module: 0.001 to 1000 mm; width: 0.001 to 10 000 mm; l: at most 100 times
+/// the stator's nominal radius m·Z₃/2. Ranges include both ends and may be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "\
 epicyclic motor search [OPTIONS] --displacement <DISPLACEMENT>
        epicyclic motor search [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
-#[command(after_help = "\
-Objectives, also of --by: volume, ripple (at the pitch points), radius (the
-least of curvature), flank-ripple, least-torque. Those of flanks are of
-satellites that seal where the flanks touch; with them, and with --flank-ripple
-and --least-torque, every motor is looked at for its teeth, which takes longer.
-
-Example:
-  epicyclic motor search --torque '600 N·m' --pressure '20 MPa' \\
-      --module '2 mm' --stator 5..6 --z3 ..66 --ripple '10 %'
-  epicyclic motor search --torque '600 N·m' --pressure '20 MPa' \\
-      --module '2 mm' --stator 5..6 --z3 66 --zs 10 --least-torque '95 %' \\
-      --objectives volume,flank-ripple --by flank-ripple")]
+#[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
     sought: Sought,
 
-    /// Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no ideal ports (default: such
-    /// motors are left out).
+    /// Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no
+    /// ideal ports (default: such motors are left out).
     #[arg(long)]
     any_teeth: bool,
 

@@ -21,11 +21,13 @@ use std::ops::ControlFlow;
 
 /// Places in a range of `k`, at most and at least.
 const PLACES: [u32; 2] = [60, 12];
-/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes seconds.
+/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes
+/// seconds.
 const ANALYSES: usize = 6000;
 /// The `k` usual for a set with one sun, one ring and one kind of planet.
 const USUAL_K: [f64; 2] = [1.5, 4.5];
-/// How far the range goes beyond the set's own `k` where that is at the end of the usual ones: over `k − 1` below, over `k` above.
+/// How far the range goes beyond the set's own `k` where that is at the end of the usual ones: over `k − 1`
+/// below, over `k` above.
 const BEYOND_K: [f64; 2] = [0.6, 1.3];
 /// The range of `k` of other sets over their own.
 const OVER_OWN_K: [f64; 2] = [0.6, 1.6];
@@ -42,10 +44,11 @@ pub struct GearboxReport {
     pub gears: Vec<OneGear>,
     /// All shifts; `null` of a gearbox with more gears than they are told of.
     pub shifts: Option<Shifts>,
-    /// The strength of its teeth at the operating point with load and speed, then over the duty of its file; empty where the file does not
-    /// state oil, life and the `strength` of a set.
+    /// The strength of its teeth at the operating point with load and speed, then over the duty of its file;
+    /// empty where the file does not state oil, life and the `strength` of a set.
     pub strength: Vec<Strength>,
-    /// Its losses by their sources at the operating point; `null` without speed and load, and where nothing loses power.
+    /// Its losses by their sources at the operating point; `null` without speed and load, and where nothing
+    /// loses power.
     pub losses: Option<LossChapter>,
     /// Data sheets of its gears; `null` where the file says enough of no set.
     pub sheets: Option<DataSheets>,
@@ -53,8 +56,8 @@ pub struct GearboxReport {
     pub vibration: Option<Vibration>,
     /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
     pub conflict: Option<Conflict>,
-    /// What changes with the `k` of one set while the others stay as they are. Sets with more than two central gears, which have no one
-    /// `k`, and pairs on fixed axes are left out.
+    /// What changes with the `k` of one set while the others stay as they are. Sets with more than two
+    /// central gears, which have no one `k`, and pairs on fixed axes are left out.
     pub over_k: Vec<OverK>,
 }
 
@@ -99,10 +102,12 @@ pub struct Shown<'g> {
     pub layout: Option<Box<Layout>>,
 }
 
-/// The chapters of a gearbox with the input as asked, and the results that their pictures show, unless `goes_on`, which is asked now and then, breaks.
+/// The chapters of a gearbox with the input as asked, and the results that their pictures show, unless
+/// `goes_on`, which is asked now and then, breaks.
 ///
 /// # Errors
-/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`], [`sheet::chapter`] and [`vibration::chapter`].
+/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`],
+/// [`sheet::chapter`] and [`vibration::chapter`].
 pub fn answer<'g>(
     subject: &'g Subject<'_>,
     input: Input,

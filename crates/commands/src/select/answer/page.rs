@@ -8,8 +8,8 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::{Options, Verdict, draw};
 use epicyclic_schemes::structures::{Role, SetRoles, gearbox};
 
-/// A candidate as a gearbox with the direct-drive clutch chosen, laid out; `eta0` is the efficiency of its sets with their carriers
-/// fixed.
+/// A candidate as a gearbox with the direct-drive clutch chosen, laid out; `eta0` is the efficiency of its
+/// sets with their carriers fixed.
 ///
 /// # Errors
 /// [`Error::Design`] of a candidate whose sets are no simple sets; there is none in an answer.

@@ -50,7 +50,8 @@ impl Asked<'_> {
         self.reached(gears.iter().map(|gear| (gear.gear, gear.wanted_ratio, gear.ratio)))
     }
 
-    /// The speeds of direct drive and of braked gears with the ratios wanted and reached, the slowest asked for first.
+    /// The speeds of direct drive and of braked gears with the ratios wanted and reached, the slowest asked
+    /// for first.
     pub(crate) fn reached(&self, braked: impl Iterator<Item = (GearName, f64, f64)>) -> Vec<ReachedSpeed> {
         // A scheme may be tried with other signs than those given.
         let asked = |wanted: f64| nearest(&self.ratios, wanted).unwrap_or(wanted);

@@ -82,7 +82,8 @@ pub enum RatioSigns {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
-    /// The direction of the output, alike in all gears or not: before all others, and none that an order names.
+    /// The direction of the output, alike in all gears or not: before all others, and none that an order
+    /// names.
     Direction,
     /// The least efficiency of a braked gear; more is better.
     Efficiency,

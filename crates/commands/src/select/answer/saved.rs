@@ -15,8 +15,8 @@ use epicyclic_train::{GearSpec, Gearbox};
 pub struct Saved {
     /// The scheme by the source's name, or the structure.
     pub scheme: String,
-    /// The gearbox with its brakes K1 and K2, the direct-drive clutch that was chosen, and its gears: forward gears `1`, `2`, … and
-    /// reverse `R`, the slowest first.
+    /// The gearbox with its brakes K1 and K2, the direct-drive clutch that was chosen, and its gears: forward
+    /// gears `1`, `2`, … and reverse `R`, the slowest first.
     pub gearbox: Gearbox,
     /// Module and face width of each set at the load factor; empty where they are not known.
     pub sizes: Vec<WrittenSize>,

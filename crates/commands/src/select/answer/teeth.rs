@@ -33,7 +33,8 @@ use streamed::Designs;
 pub use streamed::Streamed;
 use uom::si::f64::{Length, Velocity};
 
-/// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
+/// The most designs that an answer holds, some 35 kB each; of more each is made when it is written
+/// ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
 
 /// What is wanted.
@@ -118,7 +119,8 @@ pub struct SelectTeeth {
     pub shown: usize,
     /// These.
     pub designs: Vec<Design>,
-    /// The best design of each structure by itself, the best first; that of another may dominate it. Of one set those on the front alone.
+    /// The best design of each structure by itself, the best first; that of another may dominate it. Of one
+    /// set those on the front alone.
     pub best_of_structures: Vec<BestOfStructure>,
 }
 
@@ -191,7 +193,8 @@ impl Answer for SelectTeeth {
     const NAME: &'static str = "select-teeth";
 }
 
-/// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from any thread.
+/// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from
+/// any thread.
 ///
 /// # Errors
 /// [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
@@ -207,7 +210,8 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
 pub struct At {
     /// The share that is done, from 0 to 1.
     pub share: f64,
-    /// What is searched, of two sets once it is counted and `accepted` still 0; of one set it is counted while it is searched.
+    /// What is searched, of two sets once it is counted and `accepted` still 0; of one set it is counted
+    /// while it is searched.
     pub searched: Option<Searched>,
 }
 
@@ -343,7 +347,8 @@ impl<'a> Searches<'a> {
     /// The answer with its designs made while they are written; `told` is told the share of them that is.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] with the key of a number that no double holds; that of a design comes while it is written.
+    /// [`Error::NotFinite`] with the key of a number that no double holds; that of a design comes while it is
+    /// written.
     pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
         let head = self.without_designs()?;
         finite::check(&head)?;
@@ -556,8 +561,8 @@ impl SelectTeeth {
     }
 }
 
-/// Module and face width of a set whose ring has the diameter that the load factor asks for: the face width is a multiple of the pitch
-/// diameter of the smaller of sun and planet.
+/// Module and face width of a set whose ring has the diameter that the load factor asks for: the face width
+/// is a multiple of the pitch diameter of the smaller of sun and planet.
 fn size(set: &SetTeeth, face_width_ratio: f64) -> Option<WrittenSize> {
     let module = set.module_m?;
     let width = face_width_ratio * module * f64::from(set.sun.min(set.planet));

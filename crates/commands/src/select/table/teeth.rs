@@ -69,7 +69,8 @@ struct SetColumns {
     size: &'static str,
     ring_diameter: &'static str,
     module: &'static str,
-    /// Offset and centre distance, then shifts and tip alterations of sun, planets and ring; of sets with profile shift.
+    /// Offset and centre distance, then shifts and tip alterations of sun, planets and ring; of sets with
+    /// profile shift.
     shifts: [&'static str; 8],
 }
 

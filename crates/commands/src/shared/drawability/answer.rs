@@ -5,7 +5,8 @@ use epicyclic_train::{self as train, Gearbox, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Elements of a gearbox that cannot be drawn together, though they can as soon as any one of them is left out.
+/// Elements of a gearbox that cannot be drawn together, though they can as soon as any one of them is left
+/// out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Conflict {
@@ -64,9 +65,9 @@ pub enum Reach {
 impl Conflict {
     /// What cannot reach what.
     ///
-    /// The elements of a witness can be drawn together as soon as one is left out. Left out a brake, say, all others are
-    /// drawn, and in none of these drawings does its link reach the housing: the other links shut it in.
-    /// A direct-drive clutch that the gearbox itself does not have is not named.
+    /// The elements of a witness can be drawn together as soon as one is left out. Left out a brake, say, all
+    /// others are drawn, and in none of these drawings does its link reach the housing: the other links shut
+    /// it in. A direct-drive clutch that the gearbox itself does not have is not named.
     #[must_use]
     pub fn of(gearbox: &Gearbox, witness: &Witness) -> Self {
         let name = |link: LinkId| gearbox.link_name(link).to_owned();

@@ -1,4 +1,5 @@
-//! The checks of the teeth of a gearbox: what was checked, what could not be for want of which key, what does not hold.
+//! The checks of the teeth of a gearbox: what was checked, what could not be for want of which key, what does
+//! not hold.
 
 use crate::answer::Warning;
 use epicyclic_gears::involute::check::Severity as CheckSeverity;
@@ -27,7 +28,8 @@ pub struct ToothCheck {
     pub name: &'static str,
     /// The set.
     pub set: String,
-    /// The gears that it is about: of a mesh both, of tips theirs first; empty of the set as a whole and of planets beside each other.
+    /// The gears that it is about: of a mesh both, of tips theirs first; empty of the set as a whole and of
+    /// planets beside each other.
     pub gears: Vec<String>,
     /// The value; `null` where it is without end.
     pub value: Option<f64>,

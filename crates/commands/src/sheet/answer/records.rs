@@ -38,9 +38,11 @@ pub(super) struct Allowed {
 pub struct AtOutput {
     /// The gear.
     pub gear: String,
-    /// Angle by which the output turns freely, with the least and the greatest play that the file allows; `null` where the teeth of a set with torque are not known.
+    /// Angle by which the output turns freely, with the least and the greatest play that the file allows;
+    /// `null` where the teeth of a set with torque are not known.
     pub backlash_rad: Option<Limits>,
-    /// Torsional stiffness of the meshes per radian; `null` where planets or face width of a set with torque are missing, and where no set has torque.
+    /// Torsional stiffness of the meshes per radian; `null` where planets or face width of a set with torque
+    /// are missing, and where no set has torque.
     pub stiffness_n_m: Option<f64>,
     /// What is missing.
     pub missing: Vec<String>,
@@ -76,7 +78,8 @@ pub struct SetSheet {
     pub centre_distance_m: f64,
     /// Its lower and upper deviation; `null` where the file states none.
     pub centre_distance_deviations_m: Option<Limits>,
-    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`; `null` where the file states none.
+    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`;
+    /// `null` where the file states none.
     pub thickness_allowances_m: Option<Vec<Limits>>,
     /// Sun, planet and ring.
     pub gears: Vec<GearSheet>,
@@ -136,7 +139,8 @@ pub struct GearSheet {
     pub transverse_thickness_m: f64,
     /// Normal tooth thickness at the tip circle `s_an`, without allowances.
     pub tip_thickness_m: f64,
-    /// Radius of the corners of its tool: of a rack the fillet `ρ_fP*`, of a shaper the tips `ρ_a0*`, of a form tool its fillet; in modules.
+    /// Radius of the corners of its tool: of a rack the fillet `ρ_fP*`, of a shaper the tips `ρ_a0*`, of a
+    /// form tool its fillet; in modules.
     pub fillet: f64,
     /// Least profile shift that a rack cuts without undercut; `null` of a ring.
     pub least_shift: Option<f64>,
@@ -146,11 +150,13 @@ pub struct GearSheet {
     pub span_m: f64,
     /// The same with the allowances; `null` without.
     pub span_limits_m: Option<Limits>,
-    /// Face width that must be exceeded for the span to be measured, `W_k·sin β_b`; `null` of spur teeth and of a ring.
+    /// Face width that must be exceeded for the span to be measured, `W_k·sin β_b`; `null` of spur teeth and
+    /// of a ring.
     pub span_face_width_m: Option<f64>,
     /// Diameter of the measuring balls or pins `D_M`.
     pub ball_diameter_m: f64,
-    /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall through the spaces.
+    /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall
+    /// through the spaces.
     pub over_balls_m: Option<f64>,
     /// The same with the allowances; `null` without.
     pub over_balls_limits_m: Option<Limits>,

@@ -430,7 +430,8 @@ impl Scenario<'_> {
         Ok(Start::speeds(&speeds).together(&self.on_shafts(start)).twisted(&twists))
     }
 
-    /// Bodies without a speed of their own turn with what shafts join them to, each with the other end of its first shaft.
+    /// Bodies without a speed of their own turn with what shafts join them to, each with the other end of its
+    /// first shaft.
     fn on_shafts(&self, start: &StartEntry) -> Vec<[&str; 2]> {
         let mut free: Vec<&String> =
             self.file.bodies.keys().filter(|body| !start.speeds.contains_key(*body)).collect();
@@ -484,7 +485,8 @@ fn either(path: Path, law: Path, why: &motion::Error) -> Path {
     if matches!(why, motion::Error::Value { .. }) { law } else { named(path, why) }
 }
 
-/// A capacity that is 0 while the piston fills and below the kiss point, and proportional to the pressure beyond.
+/// A capacity that is 0 while the piston fills and below the kiss point, and proportional to the pressure
+/// beyond.
 fn capacity(points: &[(Time, Pressure)], fill: f64, kiss: f64, factor: f64) -> Result<Course, motion::Error> {
     let plain: Vec<[f64; 2]> =
         points.iter().map(|(time, pressure)| [time.si(), pressure.si() - kiss]).collect();

@@ -52,7 +52,8 @@ pub struct DragSamples {
 }
 
 impl Scenario<'_> {
-    /// Gives the model the drags of the gearbox, but for those whose links are one piece; which they are, in its order.
+    /// Gives the model the drags of the gearbox, but for those whose links are one piece; which they are, in
+    /// its order.
     pub(super) fn add_drags(&self, model: &mut Model) -> Result<Vec<Drag>, Error> {
         let gearbox = &self.subject.gearbox;
         let mut all = vec![];

@@ -89,7 +89,8 @@ fn of(element: &Element, place: usize, run: &Run, instants: &[&Sample]) -> Eleme
     }
 }
 
-/// Temperature over the oil at each instant, by the heat between two of them; nothing without a heat capacity.
+/// Temperature over the oil at each instant, by the heat between two of them; nothing without a heat
+/// capacity.
 pub(super) fn temperature_rises(element: &Element, place: usize, instants: &[&Sample]) -> Option<Vec<f64>> {
     let capacity = element.heat_capacity_j_per_k?;
     let conductance = element.conductance_w_per_k;

@@ -24,7 +24,8 @@ pub struct ShiftResult {
     pub locked_s: Option<f64>,
     /// From its beginning to the lock.
     pub shift_time_s: Option<f64>,
-    /// From when an applied element carries to when a released one, or a one-way clutch, lets go; `null` where that comes first.
+    /// From when an applied element carries to when a released one, or a one-way clutch, lets go; `null`
+    /// where that comes first.
     pub torque_phase_s: Option<f64>,
     /// From when a released element, or a one-way clutch, lets go to the lock.
     pub inertia_phase_s: Option<f64>,

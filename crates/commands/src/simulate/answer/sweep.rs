@@ -78,8 +78,9 @@ impl Answer for Sweep {
 /// The scenario with each value; `goes_on` is told the share that is done, and says whether to go on.
 ///
 /// # Errors
-/// [`Error::Places`] for too few or too many steps, [`Error::Sweep`] for a key that cannot be swept, and [`Error::Document`] for a value
-/// that the key does not take. A motion that is refused is no error: its run says why.
+/// [`Error::Places`] for too few or too many steps, [`Error::Sweep`] for a key that cannot be swept, and
+/// [`Error::Document`] for a value that the key does not take. A motion that is refused is no error: its run
+/// says why.
 pub fn sweep(
     document: &Document,
     beside: &Beside,

@@ -258,7 +258,8 @@ sample_every: 1 ms
 shafts: [{ id: axle, links: [c, wheel], stiffness: 3000 N·m/rad, twist: 2 deg }]
 ";
 
-/// `f = √(c·(1/J₁ + 1/J₂))/2π`, and all energy in the shaft at the start; the ring's share of the torque comes to the output through the set.
+/// `f = √(c·(1/J₁ + 1/J₂))/2π`, and all energy in the shaft at the start; the ring's share of the torque
+/// comes to the output through the set.
 #[test]
 fn two_masses_swing_at_their_natural_frequency() {
     let found = simulated(TWO_MASSES);
@@ -365,7 +366,8 @@ elements: [{ id: D, dog: { engage: [0.25 s], release: [0.75 s] } }]
     assert!(message.contains("needs the gear at the start"), "{message}");
 }
 
-/// At constant power above the base speed the kinetic energy grows by `P·t`; below it the torque is the limit.
+/// At constant power above the base speed the kinetic energy grows by `P·t`; below it the torque is the
+/// limit.
 #[test]
 fn a_source_of_constant_power_gives_it() {
     let text = TWO_MASSES
@@ -394,7 +396,8 @@ fn a_throttle_lies_between_its_curves() {
     assert!(message.contains("throttle"), "{message}");
 }
 
-/// The steady brake slips at 50 rad/s: halfway between 1 at rest and 0.5 at 100 rad/s a capacity of 40 N·m is 30 N·m.
+/// The steady brake slips at 50 rad/s: halfway between 1 at rest and 0.5 at 100 rad/s a capacity of 40 N·m is
+/// 30 N·m.
 #[test]
 fn friction_over_slip_is_what_a_brake_carries() {
     let text = STEADY.replace(
@@ -477,7 +480,8 @@ fn a_fault_of_a_scenario_is_at_its_value_and_has_a_name() {
     }
 }
 
-/// No line has such a fault alone: it is at a part that it names, in the scenario or in the gearbox, and never at the first line.
+/// No line has such a fault alone: it is at a part that it names, in the scenario or in the gearbox, and
+/// never at the first line.
 #[test]
 fn a_motion_that_cannot_go_on_is_at_a_part_of_it() {
     let document = document(PLACES);

@@ -119,7 +119,8 @@ impl HeldKey {
     }
 }
 
-/// How many designs each requirement left out; one that misses several safeties or lives counts with the one that it meets least.
+/// How many designs each requirement left out; one that misses several safeties or lives counts with the one
+/// that it meets least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LeftOut {
@@ -357,7 +358,8 @@ pub struct SizedSet {
     pub not_reached: u64,
     /// The best, in order.
     pub found: Vec<SizedDesign>,
-    /// Where none is found, the design that misses the requirements least; `null` where no teeth could be rated.
+    /// Where none is found, the design that misses the requirements least; `null` where no teeth could be
+    /// rated.
     pub nearest_miss: Option<SizedDesign>,
 }
 

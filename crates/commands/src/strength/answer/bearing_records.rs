@@ -22,7 +22,8 @@ pub struct BearingOverDuty {
     pub rollers: bool,
     /// Basic dynamic load rating.
     pub load_rating_n: f64,
-    /// `K_γ`, with which the forces of the meshes are multiplied; `null` where it is not given and its table has not so many planets.
+    /// `K_γ`, with which the forces of the meshes are multiplied; `null` where it is not given and its table
+    /// has not so many planets.
     pub load_sharing: Option<f64>,
     /// Whether the file gives it; else it follows from the number of planets and whether a member floats.
     pub load_sharing_is_given: bool,
@@ -30,7 +31,8 @@ pub struct BearingOverDuty {
     pub greatest_force_n: Option<f64>,
     /// Static safety: static load rating over the greatest force; `null` without that rating.
     pub static_safety: Option<f64>,
-    /// Basic rating life over the duty, which 90 % of the bearings reach; `null` where it never turns under load.
+    /// Basic rating life over the duty, which 90 % of the bearings reach; `null` where it never turns under
+    /// load.
     pub basic_life_s: Option<f64>,
     /// Modified rating life over the duty; `null` where it is not asked or does not follow.
     pub modified: Option<ModifiedLife>,

@@ -4,8 +4,9 @@
 //! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
 //! ```
 //!
-//! `F_t` and `F_r` are the forces of the meshes without losses, those of the file's overloads with them in `F_max`, `F_c` is the centrifugal force
-//! ([`planet_bearings`](epicyclic_train::planet_bearings)), `a_ISO` that of [`epicyclic_strength::bearing`].
+//! `F_t` and `F_r` are the forces of the meshes without losses, those of the file's overloads with them in
+//! `F_max`, `F_c` is the centrifugal force ([`planet_bearings`](epicyclic_train::planet_bearings)), `a_ISO`
+//! that of [`epicyclic_strength::bearing`].
 
 use super::duty::WorkedStep;
 use super::overload::Peak;
@@ -37,8 +38,8 @@ struct File<'a> {
     reliability: Reliability,
 }
 
-/// What a file says of the bearings of a planet beside their load rating: of a set with two central gears with the keys of the set, of a
-/// compound set with those of the planet.
+/// What a file says of the bearings of a planet beside their load rating: of a set with two central gears
+/// with the keys of the set, of a compound set with those of the planet.
 #[derive(Default)]
 struct Given {
     /// Where these keys stand.

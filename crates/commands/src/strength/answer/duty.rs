@@ -23,7 +23,8 @@ pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Wor
 /// The steps of a duty.
 ///
 /// # Errors
-/// [`Error::Document`] for shares that are not the whole time, and gears that do not exist or carry no such load.
+/// [`Error::Document`] for shares that are not the whole time, and gears that do not exist or carry no such
+/// load.
 pub(crate) fn steps<'g>(
     subject: &'g Subject<'_>,
     duty: &'g [DutyEntry],

@@ -11,7 +11,8 @@ use epicyclic_strength::factor::Symbol;
 pub(crate) const KEYS: [&str; 6] =
     ["factors", "sun_mesh_factors", "ring_mesh_factors", "sun_factors", "planet_factors", "ring_factors"];
 
-/// Refuses names that are no factor, and a factor that stands twice under one key, as `K_A` and `KA`; `strength` is the path of the key.
+/// Refuses names that are no factor, and a factor that stands twice under one key, as `K_A` and `KA`;
+/// `strength` is the path of the key.
 pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
     for key in KEYS {
         let path = strength.clone().key(key);

@@ -21,7 +21,8 @@ pub(super) fn sun_torque(set: &RatedSet<'_>, worked: &Worked<'_>) -> Result<Torq
     if torque.si() == 0.0 { Err(Reason::NoTorque) } else { Ok(torque) }
 }
 
-/// Torque on the sun without losses, its speed relative to the carrier, and the carrier's speed; 0 where only their rounding is left.
+/// Torque on the sun without losses, its speed relative to the carrier, and the carrier's speed; 0 where only
+/// their rounding is left.
 pub(crate) fn felt(
     place: usize,
     worked: &Worked<'_>,

@@ -41,7 +41,8 @@ impl Peak<'_> {
 /// The overloads of a file; of one gear where that is named.
 ///
 /// # Errors
-/// [`Error::Document`] for gears that do not exist or carry no such load, torques of 0, and required safeties that are not above 0.
+/// [`Error::Document`] for gears that do not exist or carry no such load, torques of 0, and required safeties
+/// that are not above 0.
 pub(crate) fn peaks<'g>(
     subject: &'g Subject<'_>,
     all: &'g [OverloadEntry],

@@ -410,7 +410,8 @@ pub(crate) fn floating(entry: &SetEntry) -> Floating {
     }
 }
 
-/// `K_γ` that an entry gives: that of the mesh of sun and planets, then that of both meshes, by any spelling of its symbol.
+/// `K_γ` that an entry gives: that of the mesh of sun and planets, then that of both meshes, by any spelling
+/// of its symbol.
 pub(crate) fn given_sharing(entry: &SetEntry) -> Option<f64> {
     let strength = entry.strength.as_ref()?;
     let all = strength.sun_mesh_factors.iter().chain(&strength.factors);

@@ -266,7 +266,8 @@ pub struct OverDuty {
     pub flank: Option<Wear>,
     /// Its root; `null` of one in `not_rated`.
     pub root: Option<Wear>,
-    /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value of, if they are wanted.
+    /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value
+    /// of, if they are wanted.
     pub factors: Vec<FactorOverDuty>,
 }
 
@@ -316,7 +317,8 @@ pub struct Overloaded {
     pub required: Required,
 }
 
-/// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load factors.
+/// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load
+/// factors.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AxialForce {

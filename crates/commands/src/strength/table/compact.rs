@@ -92,7 +92,8 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
     columns.extend(all.iter().map(|one| Column::number("value", one.heading)));
     columns.push(Column::words("formula", "from"));
     let mut rows = vec![];
-    // A flank or root that is not rated has no factors: the gear with most of them has the whole chain in order.
+    // A flank or root that is not rated has no factors: the gear with most of them has the whole chain in
+    // order.
     let longest = all.iter().max_by_key(|one| one.factors.len());
     for factor in longest.map_or(&[][..], |one| &one.factors[..]) {
         let own = |one: &'_ InMesh| one.factors.iter().position(|own| own.symbol == factor.symbol);

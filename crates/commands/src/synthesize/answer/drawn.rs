@@ -8,11 +8,12 @@ use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::Found;
 
-/// Puts first, of the pairs of each element, one with which the gearbox is drawable and keeps the numbers of brakes and clutches;
-/// whether there are such. Every choice of pairs is tried, the first of each at first.
+/// Puts first, of the pairs of each element, one with which the gearbox is drawable and keeps the numbers of
+/// brakes and clutches; whether there are such. Every choice of pairs is tried, the first of each at first.
 ///
-/// Drawability is that of [`epicyclic_layout`]: links nested without one across another, each brake's link reaching the
-/// housing. It does not depend on the ring-to-sun ratios or on which elements a gear engages, so nothing is lost by it.
+/// Drawability is that of [`epicyclic_layout`]: links nested without one across another, each brake's link
+/// reaching the housing. It does not depend on the ring-to-sun ratios or on which elements a gear engages, so
+/// nothing is lost by it.
 ///
 /// # Errors
 /// Those of the solver.

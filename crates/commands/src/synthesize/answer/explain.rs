@@ -1,10 +1,11 @@
-//! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it is not. A compound set stands
-//! for the sets that share its planets.
+//! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it
+//! is not. A compound set stands for the sets that share its planets.
 //!
-//! The gearbox is taken to a structure of the search: links joined for ever are one. Where double-planet sets are searched, its own
-//! stand for themselves; in a search of simple sets alone each stands, for its speeds, for a simple set with ring and carrier exchanged
-//! and `k′ = k − 1`. The gearbox is found where a solution has its structure and, up to the
-//! structure's automorphisms, its shift elements; of those that lock the same each stands for the others.
+//! The gearbox is taken to a structure of the search: links joined for ever are one. Where double-planet sets
+//! are searched, its own stand for themselves; in a search of simple sets alone each stands, for its speeds,
+//! for a simple set with ring and carrier exchanged and `k′ = k − 1`. The gearbox is found where a solution
+//! has its structure and, up to the structure's automorphisms, its shift elements; of those that lock the
+//! same each stands for the others.
 
 use super::{Kept, Synthesis, Wanted, WantedGear};
 use crate::error::Error;
@@ -48,7 +49,8 @@ pub struct NearestGear {
     pub wanted: WantedGear,
     /// The nearest ratio of any choice of shift elements; `null` where none drives the output.
     pub ratio: Option<f64>,
-    /// How far it is from the ratio wanted, as a share of it, or from the nearer bound where any ratio within bounds will do.
+    /// How far it is from the ratio wanted, as a share of it, or from the nearer bound where any ratio within
+    /// bounds will do.
     pub deviation: Option<f64>,
     /// Whether it is within the bounds.
     pub within: bool,
@@ -64,10 +66,11 @@ pub struct Reason {
     pub obstacle: Obstacle,
     /// The set that it is about; `null` where it is about none.
     pub set: Option<String>,
-    /// The `k` of this set, of a double-planet set in a search of simple sets `k′ = k − 1`; `null` but of `k_out_of_range` and
-    /// `k_of_double_planet_out_of_range`.
+    /// The `k` of this set, of a double-planet set in a search of simple sets `k′ = k − 1`; `null` but of
+    /// `k_out_of_range` and `k_of_double_planet_out_of_range`.
     pub k: Option<f64>,
-    /// How many there are of what was not searched in such number, or how many k were asked to be equal; `null` of other obstacles.
+    /// How many there are of what was not searched in such number, or how many k were asked to be equal;
+    /// `null` of other obstacles.
     pub count: Option<usize>,
     /// The shift element that it is about; `null` where it is about none.
     pub shift_element: Option<String>,
@@ -81,8 +84,8 @@ pub enum Obstacle {
     SetKind,
     /// Two of the housing, the input and the output are one link.
     TerminalsJoined,
-    /// The sets make no structure: a set has a link twice, a link is on no member, or some sets share so many links that they lock
-    /// or repeat each other.
+    /// The sets make no structure: a set has a link twice, a link is on no member, or some sets share so many
+    /// links that they lock or repeat each other.
     NoStructure,
     /// A brake on the input or the output.
     BrakeOnTerminal,
@@ -205,7 +208,8 @@ impl NearestGear {
     }
 }
 
-/// The link of each link of a gearbox, those joined for ever as one; the other links by their first occurrence.
+/// The link of each link of a gearbox, those joined for ever as one; the other links by their first
+/// occurrence.
 fn links(gearbox: &Gearbox) -> Result<Vec<Link>, Reason> {
     let count = gearbox.links().len();
     let mut group: Vec<usize> = (0..count).collect();
@@ -512,7 +516,8 @@ mod tests {
         explained(wanted).reasons.iter().map(|reason| reason.obstacle).collect()
     }
 
-    /// 4L60-E with links of other names and its sets in the other order, a brake through a tied link, `1-x` by what locks the same.
+    /// 4L60-E with links of other names and its sets in the other order, a brake through a tied link, `1-x`
+    /// by what locks the same.
     fn four_speed() -> Gearbox {
         Gearbox::builder("4L60-E")
             .links(["turbine", "shaft", "P", "Q", "tied", "S"])

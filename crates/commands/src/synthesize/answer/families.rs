@@ -18,7 +18,8 @@ pub struct Family {
     pub best: usize,
     /// How many of its gearboxes are drawable.
     pub drawable: usize,
-    /// The efficiency of the forward gears, the least or the mean by the shares of time: the lowest and the highest of its gearboxes.
+    /// The efficiency of the forward gears, the least or the mean by the shares of time: the lowest and the
+    /// highest of its gearboxes.
     pub forward_efficiency_range: [f64; 2],
     /// The mean drag over the forward gears, alike.
     pub mean_drag_of_input_range: [f64; 2],

@@ -8,7 +8,8 @@ use std::ops::ControlFlow;
 
 /// How each class is searched, and who is told of what follows.
 pub trait Means<E>: Sync {
-    /// Searches a class; checks the [limits](super::Wanted::limits) with its gears first. Nothing where [more](Self::going_on) is not searched.
+    /// Searches a class; checks the [limits](super::Wanted::limits) with its gears first. Nothing where
+    /// [more](Self::going_on) is not searched.
     ///
     /// # Errors
     /// Those of the search.
@@ -35,7 +36,8 @@ pub trait Means<E>: Sync {
         let _ = (searching, left_out);
     }
 
-    /// None of the gearboxes found so far, in classes up to this, is of use, by these faults: larger classes follow, if there are any.
+    /// None of the gearboxes found so far, in classes up to this, is of use, by these faults: larger classes
+    /// follow, if there are any.
     fn going_on(&mut self, searching: &Searching, faults: &[LeftOut]) {
         let _ = (searching, faults);
     }

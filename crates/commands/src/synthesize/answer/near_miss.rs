@@ -13,7 +13,8 @@ const WIDER: f64 = 5.0;
 /// The widest tolerance that is tried.
 const WIDEST: f64 = 0.1;
 
-/// Classes are searched again up to this many structures times sets of shift elements in all: a second's work.
+/// Classes are searched again up to this many structures times sets of shift elements in all: a second's
+/// work.
 const MOST_SPACE: f64 = 1e6;
 
 /// A gearbox of fewer sets than have the ratios within their tolerances.
@@ -33,11 +34,12 @@ pub struct NearMiss {
 /// Gearboxes of a class that are looked at, the nearest ones.
 const NEAREST: usize = 100;
 
-/// The smallest class of fewer sets than those found that has the ratios within a wider tolerance: five times the wanted one, at most
-/// 10 %. Of that class, among the hundred gearboxes nearest to the ratios, the gearbox of use with the least deviation.
+/// The smallest class of fewer sets than those found that has the ratios within a wider tolerance: five times
+/// the wanted one, at most 10 %. Of that class, among the hundred gearboxes nearest to the ratios, the
+/// gearbox of use with the least deviation.
 ///
-/// Classes that take longer than a second to search again are left out, and none is told where `goes_on`, which is asked now and then,
-/// breaks.
+/// Classes that take longer than a second to search again are left out, and none is told where `goes_on`,
+/// which is asked now and then, breaks.
 ///
 /// # Errors
 /// As [`solve`], but for classes that there are not.

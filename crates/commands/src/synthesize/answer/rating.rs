@@ -39,7 +39,8 @@ pub enum Objective {
 pub struct Rating {
     /// Whether no other solution is nowhere worse and somewhere better, in the objectives of the front.
     pub non_dominated: bool,
-    /// The first objective of the order in which it is behind the first solution; `null` of the first, and of one that is equal.
+    /// The first objective of the order in which it is behind the first solution; `null` of the first, and of
+    /// one that is equal.
     pub behind_by: Option<Objective>,
     /// Whether the scheme can be drawn without links that cross, with all shift elements.
     pub drawable: bool,
@@ -47,13 +48,15 @@ pub struct Rating {
     pub conflict: Option<Conflict>,
     /// The mean over the forward gears of `drag_of_input`.
     pub mean_drag_of_input: f64,
-    /// The greatest torque of a shift element or a member of a set in any gear, over the input's, with losses.
+    /// The greatest torque of a shift element or a member of a set in any gear, over the input's, with
+    /// losses.
     pub greatest_torque_of_input: f64,
     /// The greatest speed of a link, or of a planet relative to its carrier, in any gear, over the input's.
     pub greatest_speed_of_input: f64,
     /// The greatest circulating power of a gear, over what enters.
     pub greatest_circulating_of_entering: f64,
-    /// The greatest ratio of a step between forward gears to the step before it; `null` of fewer than two steps.
+    /// The greatest ratio of a step between forward gears to the step before it; `null` of fewer than two
+    /// steps.
     pub progression: Option<f64>,
     /// The greatest deviation of a ratio, by half its bounds' width.
     pub deviation_of_tolerance: f64,
@@ -69,14 +72,15 @@ pub struct GearRating {
     pub greatest_shift_element_torque_of_input: f64,
     /// The greatest torque of a member of a set over the input's, with losses.
     pub greatest_member_torque_of_input: f64,
-    /// Slip of each shift element, in their order: speed of the first link less that of the second, over the input's; 0 where it is
-    /// engaged, `null` where a speed does not follow.
+    /// Slip of each shift element, in their order: speed of the first link less that of the second, over the
+    /// input's; 0 where it is engaged, `null` where a speed does not follow.
     pub slips_of_input: Vec<Option<f64>>,
     /// The sum of the slips of the open shift elements, without their signs.
     pub drag_of_input: f64,
     /// The greatest speed of a link over the input's.
     pub greatest_link_speed_of_input: f64,
-    /// The greatest speed of a planet relative to its carrier, over the input's; of a double-planet set's planets what they exceed.
+    /// The greatest speed of a planet relative to its carrier, over the input's; of a double-planet set's
+    /// planets what they exceed.
     pub greatest_planet_speed_of_input: f64,
     /// Circulating power over what enters.
     pub circulating_of_entering: f64,

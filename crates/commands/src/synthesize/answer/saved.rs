@@ -11,8 +11,9 @@ use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
-/// The gearbox of a solution under this name, its gears named by their places among the wanted forward gears in falling order, `1`,
-/// `2` …, reverse `R`, several `R1`, `R2` …; with tooth numbers in place of the ring-to-sun ratios where some are given.
+/// The gearbox of a solution under this name, its gears named by their places among the wanted forward gears
+/// in falling order, `1`, `2` …, reverse `R`, several `R1`, `R2` …; with tooth numbers in place of the
+/// ring-to-sun ratios where some are given.
 ///
 /// # Errors
 /// Those of the solver for tooth numbers that no set can have; none are known for those of a search.
@@ -59,7 +60,8 @@ pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbo
         .build()?)
 }
 
-/// The profile shifts of the sets of a design; none of double-planet sets, and of no set where none were wanted.
+/// The profile shifts of the sets of a design; none of double-planet sets, and of no set where none were
+/// wanted.
 ///
 /// # Errors
 /// None of sets of a search.

@@ -4,8 +4,8 @@ use epicyclic_schemes::catalogue::{Role, Scheme};
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::structure::{HOUSING, INPUT, Link, Members, OUTPUT, Structure};
 
-/// The scheme of the catalogue that a solution is: its structure, a brake on each link but input and output, and nothing else but
-/// one clutch for the direct drive.
+/// The scheme of the catalogue that a solution is: its structure, a brake on each link but input and output,
+/// and nothing else but one clutch for the direct drive.
 pub(super) fn of(found: &Found) -> Option<Scheme> {
     let structure = &found.structure;
     let scheme = Scheme::all().find(|scheme| structure_of(*scheme).as_ref() == Some(structure))?;

@@ -19,7 +19,8 @@ pub struct SharedPlanets {
     pub common_suns: Vec<char>,
     /// Links of rings that several of them have in common.
     pub common_rings: Vec<char>,
-    /// Why they have planets of their own and are rated apart; `null` of a compound set, which is rated as one.
+    /// Why they have planets of their own and are rated apart; `null` of a compound set, which is rated as
+    /// one.
     pub apart: Option<WhyApart>,
 }
 

@@ -20,7 +20,8 @@ use std::ops::RangeInclusive;
 /// Which tooth numbers are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeethWanted {
-    /// Limits of teeth and planets, of a double-planet set of each of its two planets and of the pairs; the `k` are those of the search.
+    /// Limits of teeth and planets, of a double-planet set of each of its two planets and of the pairs; the
+    /// `k` are those of the search.
     pub bounds: ToothBounds,
     /// Simple sets with profile shift in place of those without. Double-planet sets have none.
     pub shifts: Option<WantedShifts>,
@@ -36,8 +37,8 @@ pub struct TeethWanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Teeth {
-    /// How many choices of tooth numbers there are; those that differ in the numbers of planets alone are one, and so are those that
-    /// differ in the planets of double-planet sets.
+    /// How many choices of tooth numbers there are; those that differ in the numbers of planets alone are
+    /// one, and so are those that differ in the planets of double-planet sets.
     pub found: u64,
     /// Whether all were counted; the trial ends after a great many.
     pub complete: bool,
@@ -75,7 +76,8 @@ pub struct TeethOfSet {
     pub outer_planet: Option<u32>,
     /// Teeth of the ring.
     pub ring: u32,
-    /// The most planets, of a double-planet set pairs of planets, that assemble at equal angles and clear each other.
+    /// The most planets, of a double-planet set pairs of planets, that assemble at equal angles and clear
+    /// each other.
     pub planets: u32,
     /// Its profile shifts; none of a set without.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -127,11 +129,12 @@ impl Choices {
 }
 
 impl Teeth {
-    /// Those of a solution, gears side by side by their places among its gears, with these ranges of each set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
+    /// Those of a solution, gears side by side by their places among its gears, with these ranges of each
+    /// set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
     ///
     /// # Errors
-    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) where the solver's fraction of a ratio is another than the search's; else
-    /// those of the solver. None are known for tooth numbers of a search.
+    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) where the solver's fraction of a ratio is
+    /// another than the search's; else those of the solver. None are known for tooth numbers of a search.
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],

@@ -17,7 +17,8 @@ pub struct Tried {
     pub selection: Vec<usize>,
 }
 
-/// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the ratios are left out.
+/// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the
+/// ratios are left out.
 ///
 /// # Errors
 /// [`Error::Synthesis`] where there is none, and for gears that make no sense.

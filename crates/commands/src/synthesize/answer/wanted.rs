@@ -49,10 +49,11 @@ pub struct Wanted {
     pub limits: Limits,
     /// Whether solutions are drawable: with nested shafts, each brake reached from the housing.
     pub drawable: bool,
-    /// The share of time of each gear, by which the mean efficiency is weighted; without, the least efficiency counts.
+    /// The share of time of each gear, by which the mean efficiency is weighted; without, the least
+    /// efficiency counts.
     pub shares: Option<Vec<f64>>,
-    /// What a gearbox of use keeps: while none found does, larger classes are searched. Without, the first class with gearboxes is
-    /// the last.
+    /// What a gearbox of use keeps: while none found does, larger classes are searched. Without, the first
+    /// class with gearboxes is the last.
     pub usable: Option<Usable>,
     /// Efficiency of a simple set's two meshes; each of the three of a double-planet set loses as much.
     pub efficiency: MeshEfficiency,
@@ -75,12 +76,13 @@ pub struct Wanted {
 impl Wanted {
     /// The gears with their bounds.
     ///
-    /// A free gear has those of its neighbours in the list, several side by side those of the neighbours of all of them. Where steps are limited, bounds of free gears and of ranges between
-    /// forward neighbours are drawn in to what the steps leave: nothing that keeps the steps is lost.
+    /// A free gear has those of its neighbours in the list, several side by side those of the neighbours of
+    /// all of them. Where steps are limited, bounds of free gears and of ranges between forward neighbours
+    /// are drawn in to what the steps leave: nothing that keeps the steps is lost.
     ///
     /// # Errors
-    /// [`Error::Wish`] where a free gear has no neighbours of its own sign on both sides, or there are more than
-    /// [`MOST_OPTIONAL`] that may be missing, or none that may not.
+    /// [`Error::Wish`] where a free gear has no neighbours of its own sign on both sides, or there are more
+    /// than [`MOST_OPTIONAL`] that may be missing, or none that may not.
     pub fn gears(&self) -> Result<Vec<WantedGear>, Error> {
         let fault = |why: String| Err(Error::Wish { why });
         let optional = self.gears.iter().filter(|gear| gear.optional).count();
@@ -132,7 +134,8 @@ impl Wanted {
         place - before..place + after
     }
 
-    /// Of some gears those that are free and side by side, the highest ratio first, by their places among these.
+    /// Of some gears those that are free and side by side, the highest ratio first, by their places among
+    /// these.
     pub(super) fn side_by_side(&self, selection: &[usize], gears: &[WantedGear]) -> Vec<Vec<usize>> {
         let mut runs: Vec<Vec<usize>> = Vec::new();
         let mut last = None;
@@ -199,7 +202,8 @@ impl Wanted {
         ranges
     }
 
-    /// Numbers of sets, shift elements and engaged ones within all ranges, in the order in which they are tried.
+    /// Numbers of sets, shift elements and engaged ones within all ranges, in the order in which they are
+    /// tried.
     pub(super) fn numbers(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
         let pairs =
             self.sets.clone().flat_map(|sets| self.elements.clone().map(move |elements| (sets, elements)));
@@ -211,8 +215,8 @@ impl Wanted {
         })
     }
 
-    /// The gears that a search asks for, by their places: all of them, then without those that may be missing, the more the
-    /// earlier.
+    /// The gears that a search asks for, by their places: all of them, then without those that may be
+    /// missing, the more the earlier.
     #[must_use]
     pub fn selections(&self) -> Vec<Vec<usize>> {
         let optional: Vec<usize> = (0..self.gears.len()).filter(|gear| self.gears[*gear].optional).collect();
@@ -228,8 +232,8 @@ impl Wanted {
     }
 }
 
-/// The bounds of one of several free gears between those before and after, which they do not touch. In falling order none touches
-/// the next either, so each is a number farther from the gears beyond.
+/// The bounds of one of several free gears between those before and after, which they do not touch. In
+/// falling order none touches the next either, so each is a number farther from the gears beyond.
 fn between(fixed: &[Option<Bounds>], place: usize, run: Range<usize>) -> Option<Bounds> {
     let before = fixed[run.start.checked_sub(1)?]?;
     let after = (*fixed.get(run.end)?)?;

@@ -23,13 +23,15 @@ pub(crate) struct Piece {
 }
 
 impl Report {
-    /// All of it as HTML for a page of somebody else: sections with headings of the third level, tables, words, warnings; all text escaped.
+    /// All of it as HTML for a page of somebody else: sections with headings of the third level, tables,
+    /// words, warnings; all text escaped.
     #[must_use]
     pub fn html(&self) -> String {
         self.pieces().into_iter().map(|piece| piece.html.into_string()).collect()
     }
 
-    /// Tables, words and warnings, without the title. That there are no warnings is not said: the page says it once.
+    /// Tables, words and warnings, without the title. That there are no warnings is not said: the page says
+    /// it once.
     pub(crate) fn pieces(&self) -> Vec<Piece> {
         let mut pieces: Vec<Piece> = self.parts.iter().flat_map(Part::pieces).collect();
         if let Some(warnings) = self.warnings.as_ref().filter(|warnings| !warnings.is_empty()) {

@@ -15,8 +15,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Double-planet sets that give a ratio, the most exact first: each pair of sun and ring once, since the ratio does not depend on the
-/// planets between them.
+/// Double-planet sets that give a ratio, the most exact first: each pair of sun and ring once, since the
+/// ratio does not depend on the planets between them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DoublePlanetTeeth {
@@ -81,7 +81,8 @@ impl Answer for DoublePlanetTeeth {
     const NAME: &'static str = "teeth-double-planet";
 }
 
-/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
+/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends
+/// the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be.

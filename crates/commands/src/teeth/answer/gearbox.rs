@@ -1,4 +1,5 @@
-//! A set of tooth numbers as a gearbox, to be checked, and to be written as a file that `analyze`, `draw` and `report` read.
+//! A set of tooth numbers as a gearbox, to be checked, and to be written as a file that `analyze`, `draw` and
+//! `report` read.
 
 use crate::error::Error;
 use epicyclic_gears::simple_set::{Member, Mode};

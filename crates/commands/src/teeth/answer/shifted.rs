@@ -211,7 +211,8 @@ impl Answer for ShiftedTeeth {
     const NAME: &'static str = "teeth-shifted";
 }
 
-/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends the search.
+/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1; a break
+/// ends the search.
 ///
 /// # Errors
 /// [`Error::Gear`] where nothing is found, or of a bound that cannot be; [`Error::TooMany`].

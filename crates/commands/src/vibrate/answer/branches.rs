@@ -1,7 +1,8 @@
 //! Natural frequencies over the speed of the input, and where orders of excitation meet them.
 //!
-//! In axes on the carrier the frequencies change with its speed by the gyroscopic effect ([`epicyclic_vibration::gyroscopic`]). A mode keeps its kind, so
-//! those of one kind are told apart by their order. A meeting is found between two speeds by the false position, with the modes solved at each.
+//! In axes on the carrier the frequencies change with its speed by the gyroscopic effect
+//! ([`epicyclic_vibration::gyroscopic`]). A mode keeps its kind, so those of one kind are told apart by their
+//! order. A meeting is found between two speeds by the false position, with the modes solved at each.
 
 use super::records::{Branch, Campbell, ModeKind, Order, Resonance};
 use super::{Found, number};
@@ -133,7 +134,8 @@ impl<'a> Branches<'a> {
         Ok(all)
     }
 
-    /// Where a function of speed and frequency that changes its sign is 0: the speed and the frequency, by the false position (Illinois).
+    /// Where a function of speed and frequency that changes its sign is 0: the speed and the frequency, by
+    /// the false position (Illinois).
     fn meeting(
         &self,
         found: &Found,

@@ -1,7 +1,9 @@
 //! All sets of a gearbox in a gear in the plane, on common links and centres.
 //!
-//! Members that ties join for ever, or that name one link, are one piece in the plane, too: one centre with their masses and supports together. Where one of them has no `support`, all are
-//! held. A member on the housing, members that a clutch joins and the two ends of a shaft have centres of their own; a shaft joins them by its lateral stiffness.
+//! Members that ties join for ever, or that name one link, are one piece in the plane, too: one centre with
+//! their masses and supports together. Where one of them has no `support`, all are held. A member on the
+//! housing, members that a clutch joins and the two ends of a shaft have centres of their own; a shaft joins
+//! them by its lateral stiffness.
 
 use super::links::{LaidShaft, Train, TrainSet};
 use super::records::{Member, ModeKind, NotCalculated, Reason, What};

@@ -1,7 +1,8 @@
 //! A gearbox in a gear as links: what turns as one piece, with the sets and shafts on it.
 //!
-//! What turns as one piece in the gear is one inertia: links that ties and engaged shift elements join, but not by a tie that the file gives as a
-//! shaft. A member that is held stands alone: rigidly, or on its tangential support.
+//! What turns as one piece in the gear is one inertia: links that ties and engaged shift elements join, but
+//! not by a tie that the file gives as a shaft. A member that is held stands alone: rigidly, or on its
+//! tangential support.
 
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
@@ -85,7 +86,8 @@ impl<'a> Train<'a> {
         Ok(Self { subject, file: entry, shafts })
     }
 
-    /// Links, sets and shafts in a gear, each set as it is where these of its members are held; or which set lacks what.
+    /// Links, sets and shafts in a gear, each set as it is where these of its members are held; or which set
+    /// lacks what.
     pub(super) fn laid<'s>(
         &'s self,
         gear: &Gear,

@@ -1,6 +1,7 @@
 //! What excites a set in a gear, in axes on the carrier.
 //!
-//! In these axes planets stand still, and what turns with the sun or the ring passes them: with the speeds `n` of the members
+//! In these axes planets stand still, and what turns with the sun or the ring passes them: with the speeds
+//! `n` of the members
 //!
 //! | source | frequency | periods a turn `p` |
 //! |---|---|---|
@@ -9,8 +10,8 @@
 //! | `N` planets that pass a place of them | `N·|n_s − n_c|`, `N·|n_r − n_c|` | `N` |
 //! | a turn of a planet | `|n_p − n_c|` | each planet has its own phase |
 //!
-//! Which modes `p` excites, [`phasing`] tells of equally spaced planets; of others it can be all. A planet turns `z_s/z_p` times as fast on the carrier as
-//! the sun.
+//! Which modes `p` excites, [`phasing`] tells of equally spaced planets; of others it can be all. A planet
+//! turns `z_s/z_p` times as fast on the carrier as the sun.
 
 use super::records::{ModeKind, Order, Source};
 use epicyclic_vibration::phasing;

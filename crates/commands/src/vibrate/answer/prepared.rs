@@ -340,7 +340,8 @@ impl Prepared {
 }
 
 impl Prepared {
-    /// The set for a torsional model in which these of sun, ring and carrier are held, or the keys that are missing.
+    /// The set for a torsional model in which these of sun, ring and carrier are held, or the keys that are
+    /// missing.
     pub(super) fn torsional(&self, held: [bool; 3]) -> Result<PlanetarySet, Vec<String>> {
         let mut missing = vec![];
         let [sun, ring, carrier] = [0, 1, 2].map(|member| {

@@ -64,7 +64,8 @@ pub struct Stiffnesses {
     pub ring_support_n_m: Option<f64>,
     /// Radial, of the support of the carrier; `null` of a rigid one.
     pub carrier_support_n_m: Option<f64>,
-    /// Of what holds the sun against rotation, over the square of its base radius; `null` where it is free or held rigidly.
+    /// Of what holds the sun against rotation, over the square of its base radius; `null` where it is free or
+    /// held rigidly.
     pub sun_tangential_support_n_m: Option<f64>,
     /// The same of the ring.
     pub ring_tangential_support_n_m: Option<f64>,
@@ -110,10 +111,11 @@ pub struct Mode {
     pub frequency_hz: f64,
     /// Shares of the bodies in the kinetic energy.
     pub kinetic: KineticShares,
-    /// Shares of the springs in the strain energy; `null` where no spring is bent. Half a share is by how many per cent the frequency rises where the
-    /// stiffness of these springs rises by one.
+    /// Shares of the springs in the strain energy; `null` where no spring is bent. Half a share is by how
+    /// many per cent the frequency rises where the stiffness of these springs rises by one.
     pub strain: Option<StrainShares>,
-    /// What the bodies do: sun, ring, carrier, planets. Of several modes the one with the most of the first of these that moves.
+    /// What the bodies do: sun, ring, carrier, planets. Of several modes the one with the most of the first
+    /// of these that moves.
     pub shape: Vec<BodyMotion>,
 }
 
@@ -285,7 +287,8 @@ pub struct Response {
     pub gear: String,
     /// Damping ratio of every mode.
     pub damping_ratio: f64,
-    /// Whether the gyroscopic effect of the carrier's speed is part of it; without it, or where the carrier rests, the matrices are those at rest.
+    /// Whether the gyroscopic effect of the carrier's speed is part of it; without it, or where the carrier
+    /// rests, the matrices are those at rest.
     pub gyroscopic: bool,
     /// What each harmonic of the meshes does.
     pub harmonics: Vec<HarmonicResponse>,
@@ -323,7 +326,8 @@ pub struct Greatest {
     pub input_speed_rad_s: f64,
     /// Its frequency, in axes on the carrier.
     pub frequency_hz: f64,
-    /// Torque on the sun, shared by all planets, below which the flanks part: the mean force is less than this one.
+    /// Torque on the sun, shared by all planets, below which the flanks part: the mean force is less than
+    /// this one.
     pub parts_below_sun_torque_n_m: f64,
 }
 
@@ -373,9 +377,11 @@ pub enum Reason {
     DoesNotRoll,
     /// No speeds follow in the gear.
     NoSpeeds,
-    /// It is the second set with fewer than three planets, or with planets at unequal angles: what two such sets do depends on the angle between them.
+    /// It is the second set with fewer than three planets, or with planets at unequal angles: what two such
+    /// sets do depends on the angle between them.
     NoSymmetry,
-    /// The centrifugal forces of its planets, at unequal angles, have a resultant: its carrier does not turn about its centre.
+    /// The centrifugal forces of its planets, at unequal angles, have a resultant: its carrier does not turn
+    /// about its centre.
     Unbalanced,
 }
 

@@ -1,18 +1,21 @@
 //! The forces of the meshes that transmission errors make, over the speed of the input.
 //!
-//! In axes on the carrier the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`, and what its harmonic `l` does meets the planets
-//! one after the other. With `d = 1` where the sun drives the planets, and −1 where they drive it,
+//! In axes on the carrier the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`, and
+//! what its harmonic `l` does meets the planets one after the other. With `d = 1` where the sun drives the
+//! planets, and −1 where they drive it,
 //!
 //! ```text
 //! e_s,n = a_s·cos(ω·t − d·l·z_s·ψ_n)     e_r,n = a_r·cos(ω·t − d·l·z_s·ψ_n + π·l·(z_p + 1))
 //! ```
 //!
-//! since from the pitch point of the sun to that of the ring a planet has half its teeth and, from one flank to the other, half a pitch. `z_s + z_r` is
-//! divisible by the number of planets, so the phases of the ring are those of the sun.
+//! since from the pitch point of the sun to that of the ring a planet has half its teeth and, from one flank
+//! to the other, half a pitch. `z_s + z_r` is divisible by the number of planets, so the phases of the ring
+//! are those of the sun.
 //!
-//! Where the carrier turns, the matrices are those of its speed ([`epicyclic_vibration::response`]), with the damping of the modes at rest. The model has the flanks that carry
-//! where the torque on the sun is positive; of a negative one everything is seen from the other side, the speed of the carrier with it. A peak between two
-//! speeds is looked for where the order meets a mode, and found by the golden section.
+//! Where the carrier turns, the matrices are those of its speed ([`epicyclic_vibration::response`]), with the
+//! damping of the modes at rest. The model has the flanks that carry where the torque on the sun is positive;
+//! of a negative one everything is seen from the other side, the speed of the carrier with it. A peak between
+//! two speeds is looked for where the order meets a mode, and found by the golden section.
 
 use super::branches::Branches;
 use super::records::{Greatest, HarmonicResponse, Order, Response, Source};
@@ -41,7 +44,8 @@ pub(super) struct Excited<'a> {
     pub(super) teeth: [u32; 3],
     /// Whether the sun drives the planets.
     pub(super) sun_drives: bool,
-    /// Speed of the carrier over that of the input, seen from the side from which the torque on the sun is positive; 0 without gyroscopic effect.
+    /// Speed of the carrier over that of the input, seen from the side from which the torque on the sun is
+    /// positive; 0 without gyroscopic effect.
     pub(super) frame: f64,
     pub(super) branches: &'a Branches<'a>,
     pub(super) excitation: &'a Excitation,
@@ -175,7 +179,8 @@ impl Excited<'_> {
     }
 }
 
-/// Phases of a harmonic at the meshes of sun and ring with each planet, at its place `κ` among all where the teeth let it stand.
+/// Phases of a harmonic at the meshes of sun and ring with each planet, at its place `κ` among all where the
+/// teeth let it stand.
 fn phases(
     harmonic: u32,
     [sun, planet, ring]: [u32; 3],
@@ -200,8 +205,8 @@ mod tests {
     use crate::shared::gearbox::{Choice, one};
     use epicyclic_formats::Document;
 
-    /// From the front, with gears in mesh: the sun drives with the flanks that lead, and a quarter of a pitch beside its middle a tooth is at the
-    /// pitch point. The teeth of the ring go the other way.
+    /// From the front, with gears in mesh: the sun drives with the flanks that lead, and a quarter of a pitch
+    /// beside its middle a tooth is at the pitch point. The teeth of the ring go the other way.
     #[test]
     fn phases_are_those_of_the_teeth_in_mesh() {
         for ([sun, planet, ring], planets) in

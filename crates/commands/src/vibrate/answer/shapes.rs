@@ -1,7 +1,8 @@
 //! The motion of a mode: one of each frequency, normalised.
 //!
-//! Modes of one frequency are as good in any basis. The one told is that with the most of the first coordinate that moves: `x` of sun, ring, carrier in this order, then their
-//! rotations, then what the first planet does; its sign is positive.
+//! Modes of one frequency are as good in any basis. The one told is that with the most of the first
+//! coordinate that moves: `x` of sun, ring, carrier in this order, then their rotations, then what the first
+//! planet does; its sign is positive.
 
 use super::Found;
 use super::records::{BodyMotion, Member};

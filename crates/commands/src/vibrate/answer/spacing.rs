@@ -12,7 +12,8 @@ pub(super) struct Spacing {
     /// Angles from `x`, of the first planet 0 where they are equally spaced.
     pub(super) angles_rad: Vec<f64>,
     pub(super) is_equal: bool,
-    /// Assembly position of each planet; none of sets without teeth, and of planets that cannot be assembled at equal angles.
+    /// Assembly position of each planet; none of sets without teeth, and of planets that cannot be assembled
+    /// at equal angles.
     pub(super) places: Vec<u64>,
 }
 

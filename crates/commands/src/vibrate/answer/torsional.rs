@@ -1,7 +1,10 @@
-//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as springs; and what excites it.
+//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as
+//! springs; and what excites it.
 //!
-//! Centres are at rest, so that the speed changes no frequency, and an order meets a mode at `n = f/order`. What the teeth and planets of a set do excites by
-//! [`phasing::torsional`] either modes in which links rotate, or those of the planets of this set alone; what turns with a link excites the modes in which it rotates.
+//! Centres are at rest, so that the speed changes no frequency, and an order meets a mode at `n = f/order`.
+//! What the teeth and planets of a set do excites by [`phasing::torsional`] either modes in which links
+//! rotate, or those of the planets of this set alone; what turns with a link excites the modes in which it
+//! rotates.
 
 use super::links::{Bodies, Train, TrainSet};
 use super::records::{ModeKind, NotCalculated, Order, Source, What};
@@ -85,7 +88,8 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
     bodies.of_root.iter().filter_map(order).collect()
 }
 
-/// What the teeth and planets of a set do, in axes on its carrier; nothing where its teeth or speeds are not known.
+/// What the teeth and planets of a set do, in axes on its carrier; nothing where its teeth or speeds are not
+/// known.
 fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
     let (planets, Some(teeth)) = (one.prepared.planets, one.prepared.teeth) else { return vec![] };
     let [Some(sun), Some(ring), Some(carrier)] = analysis.sets()[place].members[..] else { return vec![] };

@@ -1,4 +1,5 @@
-//! Records of the vibration of a whole gearbox: torsional modes with their resonances, and coupled modes in the plane.
+//! Records of the vibration of a whole gearbox: torsional modes with their resonances, and coupled modes in
+//! the plane.
 
 use super::records::{Member, ModeKind, Source};
 use schemars::JsonSchema;
@@ -34,7 +35,8 @@ pub struct TorsionalOrder {
     pub harmonic: u32,
     /// Its frequency over that of a turn of the input.
     pub of_input: f64,
-    /// The kind of modes that it can excite by the phases of the planets of its set; `null` where it can excite all.
+    /// The kind of modes that it can excite by the phases of the planets of its set; `null` where it can
+    /// excite all.
     pub excites: Option<ModeKind>,
 }
 
@@ -54,7 +56,8 @@ pub struct TorsionalResonance {
     pub mode: u32,
     /// Its frequency.
     pub frequency_hz: f64,
-    /// How much of the mode is where the excitation is: the share of the meshes of the set in the strain energy, or of the links in the kinetic energy.
+    /// How much of the mode is where the excitation is: the share of the meshes of the set in the strain
+    /// energy, or of the links in the kinetic energy.
     pub share: f64,
 }
 

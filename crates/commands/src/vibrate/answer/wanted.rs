@@ -20,7 +20,8 @@ pub struct Wanted {
     pub speeds: Option<Places<AngularVelocity>>,
     /// How many harmonics of the meshes are told.
     pub harmonics: Option<u32>,
-    /// Amplitudes of the transmission error of the meshes, the first harmonic first, for forces over the speeds.
+    /// Amplitudes of the transmission error of the meshes, the first harmonic first, for forces over the
+    /// speeds.
     pub transmission_error: Vec<Length>,
     /// The same of the ring's meshes; that of all without.
     pub ring_transmission_error: Vec<Length>,
@@ -65,7 +66,8 @@ impl Settled {
     /// What the options say, and else the file.
     ///
     /// # Errors
-    /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`], [`Error::ExcitationWithout`] of options.
+    /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
+    ///   [`Error::ExcitationWithout`] of options.
     /// - [`Error::Document`] for the same in the file.
     pub(super) fn of(subject: &Subject<'_>, file: &GearboxFile, wanted: &Wanted) -> Result<Self, Error> {
         let none = VibrationOfGearbox::default();
@@ -112,7 +114,8 @@ impl Settled {
 type Fault = (Error, Option<&'static str>);
 
 impl Excitation {
-    /// Damping ratios that are taken: a set with less would ring for thousands of periods, and one with more does not vibrate.
+    /// Damping ratios that are taken: a set with less would ring for thousands of periods, and one with more
+    /// does not vibrate.
     const DAMPING_RATIOS: [f64; 2] = [1e-4, 1.0];
 
     /// What options and file say together.

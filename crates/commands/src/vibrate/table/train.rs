@@ -13,7 +13,8 @@ use crate::vibrate::answer::train_records::{
 use epicyclic_pictures::campbell::{self, Branch, Campbell, Ray};
 use epicyclic_units::Dimension::{AngularSpeed, Frequency, Mass, Stiffness};
 
-/// The torsional frequencies of a gear over the speed as a Campbell diagram; its place is that in the answer. Zero modes are left out.
+/// The torsional frequencies of a gear over the speed as a Campbell diagram; its place is that in the answer.
+/// Zero modes are left out.
 #[must_use]
 pub fn torsional_campbell(all: &Vibration, place: usize) -> Option<Campbell> {
     let one = all.torsional.get(place)?;

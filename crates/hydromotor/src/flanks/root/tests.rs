@@ -25,8 +25,8 @@ fn bending(tooth: &Tooth, (at, force): Loading) -> (f64, f64) {
     worst
 }
 
-/// The worst of the satellites by a crest, or by a trough, on a wheel and on the satellite, the plain way: each tooth drawn, each stress for
-/// itself along the arc, by golden sections and division by each thickness.
+/// The worst of the satellites by a crest, or by a trough, on a wheel and on the satellite, the plain way:
+/// each tooth drawn, each stress for itself along the arc, by golden sections and division by each thickness.
 fn plain_bent(profile: &Profile, side: Side, path: LoadedPath, crest: bool) -> Option<[f64; 2]> {
     let motor = profile.motor();
     let (alpha, r) = (pressure_angle(profile.form().pressure_angle).unwrap(), motor.shape.satellite_radius());
@@ -89,8 +89,8 @@ fn more_points_change_the_stress_by_less_than_a_thousandth() {
     }
 }
 
-/// The section of ISO 6336-3, where the fillet's tangent is at 30° to the middle line, with the load in the same place: from points of the outline, and
-/// the lever to where the line of action crosses the middle line.
+/// The section of ISO 6336-3, where the fillet's tangent is at 30° to the middle line, with the load in the
+/// same place: from points of the outline, and the lever to where the line of action crosses the middle line.
 #[test]
 fn the_satellites_stress_is_near_that_of_the_thirty_degree_tangent() {
     let profile = profile(1.0);
@@ -158,8 +158,8 @@ proptest! {
         let fast = fast.unwrap();
         prop_assert_eq!(fast.len(), slow.len());
         for ((wheel, fast), slow) in fast.into_iter().zip(slow) {
-            // The worst section goes from one point of the outline to the next: between such bumps, a tenth of the thousandth that the points
-            // leave at most, either way may settle on the lower one.
+            // The worst section goes from one point of the outline to the next: between such bumps, a tenth
+            // of the thousandth that the points leave at most, either way may settle on the lower one.
             prop_assert!((fast.stress - slow).abs() <= 1e-4 * slow, "{wheel:?} {fast:?} {slow}");
         }
     }
@@ -191,7 +191,8 @@ proptest! {
         prop_assert!(((a.by_contact / b.by_contact).value - 1.0).abs() < 1e-9);
         prop_assert!(((a.by_root / b.by_root).value - 1.0).abs() < 1e-9);
         prop_assert_eq!(a.governing, b.governing);
-        // By the forces on this width, the sections of this module, and Hertz with this width: the limits are just met.
+        // By the forces on this width, the sections of this module, and Hertz with this width: the limits are
+        // just met.
         let motor = other.motor();
         for allowed in [b.by_contact, b.by_root] {
             let stresses = other.root_stresses(LoadedPath::Whole, allowed).unwrap();

@@ -31,8 +31,9 @@ fn the_sweeps_of_the_derivation_are_met() {
     assert!(motor.sealed_sweep(Angle::from_si(0.3), mm(0.0), mm(f64::NAN)).is_err());
 }
 
-/// The derivation prints 8.0 % and .956, and 10.9 % and .934. Of 5×3 the exact ripple is 10.97 %: it lies between the limits on both sides of
-/// a changeover, where the flow jumps; a few hundred samples that miss them find 10.9 %.
+/// The derivation prints 8.0 % and .956, and 10.9 % and .934. Of 5×3 the exact ripple is 10.97 %: it lies
+/// between the limits on both sides of a changeover, where the flow jumps; a few hundred samples that miss
+/// them find 10.9 %.
 #[test]
 fn the_ripples_of_the_derivation_are_met_and_that_of_five_by_three_is_a_little_more() {
     for (numbers, delta, sampled, least, at_pitch) in
@@ -78,7 +79,8 @@ fn the_form_and_the_rule_change_the_ripple() {
     assert_eq!(delta(plain(), SealingContact::Nearest), delta(plain(), SealingContact::NearestInMesh));
 }
 
-/// A contact of an involute lies within the satellite's teeth; the forms are moved where a motor takes the default.
+/// A contact of an involute lies within the satellite's teeth; the forms are moved where a motor takes the
+/// default.
 pub(in crate::flanks) fn any_profile() -> impl Strategy<Value = Profile> {
     let form =
         (15.0..30.0, -0.1..0.3, any::<bool>(), 0.0..0.1).prop_map(|(alpha, shift, tooth, backlash)| {
@@ -221,8 +223,9 @@ proptest! {
     }
 }
 
-/// `dA/dφ` of a polygon of drawn outlines: the axis, the stator's teeth up to the contact, the back of the satellite down to the other contact, the
-/// rotor's teeth back. Only the satellite and the rotor move, so that it is `f′`.
+/// `dA/dφ` of a polygon of drawn outlines: the axis, the stator's teeth up to the contact, the back of the
+/// satellite down to the other contact, the rotor's teeth back. Only the satellite and the rotor move, so
+/// that it is `f′`.
 #[test]
 fn the_sweep_is_the_change_of_area_of_drawn_outlines() {
     let form = ToothForm { backlash: 0.0, ..ToothForm::default() };

@@ -15,8 +15,9 @@ pub(in crate::flanks) fn steel(e: f64) -> Pressure {
     effective_modulus([Pressure::new::<gigapascal>(e); 2], [0.3; 2]).unwrap()
 }
 
-/// Steel of 210 GPa. The derivation calls `e = 1.34` the inner end of single contact: of the default form it is about the rotor's tip,
-/// 1.3340 to 1.3569, and single contact ends at 0.9519, a base pitch from the satellite's tip.
+/// Steel of 210 GPa. The derivation calls `e = 1.34` the inner end of single contact: of the default form it
+/// is about the rotor's tip, 1.3340 to 1.3569, and single contact ends at 0.9519, a base pitch from the
+/// satellite's tip.
 #[test]
 fn the_pressures_of_the_derivation_are_met() {
     let cases = [
@@ -136,7 +137,8 @@ fn no_pressure_on_a_path_exceeds_the_greatest() {
     }
 }
 
-/// The severities of [`Profile::peaks`] the plain way: along the wheel's own arc, by golden sections, the ends of the pieces a `hair` within.
+/// The severities of [`Profile::peaks`] the plain way: along the wheel's own arc, by golden sections, the
+/// ends of the pieces a `hair` within.
 fn plain_peaks(profile: &Profile, side: Side, sigma: f64, crest: bool, hair: f64) -> [Option<f64>; 3] {
     let motor = profile.motor();
     let alpha = pressure_angle(profile.form().pressure_angle).unwrap();
@@ -177,8 +179,8 @@ fn plain_peaks(profile: &Profile, side: Side, sigma: f64, crest: bool, hair: f64
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// A hair within is another hair along the arc: between a wide one and none, which follows from a wide and a narrow one, and equal where the
-    /// greatest is not at an end.
+    /// A hair within is another hair along the arc: between a wide one and none, which follows from a wide
+    /// and a narrow one, and equal where the greatest is not at an end.
     #[test]
     fn the_peaks_are_those_of_the_plain_way(profile in any_profile(), crest in any::<bool>()) {
         let sigma = Motor::push(crest, 1.0);

@@ -48,7 +48,8 @@ proptest! {
         prop_assume!(ask(e3, e1).is_ok());
         let Some(held) = ask(e3, e1).unwrap() else { return Ok(()) };
         prop_assert!(held.back.si() >= 0.0);
-        // In the stator's frame: forces in lines of action through the pitch points, turned from the tangents by α.
+        // In the stator's frame: forces in lines of action through the pitch points, turned from the tangents
+        // by α.
         let place = motor.place_at(phase);
         let sigma = if held.push == Push::Forward { 1.0 } else { -1.0 };
         let line = |at: [f64; 2], outer: bool, sigma: f64| {
@@ -183,7 +184,8 @@ fn cramer(columns: [[f64; 3]; 3], right: [f64; 3]) -> Option<[f64; 3]> {
     }))
 }
 
-/// The four greatest forces of the satellites by a crest, or by a trough, the plain way: each for itself, over phases, by Cramer's rule.
+/// The four greatest forces of the satellites by a crest, or by a trough, the plain way: each for itself,
+/// over phases, by Cramer's rule.
 fn plain_bounds(profile: &Profile, rule: SealingContact, alpha: f64, crest: bool) -> [f64; 4] {
     let (motor, sigma) = (profile.motor(), Motor::push(crest, 1.0));
     let r = motor.shape.satellite_radius();

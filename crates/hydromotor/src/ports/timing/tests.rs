@@ -99,8 +99,8 @@ proptest! {
     }
 }
 
-/// A third short circuit, where a hole shows in front of a satellite beside the rotor, begins with some size of the hole. It is found
-/// while it is shorter than a step of 360 phases.
+/// A third short circuit, where a hole shows in front of a satellite beside the rotor, begins with some size
+/// of the hole. It is found while it is shorter than a step of 360 phases.
 #[test]
 fn a_short_circuit_that_has_just_begun_is_found() {
     let motor = motor();

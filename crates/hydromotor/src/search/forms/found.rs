@@ -45,7 +45,8 @@ pub struct FormDesign {
     pub least_radius: f64,
     /// Shortest path of contact of any flank over the base pitch.
     pub contact_ratio: f64,
-    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a satellite.
+    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a
+    /// satellite.
     pub flanks: Option<FlankFigures>,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub sizes: Vec<FormSize>,
@@ -134,8 +135,8 @@ pub struct FormFunnel {
 }
 
 impl FormFunnel {
-    /// The size of the space: motors times forms. Points of refused motors, refused points, those left out and the admissible ones
-    /// add up to it.
+    /// The size of the space: motors times forms. Points of refused motors, refused points, those left out
+    /// and the admissible ones add up to it.
     #[must_use]
     pub fn points(&self) -> u64 {
         self.motors as u64 * self.forms as u64

@@ -134,7 +134,8 @@ impl FlankFigures {
         Ok(figures)
     }
 
-    /// The figure that an objective goes by, as a logarithm, the greater the better; none of those of other kinds.
+    /// The figure that an objective goes by, as a logarithm, the greater the better; none of those of other
+    /// kinds.
     pub(super) fn value(&self, objective: Objective) -> Option<f64> {
         let log = |value: f64| if value > 0.0 { libm::log(value) } else { f64::NEG_INFINITY };
         Some(match objective {
@@ -149,7 +150,8 @@ impl FlankFigures {
     }
 }
 
-/// What the pressures of Hertz at crest and trough leave at best, with contacts at the pitch points: the load there is `Δp·b·r/cos α`.
+/// What the pressures of Hertz at crest and trough leave at best, with contacts at the pitch points: the load
+/// there is `Δp·b·r/cos α`.
 pub(super) struct PitchBound {
     /// The greatest `1 + r·κ`.
     bent: f64,

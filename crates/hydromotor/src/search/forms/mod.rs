@@ -1,38 +1,44 @@
-//! Search for designs with the tooth form free: for a wanted displacement, or a torque at a pressure, every set of numbers, of each
-//! the families of motors at their places, on each every tooth form within the steps.
+//! Search for designs with the tooth form free: for a wanted displacement, or a torque at a pressure, every
+//! set of numbers, of each the families of motors at their places, on each every tooth form within the steps.
 //!
 //! # The space
 //! A *point* is a motor and a form:
 //!
 //! 1. every set `(N, n, Z_3, Z_s)` within the [`Bounds`] and the limits on numbers;
-//! 2. of each the families wanted ([`FamilyKind`]): of two arcs so many places `l` in each interval, even in `1/l`, of the second
-//!    harmonic so many `ε₂`, even in `4·ε₂/ε₁` from end to end of their range, in both the first and the last a millionth within the
-//!    ends, which are no motors; and the motor of the cosine law;
+//! 2. of each the families wanted ([`FamilyKind`]): of two arcs so many places `l` in each interval, even in
+//!    `1/l`, of the second harmonic so many `ε₂`, even in `4·ε₂/ε₁` from end to end of their range, in both
+//!    the first and the last a millionth within the ends, which are no motors; and the motor of the cosine
+//!    law;
 //! 3. every [`ToothForm`](crate::profile::ToothForm) of the [`FormSpace`].
 //!
-//! A point is *admissible* if the motor keeps the [`Limits`], the form gives teeth ([`crate::profile::Profile::new`]) that keep every limit
-//! ([`crate::profile::Profile::limits`]), and the centrodes keep the [checks](crate::checks) with the form's heights: the
-//! satellite's addendum `h_a* + x` and the cutter's `h_a* + c* + x`.
+//! A point is *admissible* if the motor keeps the [`Limits`], the form gives teeth
+//! ([`crate::profile::Profile::new`]) that keep every limit ([`crate::profile::Profile::limits`]), and the
+//! centrodes keep the [checks](crate::checks) with the form's heights: the satellite's addendum `h_a* + x`
+//! and the cutter's `h_a* + c* + x`.
 //!
 //! # What is left out, and why nothing is lost
-//! A point is not tried where its motor is refused; where a limit fails that the form fails on every motor with such satellites; and where
-//! a design found before is *as good*: in no objective is the point's best possible value better than the design's by more
-//! than the [`resolution`](FormSearch::resolution). The best possible value is the motor's own where an objective does not depend on the form, and
-//! a bound where it does: the contact ratio cannot exceed that of the satellite's whole involute, nor that of the flanks looked at
-//! so far; the pressure of Hertz is no less than that at crests and troughs with contacts at the pitch points. Of other figures of the flanks there is no
-//! bound: with them as objectives every admissible point is tried. [`FormFunnel`] counts all, and its parts add up
-//! to the space. So:
+//! A point is not tried where its motor is refused; where a limit fails that the form fails on every motor
+//! with such satellites; and where a design found before is *as good*: in no objective is the point's best
+//! possible value better than the design's by more than the [`resolution`](FormSearch::resolution). The best
+//! possible value is the motor's own where an objective does not depend on the form, and a bound where it
+//! does: the contact ratio cannot exceed that of the satellite's whole involute, nor that of the flanks
+//! looked at so far; the pressure of Hertz is no less than that at crests and troughs with contacts at the
+//! pitch points. Of other figures of the flanks there is no bound: with them as objectives every admissible
+//! point is tried. [`FormFunnel`] counts all, and its parts add up to the space. So:
 //!
-//! - *without a resolution* the designs are the Pareto front of all admissible points, of points equal in every objective one;
-//! - *with one* every admissible point, tried or not, is in no objective better than some design by more than the resolution. The designs
-//!   themselves are a front.
+//! - *without a resolution* the designs are the Pareto front of all admissible points, of points equal in
+//!   every objective one;
+//! - *with one* every admissible point, tried or not, is in no objective better than some design by more than
+//!   the resolution. The designs themselves are a front.
 //!
-//! The tests hold both against a trial of every point. `l`, `ε₂` and the form are taken at their places and steps; motors between them are
-//! not tried, and no estimate is made of them: [`crate::search`] makes one for motors of two arcs.
+//! The tests hold both against a trial of every point. `l`, `ε₂` and the form are taken at their places and
+//! steps; motors between them are not tried, and no estimate is made of them: [`crate::search`] makes one for
+//! motors of two arcs.
 //!
 //! # Cost and threads
-//! The default space takes some 15 s of one core (`hydromotor/forms/all`); objectives of flanks take several milliseconds a point. The designs do not depend on the number of threads: motors are tried in batches in an order
-//! of their own, and a batch sees the designs of those before.
+//! The default space takes some 15 s of one core (`hydromotor/forms/all`); objectives of flanks take several
+//! milliseconds a point. The designs do not depend on the number of threads: motors are tried in batches in
+//! an order of their own, and a batch sees the designs of those before.
 //!
 //! # Example
 //! ```
@@ -150,11 +156,13 @@ pub struct FormSearch {
     pub forms: FormSpace,
     /// Least contact ratio; 1 and below ask no more than the limits do.
     pub least_contact_ratio: f64,
-    /// What the flanks under load are calculated with, and their limits; without, designs have no figures of them.
+    /// What the flanks under load are calculated with, and their limits; without, designs have no figures of
+    /// them.
     pub flanks: Option<FlankOrder>,
     /// What designs are held against each other by: by default all but [`Objective::LeastRadius`].
     pub objectives: Vec<Objective>,
-    /// Relative difference of the objectives up to which designs are as good, 2 % by default. With none the front is exact.
+    /// Relative difference of the objectives up to which designs are as good, 2 % by default. With none the
+    /// front is exact.
     pub resolution: Option<f64>,
 }
 
@@ -182,10 +190,11 @@ impl FormSearch {
     /// The front. None of the designs is an answer too: the [`FormFunnel`] tells what refused them.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements, limits, forms or search,
-    /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`], [`Error::EmptySteps`] for ranges the wrong way round,
-    /// [`Error::NothingToChoose`] without families, crests or objectives, [`Error::NoFlankOrder`] and [`Error::NoPressureDrop`] for
-    /// objectives and limits of flanks without what they need, [`Error::TooManyTeeth`], [`Error::TooManySets`] and
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
+    /// limits, forms or search, [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`],
+    /// [`Error::EmptySteps`] for ranges the wrong way round, [`Error::NothingToChoose`] without families,
+    /// crests or objectives, [`Error::NoFlankOrder`] and [`Error::NoPressureDrop`] for objectives and limits
+    /// of flanks without what they need, [`Error::TooManyTeeth`], [`Error::TooManySets`] and
     /// [`Error::TooManyForms`].
     pub fn front(&self) -> Result<FormFound, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
@@ -291,7 +300,8 @@ impl FormSearch {
         })
     }
 
-    /// The objectives that depend on the motor alone; those that are not asked for, or depend on the form, are 0.
+    /// The objectives that depend on the motor alone; those that are not asked for, or depend on the form,
+    /// are 0.
     fn values_of_shape(&self, shape: &shape::Shape) -> Value {
         let mut value = Value::default();
         for &objective in &self.objectives {
@@ -315,7 +325,8 @@ impl FormSearch {
     }
 }
 
-/// Places of values, those first that are good in all objectives together: the sum of their shares from least to greatest.
+/// Places of values, those first that are good in all objectives together: the sum of their shares from least
+/// to greatest.
 fn promising(values: &[Value]) -> Vec<usize> {
     let ends = |pick: fn(f64, f64) -> f64, start: f64| -> Value {
         std::array::from_fn(|i| values.iter().map(|value| value[i]).fold(start, pick))

@@ -13,7 +13,8 @@ pub enum FormRefusal {
     Check(Subject),
     /// A limit of the teeth.
     Limit(LimitKind),
-    /// No ideal ports can be made: the rays through the contacts do not part the chambers, or a satellite covers no hole.
+    /// No ideal ports can be made: the rays through the contacts do not part the chambers, or a satellite
+    /// covers no hole.
     Ports,
     /// The flanks cannot hold a loaded satellite.
     CannotHold,

@@ -56,7 +56,8 @@ impl Steps<f64> {
     }
 }
 
-/// The tooth forms to choose from: every combination of the values. Backlash and its share are those of [`base`](Self::base).
+/// The tooth forms to choose from: every combination of the values. Backlash and its share are those of
+/// [`base`](Self::base).
 #[derive(Debug, Clone, PartialEq)]
 pub struct FormSpace {
     /// Pressure angle `α`, from 10° to 40°.
@@ -76,7 +77,8 @@ pub struct FormSpace {
 }
 
 impl Default for FormSpace {
-    /// `α` from 20° to 30° by 2.5°, `h_a*` from 0.7 to 1 by 0.05, `x` from 0 to 0.4 by 0.1, `c*` 0.25, `ρ*` 0.1, both crests: 350 forms.
+    /// `α` from 20° to 30° by 2.5°, `h_a*` from 0.7 to 1 by 0.05, `x` from 0 to 0.4 by 0.1, `c*` 0.25, `ρ*`
+    /// 0.1, both crests: 350 forms.
     fn default() -> Self {
         let base = ToothForm::default();
         Self {
@@ -113,8 +115,9 @@ impl FormSpace {
     /// Every form, by rising `α`, `h_a*`, `x`, `c*`, `ρ*`, and the crests as given.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for an end outside the quantity's range, [`Error::EmptySteps`], [`Error::TooManyForms`] above
-    /// [`MOST_FORMS`], [`Error::NothingToChoose`] without crests, and for the base's backlash and share [`Error::OutOfRange`].
+    /// [`Error::OutOfRange`] for an end outside the quantity's range, [`Error::EmptySteps`],
+    /// [`Error::TooManyForms`] above [`MOST_FORMS`], [`Error::NothingToChoose`] without crests, and for the
+    /// base's backlash and share [`Error::OutOfRange`].
     ///
     /// # Example
     /// ```

@@ -11,7 +11,8 @@ use super::{FormSearch, Objective};
 use crate::profile::ToothForm;
 use crate::profile::kept::{Room, SatelliteForm, contact_ratio};
 
-/// The forms on satellites of each number of teeth, those that may have the greatest contact ratio first, and why others fail.
+/// The forms on satellites of each number of teeth, those that may have the greatest contact ratio first, and
+/// why others fail.
 pub(super) struct Forms {
     of: BTreeMap<u32, (Vec<(usize, SatelliteForm)>, Counts)>,
 }

@@ -1,19 +1,21 @@
-//! The order of the levers, which end of each is up, and their heights: so that what joins them is level and crosses as little as
-//! possible.
+//! The order of the levers, which end of each is up, and their heights: so that what joins them is level and
+//! crosses as little as possible.
 //!
-//! A *tie* joins two points of different levers: the next points of one link, or the links of a clutch. An arrangement costs
+//! A *tie* joins two points of different levers: the next points of one link, or the links of a clutch. An
+//! arrangement costs
 //!
 //! ```text
 //! 100·(ties that cross, or run through the point of another link)  +  30·(levers that ties cross)
 //!   +  Σ |rise of a tie|, mm  +  5·Σ levers between the ends of a tie
 //! ```
 //!
-//! A clutch between two links of one lever stands to the left of it as an upright tie, which all that passes there or comes from the
-//! left between its ends crosses, and so does the end of another such clutch.
+//! A clutch between two links of one lever stands to the left of it as an upright tie, which all that passes
+//! there or comes from the left between its ends crosses, and so does the end of another such clutch.
 //!
-//! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the squared rises least, lengths
-//! between 0.8 and 1.3 of the usual one. All orders and senses of up to five levers are tried. Beyond, the order is improved from that of the file by exchanging
-//! two levers or turning one while this costs less; the result then need not be the best.
+//! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the
+//! squared rises least, lengths between 0.8 and 1.3 of the usual one. All orders and senses of up to five
+//! levers are tried. Beyond, the order is improved from that of the file by exchanging two levers or turning
+//! one while this costs less; the result then need not be the best.
 
 use super::merge::Lever;
 use crate::tolerance::LEVEL;
@@ -27,7 +29,8 @@ const STRETCH: [f64; 2] = [0.8, 1.3];
 const ALL_TRIED: usize = 5;
 /// A tie nearer than this to a point seems to belong to it.
 const NEAR_MM: f64 = 4.0;
-/// How much the usual length of a lever and the usual height of its middle are worth against a level tie of a link.
+/// How much the usual length of a lever and the usual height of its middle are worth against a level tie of a
+/// link.
 const USUAL: [f64; 2] = [0.002, 0.0005];
 /// How much a level tie of a clutch is worth.
 const CLUTCH: f64 = 0.02;
@@ -133,7 +136,8 @@ fn permutations(count: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// What joins columns: each link from one of its columns to the next, and each clutch between the nearest columns of its links.
+/// What joins columns: each link from one of its columns to the next, and each clutch between the nearest
+/// columns of its links.
 pub(super) fn ties(columns: &[Column], clutches: &[(usize, [LinkId; 2])]) -> Vec<Tie> {
     let mut found = vec![];
     let of = |link: LinkId| {
@@ -191,8 +195,8 @@ fn heights(
         seen[one].push((at, other, there, weight));
         seen[other].push((there, one, at, weight));
     }
-    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2. What is left of the equals sign
-    // stays as the levers move.
+    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2.
+    // What is left of the equals sign stays as the levers move.
     let [stiff, centred] = USUAL;
     let sums = seen.iter().map(|seen| {
         let mut sums = [centred, 0.5 * centred, 0.25 * centred + stiff];
@@ -324,7 +328,8 @@ mod tests {
         Lever { sets: vec![0], nodes: nodes.iter().map(|&(at, place)| (link(at), place)).collect() }
     }
 
-    /// Counted by hand: two levers upside down to each other cross their two ties, which rise by 70 mm each at the usual length.
+    /// Counted by hand: two levers upside down to each other cross their two ties, which rise by 70 mm each
+    /// at the usual length.
     #[test]
     fn the_cost_is_that_counted_by_hand() {
         let column = |lever, points: [(usize, f64); 2]| Column {
@@ -344,8 +349,8 @@ mod tests {
         assert_eq!(cost(&past, &ties(&past, &[])), 30.0 + 5.0);
     }
 
-    /// A clutch over a whole lever, to the left of it: a tie that comes from the left to its middle crosses it, and none that leaves to
-    /// the right. So the lever comes first.
+    /// A clutch over a whole lever, to the left of it: a tie that comes from the left to its middle crosses
+    /// it, and none that leaves to the right. So the lever comes first.
     #[test]
     fn a_clutch_beside_its_lever_keeps_clear_of_ties() {
         let clutch = [(0, [link(1), link(3)])];
@@ -370,7 +375,8 @@ mod tests {
         assert_eq!(nested([[1, 2], [0, 3]]), 0.0);
     }
 
-    /// Three levers in a chain, the middle one upside down and last in the file: level ties, none over a lever.
+    /// Three levers in a chain, the middle one upside down and last in the file: level ties, none over a
+    /// lever.
     #[test]
     fn a_chain_gets_level_ties() {
         let levers = [

@@ -40,7 +40,8 @@ impl Lever {
         self.nodes.iter().find(|node| node.0 == link).map(|node| node.1)
     }
 
-    /// The members of its sets at a node, `a` central gear 1, `b` central gear 2, `H` carrier, with the numbers of their sets.
+    /// The members of its sets at a node, `a` central gear 1, `b` central gear 2, `H` carrier, with the
+    /// numbers of their sets.
     pub(super) fn members(&self, gearbox: &Gearbox, link: LinkId) -> String {
         let of_set = |&set: &usize| {
             let members = gearbox.drawn_sets()[set].links.map(|member| piece_of(gearbox, member));
@@ -50,9 +51,11 @@ impl Lever {
         self.sets.iter().flat_map(of_set).collect::<Vec<_>>().join(", ")
     }
 
-    /// Both as one lever, in the units of this one; `None` without two links in common that stand apart, or where a third does not fit.
+    /// Both as one lever, in the units of this one; `None` without two links in common that stand apart, or
+    /// where a third does not fit.
     ///
-    /// Speeds are linear along each lever, so two common links fix how the places of the other are scaled and shifted.
+    /// Speeds are linear along each lever, so two common links fix how the places of the other are scaled and
+    /// shifted.
     fn with(&self, other: &Self) -> Option<Self> {
         let common: Vec<(f64, f64)> =
             other.nodes.iter().filter_map(|&(link, theirs)| Some((self.place(link)?, theirs))).collect();

@@ -21,7 +21,8 @@ pub(super) enum Role {
 impl Role {
     pub(super) const ALL: [Self; 5] = [Self::Input, Self::Output, Self::Held, Self::Tied, Self::Free];
 
-    /// Of each link, in the order of the gearbox: what comes first counts. Without a gear no shift element is engaged.
+    /// Of each link, in the order of the gearbox: what comes first counts. Without a gear no shift element is
+    /// engaged.
     pub(super) fn of_links(gearbox: &Gearbox, gear: Option<&Analysis>) -> Vec<Self> {
         let piece = |link: LinkId| piece_of(gearbox, link);
         let (input, output) = match gear {

@@ -4,8 +4,8 @@ use super::{ALONG_MM, LEAST_ALONG_MM, signs};
 use epicyclic_layout::Layout;
 use epicyclic_train::Gearbox;
 
-/// Of the distance between two columns with signs, that between two where carriers fork around planets, between one of these or
-/// another sign and a line, and between two lines, where columns are drawn closest.
+/// Of the distance between two columns with signs, that between two where carriers fork around planets,
+/// between one of these or another sign and a line, and between two lines, where columns are drawn closest.
 const FORKED: f64 = 8.5 / LEAST_ALONG_MM;
 const FORKED_MIXED: f64 = 0.75;
 const MIXED: f64 = 0.6;
@@ -21,8 +21,8 @@ pub(super) struct Along {
 }
 
 impl Along {
-    /// The columns of a layout, `along_mm` apart. Where that is less than [`ALONG_MM`], columns without set or shift element need less
-    /// than the others.
+    /// The columns of a layout, `along_mm` apart. Where that is less than [`ALONG_MM`], columns without set
+    /// or shift element need less than the others.
     pub(super) fn of(gearbox: &Gearbox, layout: &Layout, along_mm: f64) -> Self {
         let (from, to) = (layout.axis.from.x, layout.axis.to.x);
         let marks = layout.sets.iter().map(|stack| stack.x);

@@ -1,7 +1,8 @@
 //! The power in each piece of a link's shafts, drums and webs.
 //!
-//! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements take hold and shafts leave.
-//! What passes a piece is therefore what enters the link on one side of it, `Σ T·ω`.
+//! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements
+//! take hold and shafts leave. What passes a piece is therefore what enters the link on one side of it,
+//! `Σ T·ω`.
 
 use super::halves;
 use epicyclic_layout::Layout;
@@ -109,7 +110,8 @@ fn behind(edges: &[[usize; 2]], without: usize, places: usize) -> Option<Vec<boo
     (!inside[far]).then_some(inside)
 }
 
-/// What passes from the places behind to the others: what enters behind, or where that is not known, less what enters before.
+/// What passes from the places behind to the others: what enters behind, or where that is not known, less
+/// what enters before.
 fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
     let side = |wanted: bool| {
         let entries = entering.iter().zip(behind).filter(move |(_, is)| **is == wanted);
@@ -126,7 +128,8 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
     let of_set = |set: usize| load.and_then(|(gear, case)| gear.drawn_power(case, set));
     for stack in &layout.sets {
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
-            // What two halves of one set have in common hands on the power of the whole, at one of its two places.
+            // What two halves of one set have in common hands on the power of the whole, at one of its two
+            // places.
             let of: Vec<usize> = match pairs.iter().find_map(|pair| pair.hands_on(stack.set, member)) {
                 Some(sets) => sets,
                 None => vec![stack.set],

@@ -1,7 +1,8 @@
-//! Which drawn sets are halves of one: a Ravigneaux set with its long planet, a Wolfrom drive with its stepped planet.
+//! Which drawn sets are halves of one: a Ravigneaux set with its long planet, a Wolfrom drive with its
+//! stepped planet.
 //!
-//! The layout has such a set as two, from the gear that they have in common to the two others. They are one where they stand side by
-//! side on one level line of their carrier.
+//! The layout has such a set as two, from the gear that they have in common to the two others. They are one
+//! where they stand side by side on one level line of their carrier.
 
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::{Point as Place, SetStack};
@@ -11,7 +12,8 @@ use epicyclic_train::set::SetKind;
 /// Which planet two drawn sets have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Common {
-    /// The long planet of a Ravigneaux set: in the first it is the outer of two planets, in the second the only one.
+    /// The long planet of a Ravigneaux set: in the first it is the outer of two planets, in the second the
+    /// only one.
     Long,
     /// A stepped planet: in the first the step in mesh with the gear in common, in the second the other.
     Stepped,
@@ -34,8 +36,8 @@ impl Pair {
         self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
     }
 
-    /// Whose power a member of a drawn set hands on where it is common to both: of both sets in one place, of none in the other. `None`
-    /// of members that are not in common.
+    /// Whose power a member of a drawn set hands on where it is common to both: of both sets in one place, of
+    /// none in the other. `None` of members that are not in common.
     pub(super) fn hands_on(&self, set: usize, member: usize) -> Option<Vec<usize>> {
         let own = self.stacks.iter().position(|stack| stack.set == set)?;
         let place = match member {

@@ -20,7 +20,8 @@ impl Sheet<'_> {
         self.link_names(&mut places);
     }
 
-    /// Gaps of clutches and brakes, rims in mesh, webs and planet pins: no leader runs through them, nor through their mirror images.
+    /// Gaps of clutches and brakes, rims in mesh, webs and planet pins: no leader runs through them, nor
+    /// through their mirror images.
     fn keep_signs_clear(&self, places: &mut Places) {
         let clutches = self.layout.clutches.iter().map(|mark| [mark.lower.1, mark.upper.1]);
         let brakes = self.layout.brakes.iter().map(|mark| [mark.link_end, mark.housing]);
@@ -177,7 +178,8 @@ impl Sheet<'_> {
     }
 }
 
-/// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it stands at.
+/// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it
+/// stands at.
 fn wishes(shape: &LinkShape, name: &str, at: impl Fn(Place) -> Point) -> Vec<(Point, Point)> {
     let mut segments: Vec<[Point; 2]> = shape.segments.iter().map(|s| [at(s.from), at(s.to)]).collect();
     let length = |[from, to]: &[Point; 2]| (to.x - from.x) + (to.y - from.y);

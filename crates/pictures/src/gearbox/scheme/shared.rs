@@ -1,5 +1,5 @@
-//! Sets of more than two central gears drawn as one: the planet in common goes through both halves, and the gear in common is drawn
-//! once.
+//! Sets of more than two central gears drawn as one: the planet in common goes through both halves, and the
+//! gear in common is drawn once.
 
 use super::halves::{Common, Pair};
 use super::signs::{BEHIND_MM, FORK_MM, HUB_MM, MESH_MM, PLANET_PIN_MM, RIM_MM, STEP};
@@ -35,7 +35,8 @@ impl Sheet<'_> {
         self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([left, y], [right, y]));
     }
 
-    /// Both suns, the ring once over both, the short planet under the long one, and the carrier's fork around them.
+    /// Both suns, the ring once over both, the short planet under the long one, and the carrier's fork around
+    /// them.
     fn ravigneaux(&mut self, pair: &Pair) {
         let [double, simple] = pair.stacks;
         let [xd, xs] = [double.x, simple.x].map(|x| self.at(Place { x, y: 0.0 }).x);
@@ -138,7 +139,8 @@ impl Sheet<'_> {
         let reaches =
             |stack: &epicyclic_layout::layout::SetStack, side: f64| self.carrier_sides(stack).contains(&side);
         let (at_long, at_short) = (reaches(&simple, -towards), reaches(&double, towards));
-        // The long planet's pin, from a fork beside it to one beyond the short planet, or to one between the two.
+        // The long planet's pin, from a fork beside it to one beyond the short planet, or to one between the
+        // two.
         let start = if at_long { xs - towards * FORK_MM } else { xs - towards * PLANET_PIN_MM };
         let between = xd - towards * (RIM_MM + FORK_GAP_MM);
         self.line(layer, look, Point::new(start, pins[1]), Point::new(between, pins[1]));

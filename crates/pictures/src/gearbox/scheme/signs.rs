@@ -28,7 +28,8 @@ pub(super) const BEHIND_MM: f64 = 0.7;
 pub(super) const STEP: f64 = 0.72;
 /// Radius of the circle where power enters or leaves in some gears only.
 pub(super) const TAKE_OFF_MM: f64 = 1.2;
-/// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
+/// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and
+/// above level ones.
 const HATCH_MM: f64 = 1.8;
 
 /// Whether the carrier of a set is not drawn straight through its planet.
@@ -266,7 +267,8 @@ impl Sheet<'_> {
             .then_some([one, other])
     }
 
-    /// The same on the arms of a fork, one on either side; an arm that passes behind the other planet has a gap there.
+    /// The same on the arms of a fork, one on either side; an arm that passes behind the other planet has a
+    /// gap there.
     fn planets_beside(&mut self, stack: &SetStack, x: f64, planets: [Wheel; 2]) {
         let pins = planets.map(|planet| UP_MM * planet.pin);
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };
@@ -387,7 +389,8 @@ impl Sheet<'_> {
         let hub = self.planet_pin_half(stack) + 0.55;
         let reach =
             [UP_MM * stack.sun_mesh + MESH_MM - y, UP_MM * stack.ring_mesh - MESH_MM - y].map(f64::abs);
-        // The step in mesh below is the larger one, so that both are seen; to scale each is as large on both sides.
+        // The step in mesh below is the larger one, so that both are seen; to scale each is as large on both
+        // sides.
         let far = if self.is_to_scale(stack) { 1.0 } else { STEP };
         for (x, size, meshes) in [(x - aside, reach[0], -1.0), (x + aside, reach[1], 1.0)] {
             for side in [-1.0, 1.0] {

@@ -10,13 +10,15 @@
 //! | `R` | radius of a planet pin | that of `r` |
 //! | `m`, `z` | module, number of teeth | mm, 1 |
 //!
-//! All sets have one scale. A set without a module has that of the first set that has one, and where none has any, all sets have
-//! the same. Of a set of which `k` alone is known the largest central gear is as large as the largest of the others. The picture
-//! says which sets these are. Where a planet is in mesh with the other planets of its set and their sizes are not given, they
-//! are those of the [speed diagram](crate::gearbox::speeds).
+//! All sets have one scale. A set without a module has that of the first set that has one, and where none has
+//! any, all sets have the same. Of a set of which `k` alone is known the largest central gear is as large as
+//! the largest of the others. The picture says which sets these are. Where a planet is in mesh with the other
+//! planets of its set and their sizes are not given, they are those of the
+//! [speed diagram](crate::gearbox::speeds).
 //!
-//! Two central gears that a half-plane shows on one side of their planet, as two suns, stand on both sides of it: the second is
-//! mirrored at the planet's axis, of two rings the first. Bevel gears have no radius of this kind and keep any height.
+//! Two central gears that a half-plane shows on one side of their planet, as two suns, stand on both sides of
+//! it: the second is mirrored at the planet's axis, of two rings the first. Bevel gears have no radius of
+//! this kind and keep any height.
 
 use super::UP_MM;
 use super::halves::{Common, Pair, pairs};
@@ -50,7 +52,8 @@ pub(super) struct Wheel {
 /// The scale of a layout, and the planets in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
-    /// Of each drawn set, its planets or their steps from central gear 1 to 2; none where they are not to scale.
+    /// Of each drawn set, its planets or their steps from central gear 1 to 2; none where they are not to
+    /// scale.
     pub(super) wheels: Vec<Vec<Wheel>>,
     /// What the picture says.
     pub(super) notes: Vec<String>,
@@ -68,7 +71,8 @@ pub(super) struct Bar {
 }
 
 impl Scale {
-    /// The scale bar: 1, 2 or 5 times a power of ten, at most so long as drawn; `None` where no module is known.
+    /// The scale bar: 1, 2 or 5 times a power of ten, at most so long as drawn; `None` where no module is
+    /// known.
     pub(super) fn bar(&self, most_mm: f64) -> Option<Bar> {
         let drawn = UP_MM * self.units_to_mm?;
         let most = most_mm / drawn;
@@ -84,8 +88,8 @@ impl Scale {
     }
 }
 
-/// A layout with its gears at heights in proportion to their pitch radii, and the scale. The planet bearings say the modules of
-/// those sets of which any are known.
+/// A layout with its gears at heights in proportion to their pitch radii, and the scale. The planet bearings
+/// say the modules of those sets of which any are known.
 ///
 /// ```
 /// use epicyclic_layout::{self as layout, Verdict};
@@ -109,7 +113,8 @@ impl Scale {
 /// ```
 ///
 /// # Errors
-/// [`Error::NotToScale`] where the layout has a set above a larger one, [`Error::NoRadii`] where no set has any.
+/// [`Error::NotToScale`] where the layout has a set above a larger one, [`Error::NoRadii`] where no set has
+/// any.
 pub fn to_scale(
     gearbox: &Gearbox,
     layout: &Layout,
@@ -203,7 +208,8 @@ fn tie(gearbox: &Gearbox, pair: &Pair, all: &mut [Radii]) {
             let long = Planet { letter: "f", pin, contacts: [Some((1, sizes[0])), None], is_assumed: false };
             all[first].planets = vec![short, long];
         }
-        // Of i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f the pin of the first half leaves the second no choice.
+        // Of i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f the pin of the first half leaves the second no
+        // choice.
         Common::Stepped => {
             let Some(pin) = all[first].planets.first().map(|planet| planet.pin) else { return };
             let ratio = drawn[second].basic_ratio(gearbox).abs();
@@ -350,7 +356,8 @@ fn heights(set: &DrawnSet, radii: &Radii, pair: Option<&Pair>, unit: f64) -> (Se
     };
     let low = wheels.iter().map(|wheel| wheel.pin - wheel.radius).fold(sun_mesh, f64::min);
     let high = wheels.iter().map(|wheel| wheel.pin + wheel.radius).fold(ring_mesh, f64::max);
-    // Nothing can be seen of a planet that hardly orbits, as in an eccentric drive, beside a ring of that size.
+    // Nothing can be seen of a planet that hardly orbits, as in an eccentric drive, beside a ring of that
+    // size.
     if low.min(planet - sun_mesh).min(ring_mesh - planet) < LEAST_SHARE * high {
         return (SetRadii::Free, vec![]);
     }

@@ -22,7 +22,8 @@ pub(super) struct SpeedDiagram {
     pub(super) lines: Vec<Line>,
     /// Radii with their names.
     pub(super) levels: Vec<(String, f64)>,
-    /// Central gears and planets from radius to radius, each in its section, for the picture beside the diagram.
+    /// Central gears and planets from radius to radius, each in its section, for the picture beside the
+    /// diagram.
     pub(super) toothed_gears: Vec<(usize, [f64; 2])>,
     pub(super) planet_pins: Vec<(usize, f64)>,
     /// The largest radius.
@@ -87,7 +88,8 @@ impl SpeedDiagram {
         Self { lines, levels, toothed_gears, planet_pins, height }
     }
 
-    /// A pair: central gear 1 about the axis, central gear 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
+    /// A pair: central gear 1 about the axis, central gear 2 about its own at `1 + k` outside or `k − 1`
+    /// below inside; both meet at 1.
     fn of_pair(gearbox: &Gearbox, set: usize, speeds: [f64; 2]) -> Self {
         let number = set + 1;
         let drawn = &gearbox.drawn_sets()[set];
@@ -138,7 +140,8 @@ mod tests {
         builder.input("D").output("B").gear("1", ["K1"]).build().unwrap()
     }
 
-    /// The planet's line, drawn through the central gears' velocities, has the slope that the mechanics gives; the planet pin lies on it.
+    /// The planet's line, drawn through the central gears' velocities, has the slope that the mechanics
+    /// gives; the planet pin lies on it.
     #[test]
     fn a_planets_slope_is_its_speed() {
         for (kind, teeth) in [
@@ -169,7 +172,8 @@ mod tests {
         }
     }
 
-    /// Of planets without teeth sizes are assumed that mesh: against the carrier they turn in opposite senses, as their sizes ask for.
+    /// Of planets without teeth sizes are assumed that mesh: against the carrier they turn in opposite
+    /// senses, as their sizes ask for.
     #[test]
     fn planets_of_assumed_size_are_marked_and_have_lines() {
         for kind in [

@@ -1,4 +1,5 @@
-//! A gear with two inputs over a map of their speeds, calculated place by place: a map may have a million places.
+//! A gear with two inputs over a map of their speeds, calculated place by place: a map may have a million
+//! places.
 
 use super::{Given, Origin, Task};
 use crate::analyze::answer::warnings;
@@ -100,9 +101,11 @@ impl<Entries: Serialize + JsonSchema> Answer for Map<Entries> {
     const NAME: &'static str = "analyze-map";
 }
 
-/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file states.
+/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file
+/// states.
 ///
-/// The corners of the map are calculated at once, so that what refuses all of it is refused before anything is written.
+/// The corners of the map are calculated at once, so that what refuses all of it is refused before anything
+/// is written.
 ///
 /// # Errors
 /// Those of [`answer`](super::answer).

@@ -73,7 +73,8 @@ pub struct Friction {
     pub torque_n_m: [f64; 2],
     /// The same over the mean torque without losses.
     pub share: [f64; 2],
-    /// Least torque at the start, at the worst angle, with the contacts where they are there; null without teeth.
+    /// Least torque at the start, at the worst angle, with the contacts where they are there; null without
+    /// teeth.
     pub starting_torque_n_m: Option<[f64; 2]>,
     /// The same without friction.
     pub starting_torque_without_n_m: Option<f64>,
@@ -111,7 +112,8 @@ pub struct Efficiency {
     pub total: [f64; 2],
 }
 
-/// Efficiencies over speed and pressure; a row for each pressure with a value for each speed, of two with the greatest friction.
+/// Efficiencies over speed and pressure; a row for each pressure with a value for each speed, of two with the
+/// greatest friction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EfficiencyMap {

@@ -1,4 +1,5 @@
-//! Ports as made: when they open and close, what closed chambers do to the pressure, what the openings throttle.
+//! Ports as made: when they open and close, what closed chambers do to the pressure, what the openings
+//! throttle.
 
 use super::{Inputs, Point};
 use crate::answer::Warning;
@@ -33,11 +34,13 @@ pub struct MadePorts {
     pub closed: Vec<ClosedStretch>,
     /// The chamber at its least and at its greatest.
     pub extremes: [ChamberExtreme; 2],
-    /// Oil that the chambers take a revolution to come to the high pressure; null without bulk modulus, width and pressure.
+    /// Oil that the chambers take a revolution to come to the high pressure; null without bulk modulus, width
+    /// and pressure.
     pub charge_m3: Option<f64>,
     /// The same over the displacement.
     pub charge_share: Option<f64>,
-    /// Throttling by the ports at high and at low pressure; empty without discharge coefficient, density, width and speed.
+    /// Throttling by the ports at high and at low pressure; empty without discharge coefficient, density,
+    /// width and speed.
     pub throttling: Vec<Throttling>,
 }
 
@@ -105,7 +108,8 @@ pub struct ClosedStretch {
     pub before_rad: f64,
     /// Closed angle after it.
     pub after_rad: f64,
-    /// The greatest change of the pressure since it closed, below 0 where it falls; null without a bulk modulus.
+    /// The greatest change of the pressure since it closed, below 0 where it falls; null without a bulk
+    /// modulus.
     pub change_pa: Option<f64>,
 }
 
@@ -127,7 +131,8 @@ pub struct ChamberExtreme {
     pub area_m2: f64,
     /// Second derivative of its area by the rotor's angle.
     pub bend_m2: f64,
-    /// Closed angle before the extreme in which it comes to the high pressure on its own; null without bulk modulus and pressure.
+    /// Closed angle before the extreme in which it comes to the high pressure on its own; null without bulk
+    /// modulus and pressure.
     pub precompression_rad: Option<f64>,
 }
 

@@ -1,4 +1,5 @@
-//! What a search with free tooth forms chooses from and judges by, with the names that options and records have of it.
+//! What a search with free tooth forms chooses from and judges by, with the names that options and records
+//! have of it.
 
 use crate::shared::named::named;
 use crate::shared::number::{maybe_si, si};

@@ -6,8 +6,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
 
-/// The space of motors and tooth forms, and what became of its points: those of refused motors, those refused, those left out and the
-/// admissible ones add up to it.
+/// The space of motors and tooth forms, and what became of its points: those of refused motors, those
+/// refused, those left out and the admissible ones add up to it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Funnel {

@@ -104,7 +104,8 @@ pub enum Reason {
     AllowedPressure,
     /// The ripple, satellites sealing at the flanks, is above the wanted one.
     FlankRipple,
-    /// The least torque over the mean, satellites sealing at the flanks, is below the wanted one, or vanishes.
+    /// The least torque over the mean, satellites sealing at the flanks, is below the wanted one, or
+    /// vanishes.
     LeastTorque,
 }
 

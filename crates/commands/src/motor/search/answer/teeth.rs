@@ -1,4 +1,5 @@
-//! The teeth of a design: whether they keep their limits, and flow and torque where satellites seal at their flanks.
+//! The teeth of a design: whether they keep their limits, and flow and torque where satellites seal at their
+//! flanks.
 
 use super::shown_size;
 use crate::motor::answer::{contact_stresses, practice, steel};
@@ -57,7 +58,8 @@ impl Teeth {
     }
 }
 
-/// The greatest contact stress where one pair of flanks carries alone; none where the flanks cannot hold a satellite.
+/// The greatest contact stress where one pair of flanks carries alone; none where the flanks cannot hold a
+/// satellite.
 fn contact(profile: &Profile, drop: Pressure) -> Option<f64> {
     practice::greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
 }
