@@ -50,6 +50,7 @@ mod usage;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use epicyclic_commands as commands;
+use epicyclic_commands::answer::write_json;
 use epicyclic_commands::desk::{Call, apart};
 use epicyclic_commands::failure::{self, Failure};
 use epicyclic_commands::output;
@@ -164,7 +165,8 @@ fn end(call: &Call<'_>, done: Result<(), Failure>, is_json: bool) -> u8 {
                 output::in_place_of_an_answer(call, &failure.as_answer());
             } else if !call.has_answered() {
                 // What fails here has been told already.
-                let _ = call.record(&failure.as_answer());
+                let refused = failure.as_answer();
+                let _ = call.record(&mut |out| write_json(&refused, out));
             }
             if !failure.is_quiet() {
                 call.complain(&format!("error: {}", failure.told()));

@@ -9,8 +9,6 @@
 pub mod apart;
 pub mod memory;
 
-use crate::answer::Answer;
-use crate::answer::write_json;
 use crate::failure::Failure;
 use apart::Files;
 use epicyclic_units::visible;
@@ -212,8 +210,8 @@ impl<'d> Call<'d> {
     }
 
     /// Hands over the record of an answer that goes to a file or in another form.
-    pub fn record<A: Answer>(&self, answer: &A) -> Result<(), Failure> {
-        self.desk.record(&mut |out| write_json(answer, out)).map_err(Failure::StandardOutput)
+    pub fn record(&self, answer: &mut Source) -> Result<(), Failure> {
+        self.desk.record(answer).map_err(Failure::StandardOutput)
     }
 
     /// A line, or lines, beside the answer.

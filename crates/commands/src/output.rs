@@ -5,6 +5,7 @@ use crate::answer::{Answer, Warning};
 use crate::desk::{Call, Content, Source};
 use crate::draw::answer::FileFormat;
 use crate::drawing_file;
+use crate::error::Error;
 use crate::failure::Failure;
 use crate::finite;
 use crate::page::{Imprint, Sheet};
@@ -38,6 +39,38 @@ pub struct Target {
     /// File for the answer, written whole or not at all. Default: standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// An answer of any command, in every form in which it is written.
+pub(crate) trait Reply {
+    /// Refuses infinity and NaN.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the key of the number.
+    fn check(&self) -> Result<(), Error>;
+
+    /// Writes the record as JSON.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn json(&self, out: &mut dyn io::Write) -> io::Result<()>;
+
+    /// The report, of which tables and CSV are made.
+    fn as_report(&self) -> Report;
+}
+
+impl<A: Answer + AsReport> Reply for A {
+    fn check(&self) -> Result<(), Error> {
+        finite::check(self)
+    }
+
+    fn json(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        write_json(self, out)
+    }
+
+    fn as_report(&self) -> Report {
+        self.report()
+    }
 }
 
 /// How an answer is written.
@@ -116,23 +149,23 @@ impl OutputArgs {
 
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of
     /// sight are shown as well, and those that CSV does not have.
-    pub(crate) fn deliver<A: Answer + AsReport>(&self, call: &Call<'_>, answer: &A) -> Result<(), Failure> {
+    pub(crate) fn deliver(&self, call: &Call<'_>, answer: &dyn Reply) -> Result<(), Failure> {
         self.deliver_with(call, vec![], answer)
     }
 
     /// The same with other files of the same call, all of them or none.
-    pub(crate) fn deliver_with<A: Answer + AsReport>(
+    pub(crate) fn deliver_with(
         &self,
         call: &Call<'_>,
         files: Vec<Content>,
-        answer: &A,
+        answer: &dyn Reply,
     ) -> Result<(), Failure> {
         self.check_end()?;
-        finite::check(answer)?;
+        answer.check()?;
         // A view is made where it is shown, or where its warnings go to people beside a file.
-        let report = (self.format() != Format::Json || self.is_file()).then(|| answer.report());
+        let report = (self.format() != Format::Json || self.is_file()).then(|| answer.as_report());
         match (self.format(), &report) {
-            (Format::Json, _) => self.stream(call, &files, &mut |out| write_json(answer, out))?,
+            (Format::Json, _) => self.stream(call, &files, &mut |out| answer.json(out))?,
             (format, Some(report)) => {
                 // In the units of drawings a number can be too large that is not in SI units.
                 report.refuse_infinite()?;
@@ -194,16 +227,16 @@ impl OutputArgs {
 
     /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer
     /// warns of is shown here as well.
-    pub(crate) fn deliver_page<A: Answer + AsReport>(
+    pub(crate) fn deliver_page(
         &self,
         call: &Call<'_>,
         files: Vec<Content>,
-        answer: &A,
+        answer: &dyn Reply,
         sheet: Result<Sheet, crate::table::text::Error>,
         imprint: &Imprint,
     ) -> Result<(), Failure> {
-        finite::check(answer)?;
-        let report = answer.report();
+        answer.check()?;
+        let report = answer.as_report();
         report.refuse_infinite()?;
         self.write_with(call, files, &sheet?.html(imprint)?)?;
         self.record(call, answer)?;
@@ -212,8 +245,13 @@ impl OutputArgs {
     }
 
     /// Hands over the record, unless standard output has it.
-    pub(crate) fn record<A: Answer>(&self, call: &Call<'_>, answer: &A) -> Result<(), Failure> {
-        if self.format() == Format::Json && !self.is_file() { Ok(()) } else { call.record(answer) }
+    fn record(&self, call: &Call<'_>, answer: &dyn Reply) -> Result<(), Failure> {
+        if self.has_json_out() { Ok(()) } else { call.record(&mut |out| answer.json(out)) }
+    }
+
+    /// Whether standard output has the answer as JSON.
+    pub(crate) fn has_json_out(&self) -> bool {
+        self.format() == Format::Json && !self.is_file()
     }
 
     /// Writes the answer and other files of the same call, all of them or none.

@@ -1,7 +1,7 @@
 //! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
 
 use crate::analyze::request::{Choice, Load, subject};
-use crate::answer::to_json;
+use crate::answer::{to_json, write_json};
 use crate::desk::Call;
 use crate::draw::request::to_scale;
 use crate::failure::{Failure, NOTHING_TO_SHOW};
@@ -200,6 +200,6 @@ fn written(
     let Some(sheet) = sheet else { return Ok(to_json(report)?) };
     // What HTML does not allow in a name, or turns its reading around, is written out.
     let page = visible::lines(&sheet?.html(&args.page.imprint())?).into_owned();
-    call.record(report)?;
+    call.record(&mut |out| write_json(report, out))?;
     Ok(page)
 }

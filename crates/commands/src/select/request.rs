@@ -417,7 +417,10 @@ fn with_teeth(
                 csv(designs.take().into_iter().flatten(), is_shifted, out)
             })?;
         }
-        args.output.record(call, &found.streamed(&|_| ())?)?;
+        if !args.output.has_json_out() {
+            let found = found.streamed(&|_| ())?;
+            call.record(&mut |out| write_json(&found, out))?;
+        }
     } else {
         let answer = found.answer().map_err(|error| refuse(args, error))?;
         if args.output.is_page() {
