@@ -54,9 +54,11 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let file = args.file.as_deref();
     // What cannot be read is told here and not in the page; of standard input there is one reading.
     let read = file.map(|file| input::text(call, file)).transpose()?;
-    let listened = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| Failure::Option {
-        option: "--port",
-        message: format!("{} on 127.0.0.1: {error}; give another one, or 0 for any that is free", args.port),
+    let listened = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
+        Failure::invalid(
+            "--port",
+            format!("{} on 127.0.0.1: {error}; give another one, or 0 for any that is free", args.port),
+        )
     })?;
     let port = listened.local_addr().map_err(Failure::StandardOutput)?.port();
     let address = format!("http://127.0.0.1:{port}/{}", if file.is_some() { "#open" } else { "" });

@@ -1,7 +1,7 @@
 //! Refusals of a command line: as an answer for programs, and shown to people.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use epicyclic_commands::failure::WRONG;
+use epicyclic_commands::failure::{INVALID, WRONG};
 use epicyclic_commands::refused::Refused;
 use epicyclic_units::find_unit;
 use epicyclic_units::visible::one_line;
@@ -38,7 +38,7 @@ fn name(kind: ErrorKind) -> &'static str {
     match kind {
         ErrorKind::UnknownArgument => "unknown-argument",
         ErrorKind::InvalidSubcommand => "unknown-command",
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => "option",
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => INVALID,
         ErrorKind::ArgumentConflict => "argument-conflict",
         ErrorKind::MissingRequiredArgument => "missing-argument",
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {

@@ -33,7 +33,7 @@ pub(crate) fn format_by_name(file: &Path, option: &'static str) -> Result<FileFo
     let Some(end) = end_of(file) else { return Ok(FileFormat::Svg) };
     format_of(&end).ok_or_else(|| {
         let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
-        Failure::Option { option, message }
+        Failure::invalid(option, message)
     })
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn check_dpi(
 ) -> Result<(), Failure> {
     if dpi.is_some() && formats.all(|format| format != FileFormat::Png) {
         let message = "it is for images of pixels; let --output end in .png".to_owned();
-        return Err(Failure::Option { option: "--dpi", message });
+        return Err(Failure::conflict("--dpi", message));
     }
     Ok(())
 }
@@ -62,13 +62,11 @@ pub(crate) fn content(scene: &Scene, format: FileFormat, dpi: Option<Number>) ->
         FileFormat::Pdf | FileFormat::Png => {
             let _ = dpi;
             let message = "this build of the program draws SVG and DXF alone".to_owned();
-            return Err(Failure::Option { option: "--output", message });
+            return Err(Failure::named("not-in-this-build", "--output", message));
         }
     };
     content.map_err(|error| match error {
-        epicyclic_drawing::Error::Pixels { .. } => {
-            Failure::Option { option: "--dpi", message: error.to_string() }
-        }
+        epicyclic_drawing::Error::Pixels { .. } => Failure::invalid("--dpi", error.to_string()),
         error => error.into(),
     })
 }

@@ -417,7 +417,7 @@ impl Error {
             Self::Design(error) => error.name(),
             Self::SchemeSize { .. } => "scheme-size",
             Self::Selection(error) => error.name(),
-            Self::Synthesis(_) => "synthesis",
+            Self::Synthesis(error) => error.name(),
             Self::Duty(_) => "duty",
             Self::TooManyDesigns { .. } => "too-many-designs",
             Self::ModuleRange { .. } => "module-range",

@@ -11,6 +11,7 @@
 use crate::refused::{Place, Refused};
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::drawability::table as drawability;
+use crate::shared::fault::Fault;
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::{Document, Path, Problem, motor};
 use epicyclic_units::visible::one_line;
@@ -135,6 +136,8 @@ pub enum Failure {
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
+        /// The name of the fault.
+        name: &'static str,
         /// The option.
         option: &'static str,
         /// Why.
@@ -173,7 +176,40 @@ pub enum Failure {
     Format(String),
 }
 
+/// Name of the fault of a value that an option cannot have; clap's faults have its own kinds as names.
+pub const INVALID: &str = "invalid-value";
+
 impl Failure {
+    /// Refuses the value of an option.
+    pub fn invalid(option: &'static str, message: impl Into<String>) -> Self {
+        Self::named(INVALID, option, message)
+    }
+
+    /// Refuses an option by the name of a fault.
+    pub(crate) fn named(name: &'static str, option: &'static str, message: impl Into<String>) -> Self {
+        Self::Option { name, option, message: message.into() }
+    }
+
+    /// Refuses the place of a design beyond those that were found.
+    pub(crate) fn no_such_design(message: impl Into<String>) -> Self {
+        Self::named("no-such-design", "--nth", message)
+    }
+
+    /// Refuses an option that does not go with another one, or with what is read.
+    pub(crate) fn conflict(option: &'static str, message: impl Into<String>) -> Self {
+        Self::named("argument-conflict", option, message)
+    }
+
+    /// Asks for an option.
+    pub(crate) fn missing(option: &'static str, message: impl Into<String>) -> Self {
+        Self::named("missing-argument", option, message)
+    }
+
+    /// Refuses what an option says, by the error that it leads to.
+    pub(crate) fn of_option(option: &'static str, error: &impl Fault) -> Self {
+        Self::named(error.name(), option, error.to_string())
+    }
+
     /// The failure as it is, or [`Failure::Interrupted`] where the call was asked to end: that ended the
     /// search, whatever it says.
     #[must_use]
@@ -228,7 +264,8 @@ impl Failure {
             #[cfg(feature = "tables")]
             Self::Table(_) => "table",
             Self::Motor(error) => error.name(),
-            Self::Option { .. } | Self::Range { .. } => "option",
+            Self::Option { name, .. } => name,
+            Self::Range { .. } => INVALID,
             Self::AllUndercut { .. } => "all-undercut",
             Self::OneFile { .. } => "one-file",
             Self::Format(_) => "not-writable",

@@ -139,7 +139,7 @@ impl OutputArgs {
             "png" | "svg" | "dxf" => "`draw` makes pictures",
             _ => return Ok(()),
         };
-        Err(Failure::Option { option: "--output", message: format!("a file that ends in .{end}: {remedy}") })
+        Err(Failure::invalid("--output", format!("a file that ends in .{end}: {remedy}")))
     }
 
     /// Whether a page is asked for: tables into a file whose name ends in `.html`.
@@ -312,7 +312,7 @@ impl Target {
             _ => return Ok(()),
         };
         let end = end.unwrap_or_default();
-        Err(Failure::Option { option: "--output", message: format!("a file that ends in .{end}: {remedy}") })
+        Err(Failure::invalid("--output", format!("a file that ends in .{end}: {remedy}")))
     }
 
     /// Writes all of it.

@@ -3,7 +3,8 @@
 use crate::kind::Kind;
 
 /// Why there is no answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// Too few or too many sets.
@@ -92,4 +93,16 @@ pub enum Error {
     /// Bounds of tooth numbers that nothing can keep.
     #[error(transparent)]
     Teeth(#[from] epicyclic_gears::Error),
+}
+
+impl Error {
+    /// The name of the fault, which does not change with its message: `rising-steps`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Solver(error) => error.name(),
+            Self::Teeth(error) => error.name(),
+            error => error.into(),
+        }
+    }
 }

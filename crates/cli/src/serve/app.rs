@@ -25,7 +25,7 @@ pub(super) enum App {
 impl App {
     /// The one of a folder, or the one in the program.
     pub(super) fn of(folder: Option<&Path>) -> Result<Self, Failure> {
-        let refuse = |message: String| Failure::Option { option: "--app", message };
+        let refuse = |message: String| Failure::invalid("--app", message);
         let Some(folder) = folder else {
             let is_there = !BUILT_IN.is_empty();
             return is_there.then_some(Self::BuiltIn).ok_or_else(|| {

@@ -231,7 +231,7 @@ fn deliver_map(call: &Call<'_>, args: &Args, map: &SpeedMap<'_>) -> Result<(), F
                 "{count} lines, one for each link at each place; a table has at most {MOST_LINES}: give fewer places, --format csv or \
                  --format json"
             );
-            return Err(Failure::Option { option: "--map", message });
+            return Err(Failure::invalid("--map", message));
         }
         Format::Table => return output.deliver(call, &map.answer().map_err(refuse)?),
         Format::Json => output.stream(call, &[], &mut |out| write_json(&map.streamed(), out))?,
@@ -249,7 +249,7 @@ fn for_one_gearbox(option: &'static str, all: &transmissions::Transmissions) -> 
         all.transmissions.len(),
         below_each_other(names)
     );
-    Failure::Option { option, message }
+    Failure::conflict(option, message)
 }
 
 /// Names to choose from, each on a line of its own.
@@ -288,7 +288,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
         }
         _ => return error.into(),
     };
-    Failure::Option { option, message }
+    Failure::named(error.name(), option, message)
 }
 
 /// The gearbox of a file, of which only one may be meant.

@@ -86,11 +86,11 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     if !args.transmissions.is_empty() && !has_list {
         let message = "no file here is a list of transmissions; leave it out".to_owned();
-        return Err(Failure::Option { option: "--transmission", message });
+        return Err(Failure::conflict("--transmission", message));
     }
     if subjects.len() < 2 {
         let message = format!("{}: two gearboxes at least are due to be compared", args.gearboxes.join(" "));
-        return Err(Failure::Option { option: "GEARBOX", message });
+        return Err(Failure::invalid("GEARBOX", message));
     }
     let candidates: Vec<Candidate<'_, '_>> =
         subjects.iter().map(|(subject, from)| Candidate { subject, from: (*from).clone() }).collect();
@@ -107,7 +107,7 @@ fn once(args: &Args) -> Result<(), Failure> {
     let from_input = args.gearboxes.iter().filter(|name| input::is_standard_input(Path::new(name)));
     if from_input.count() > 1 {
         let message = "standard input is one gearbox; write - once".to_owned();
-        return Err(Failure::Option { option: "GEARBOX", message });
+        return Err(Failure::invalid("GEARBOX", message));
     }
     Ok(())
 }

@@ -282,7 +282,7 @@ fn overload(args: &Args) -> Result<Option<f64>, Failure> {
     match factor {
         Some(factor) if !(factor.is_finite() && factor > 0.0) => {
             let message = format!("{factor} is no factor of a torque; it must be above 0");
-            Err(Failure::Option { option: "--overload", message })
+            Err(Failure::invalid("--overload", message))
         }
         _ => Ok(factor),
     }
@@ -307,7 +307,7 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
         for (place, of) in factors.0.iter().enumerate() {
             if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
                 let message = twice(of.symbol, [&before.name, &of.name]);
-                return Err(Failure::Option { option: "--factors", message });
+                return Err(Failure::invalid("--factors", message));
             }
         }
         let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
@@ -322,14 +322,10 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
 /// The option that a refusal speaks of.
 fn refuse_of(error: Error) -> Failure {
     match &error {
-        Error::NoSuchDesign { .. } => {
-            Failure::Option { option: "--tooth-design", message: error.to_string() }
-        }
-        Error::Shares { .. } => Failure::Option { option: "--shares", message: error.to_string() },
+        Error::NoSuchDesign { .. } => Failure::of_option("--tooth-design", &error),
+        Error::Shares { .. } => Failure::of_option("--shares", &error),
         Error::Selection(of) => refuse_selection(of.clone()),
-        Error::Duty(_) => {
-            Failure::Option { option: "--power, --torque, --input", message: error.to_string() }
-        }
+        Error::Duty(_) => Failure::of_option("--power, --torque, --input", &error),
         _ => sizing::refuse(error),
     }
 }

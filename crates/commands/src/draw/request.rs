@@ -295,13 +295,13 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     ];
     let given = of_gearboxes.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option);
     if let Some(option) = given.or(args.sizes.given()) {
-        return Err(Failure::Option { option, message: "it is for gearboxes; this is a motor".to_owned() });
+        return Err(Failure::conflict(option, "it is for gearboxes; this is a motor"));
     }
     let view = args.view.unwrap_or(View::Motor);
     let Some(of_motor) = view.of_motor() else {
         let message =
             "a motor has the views centrodes, construction, teeth, motor, chambers, dimensions".to_owned();
-        return Err(Failure::Option { option: "--view", message });
+        return Err(Failure::invalid("--view", message));
     };
     let base = formats::Path::root();
     let (title, designed) =
@@ -320,7 +320,7 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Resu
         (Some(View::Map), Some(document)) => map(args, document),
         (Some(View::Map), None) => {
             let message = "a map is of a gearbox's file, which states its losses".to_owned();
-            Err(Failure::Option { option: "--view", message })
+            Err(Failure::invalid("--view", message))
         }
         _ => scene(args, &subject),
     };
@@ -333,7 +333,7 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: Option<&Document>) -> Resu
 
 /// Refuses options that say nothing for the view.
 fn consistent(args: &Args) -> Result<(), Failure> {
-    let refuse = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
+    let refuse = |option, message: &str| Err(Failure::conflict(option, message));
     let schemes_alone = "only the view scheme has it";
     let view = args.view.unwrap_or(View::Scheme);
     if args.map.is_given() && view != View::Map {
@@ -380,10 +380,7 @@ fn map(args: &Args, document: &Document) -> Result<Scene, Failure> {
     let subject = analyze::subject(&choice, document)?;
     let (Some(gear), Some((speeds, torques))) = (args.gear.as_deref(), args.map.places()?) else {
         // `consistent` asks for them.
-        return Err(Failure::Option {
-            option: "--gear",
-            message: "a map is of one gear; name it".to_owned(),
-        });
+        return Err(Failure::missing("--gear", "a map is of one gear; name it"));
     };
     let found = crate::losses::answer::map(&subject, gear, &speeds, &torques).map_err(analyze::refuse)?;
     let picture = efficiency_map(&found, args.title.as_deref());
@@ -404,7 +401,7 @@ fn toothed(subject: &Subject, title: Option<&str>) -> Result<Scene, Failure> {
         let message = "no set is a simple one whose teeth are known and share a centre distance: give `teeth`, and `planet_teeth` with \
                        `profile_shifts` where it needs them"
             .to_owned();
-        return Err(Failure::Option { option: "--view", message });
+        return Err(Failure::invalid("--view", message));
     }
     Ok(toothed_sets::scene(title.unwrap_or(gearbox.name()), &sets)?)
 }
@@ -421,7 +418,7 @@ pub(crate) fn to_scale(
 ) -> Result<(Layout, scheme::Scale), Failure> {
     scheme::to_scale(gearbox, layout, bearings).map_err(|error| match error {
         epicyclic_pictures::Error::NoRadii { .. } | epicyclic_pictures::Error::NotToScale { .. } => {
-            Failure::Option { option: "--to-scale", message: error.to_string() }
+            Failure::named("not-to-scale", "--to-scale", error.to_string())
         }
         error => error.into(),
     })
@@ -447,7 +444,7 @@ fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<
     let (layout, scale) = if args.to_scale {
         if !subject.gearing {
             let message = "heights are radii, and these follow from k or teeth of every set: give --k1 and --k2, or --ratio1 and --ratio2";
-            return Err(Failure::Option { option: "--to-scale", message: message.to_owned() });
+            return Err(Failure::invalid("--to-scale", message));
         }
         let (layout, scale) = to_scale(gearbox, &layout, &subject.planet_bearings)?;
         (Box::new(layout), Some(scale))

@@ -97,7 +97,7 @@ pub(crate) struct Range<T> {
 impl<T: Physical> Range<T> {
     /// The places, which an option gives.
     pub(crate) fn places(&self, option: &'static str) -> Result<Places<T>, Failure> {
-        let refused = |error: Error| Failure::Option { option, message: error.to_string() };
+        let refused = |error: Error| Failure::of_option(option, &error);
         Places::new(self.from, self.to, self.places).map_err(refused)
     }
 }
@@ -131,10 +131,10 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         (_, Some(power), _) => input(InputLoad::Power(power.0)),
         (.., load) => load.map(|torque| GivenLoad::Output(torque.0)),
     };
-    let missing = |option, message: &str| Failure::Option { option, message: message.to_owned() };
-    let load =
-        load.ok_or_else(|| missing("--torque", "a load is due: --torque, --power or --load-torque"))?;
-    let speed = args.speed.ok_or_else(|| missing("--speed", "the speed of the input is due"))?.0;
+
+    let load = load
+        .ok_or_else(|| Failure::missing("--torque", "a load is due: --torque, --power or --load-torque"))?;
+    let speed = args.speed.ok_or_else(|| Failure::missing("--speed", "the speed of the input is due"))?.0;
     let cooling = args.conductance.map(|conductance| Cooling {
         conductance: conductance.0,
         cooler: args.cooler.map_or(Power::default(), |cooler| cooler.0),
@@ -148,7 +148,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
                 "allowed-rise" => "--allowed-rise",
                 _ => "--conductance",
             };
-            Failure::Option { option, message: error.to_string() }
+            Failure::of_option(option, &error)
         }
         error => refuse(error),
     })?;

@@ -211,7 +211,7 @@ impl Rotor {
             }
             _ => {
                 let message = "missing: the discharge parameter; give it where it is known, otherwise --release, --chute and --radius-ratio, from which it follows";
-                return Err(Failure::Option { option: "--discharge", message: message.to_owned() });
+                return Err(Failure::invalid("--discharge", message));
             }
         };
         Ok(Wheel {
@@ -251,5 +251,5 @@ fn refuse(error: Error) -> Failure {
         SchemeError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };
-    Failure::Option { option, message: error.to_string() }
+    Failure::of_option(option, &error)
 }

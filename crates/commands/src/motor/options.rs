@@ -235,7 +235,7 @@ pub(crate) fn refuse_given(
     message: &str,
 ) -> Result<(), Failure> {
     match options.into_iter().find(|(_, is_given)| *is_given) {
-        Some((option, _)) => Err(Failure::Option { option, message: message.to_owned() }),
+        Some((option, _)) => Err(Failure::conflict(option, message)),
         None => Ok(()),
     }
 }

@@ -71,7 +71,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.target.is_for_a_page(args.is_page())?;
     if args.to_scale && !args.is_page() {
         let message = "it is for the pictures of a page; JSON has none".to_owned();
-        return Err(Failure::Option { option: "--to-scale", message });
+        return Err(Failure::invalid("--to-scale", message));
     }
     let Read { document, bytes, .. } = args.choice.document(call, false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -82,9 +82,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         .or(args.to_scale.then_some("--to-scale"))
         .or(args.exciting.given())
     {
-        Some(option) => {
-            Err(Failure::Option { option, message: format!("it is for gearboxes; this is a {what}") })
-        }
+        Some(option) => Err(Failure::conflict(option, format!("it is for gearboxes; this is a {what}"))),
         None => Ok(()),
     };
     let text = match document.kind() {
@@ -119,7 +117,7 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -
         .map_err(Exciting::refuse)?;
     if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
         let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
-        return Err(Failure::Option { option, message });
+        return Err(Failure::invalid(option, message));
     }
     let sheet = match args.format {
         Format::Json => None,
@@ -133,9 +131,7 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -
                 }
                 None if args.to_scale => {
                     let message = "this gearbox has no scheme without crossing lines".to_owned();
-                    return Err(
-                        Failure::Option { option: "--to-scale", message }.in_file(document, &subject.base)
-                    );
+                    return Err(Failure::invalid("--to-scale", message).in_file(document, &subject.base));
                 }
                 _ => None,
             };

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::schemes::answer::{self as schemes, SizeName, SizeProblem, Sized, Sizes};
+use crate::shared::fault::Fault;
 use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
@@ -77,8 +78,8 @@ pub(crate) fn sized(sizes: Sizes, scheme: Scheme, eta0: MeshEfficiency) -> Resul
     schemes::sized(scheme, sizes, eta0).map_err(refuse)
 }
 
-fn of_option<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
-    move |error| Failure::Option { option, message: error.to_string() }
+fn of_option<E: Fault>(option: &'static str) -> impl Fn(E) -> Failure {
+    move |error| Failure::of_option(option, &error)
 }
 
 /// The option that a refusal speaks of.
@@ -97,5 +98,5 @@ fn refuse(error: Error) -> Failure {
         }
         problem => problem.to_string(),
     };
-    Failure::Option { option, message }
+    Failure::invalid(option, message)
 }

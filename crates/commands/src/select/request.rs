@@ -449,7 +449,7 @@ const fn usual_order(teeth: bool) -> &'static [Objective] {
 }
 
 fn no_such_design(args: &Args, designs: usize) -> Failure {
-    Failure::Option { option: "--nth", message: format!("{}: there are designs 1 to {designs}", args.nth) }
+    Failure::no_such_design(format!("{}: there are designs 1 to {designs}", args.nth))
 }
 
 /// The file of --save with its content; none without a design that meets the criteria or that --nth names.
@@ -544,7 +544,7 @@ pub(crate) fn requirements(
         |option, span: Span<f64>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
     let usual = Limits::default();
     let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
-        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
+        .map_err(|error| Failure::of_option("--efficiency", &error))?;
     Ok(Requirements {
         tolerance: tolerance.0.si(),
         orders: match taken.brakes {
@@ -577,9 +577,11 @@ fn rating(args: &Args, duty: &Duty) -> Result<Rating, Failure> {
         Some(numbers) => {
             let numbers: Vec<f64> = numbers.0.iter().map(|number| number.get()).collect();
             let count = numbers.len();
-            numbers.try_into().map_err(|_| Failure::Option {
-                option: "--mesh-load-factors",
-                message: format!("{count} numbers where seven are due, for 2 to 8 planets"),
+            numbers.try_into().map_err(|_| {
+                Failure::invalid(
+                    "--mesh-load-factors",
+                    format!("{count} numbers where seven are due, for 2 to 8 planets"),
+                )
             })?
         }
     };

@@ -31,7 +31,10 @@ faults!(
     epicyclic_gears::Error,
     epicyclic_hydromotor::Error,
     epicyclic_motion::Error,
+    epicyclic_schemes::Error,
+    epicyclic_selection::Error,
     epicyclic_strength::Error,
+    epicyclic_synthesis::Error,
     epicyclic_train::Error,
     epicyclic_vibration::Error
 );

@@ -54,7 +54,7 @@ impl Sizes {
             Some(option) => {
                 let message =
                     "it is for schemes and structures by their names; the file says how large its sets are";
-                Err(Failure::Option { option, message: message.to_owned() })
+                Err(Failure::conflict(option, message))
             }
         }
     }
@@ -149,7 +149,7 @@ impl Named {
             Self::Scheme(_) => "a scheme of the catalogue",
             Self::TwoSets(..) => "a structure",
         };
-        Failure::Option { option: "--transmission", message: format!("{what} is one gearbox; leave it out") }
+        Failure::conflict("--transmission", format!("{what} is one gearbox; leave it out"))
     }
 
     /// Asks for sizes.
@@ -161,7 +161,7 @@ impl Named {
             ),
             Self::TwoSets(..) => format!("{what_for} give --k1 and --k2, or --ratio1 and --ratio2"),
         };
-        Failure::Option { option: "--k1", message }
+        Failure::missing("--k1", message)
     }
 
     /// The gearbox with these sizes; nothing where none are given.
@@ -172,7 +172,7 @@ impl Named {
             }
             Self::TwoSets(sets, structure, renaming) => (sets, structure, renaming),
         };
-        let refuse = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
+        let refuse = |option, message: &str| Err(Failure::invalid(option, message));
         let answers::Sizes { k1, k2, ratio1, ratio2 } = sizes.of_scheme();
         let k = match ([k1, k2], [ratio1, ratio2]) {
             ([Some(k1), Some(k2)], _) => [k1, k2],

@@ -36,7 +36,7 @@ pub(crate) fn of_synthesis(error: crate::error::Error) -> Failure {
     match error {
         crate::error::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
             let option = of_teeth(&error, "--planet-count").unwrap_or("--teeth");
-            Failure::Option { option, message: error.to_string() }
+            Failure::of_option(option, &error)
         }
         error @ crate::error::Error::Synthesis(
             epicyclic_synthesis::Error::Contradiction { .. } | epicyclic_synthesis::Error::Solver(_),
@@ -47,7 +47,7 @@ pub(crate) fn of_synthesis(error: crate::error::Error) -> Failure {
                 epicyclic_synthesis::Error::RisingSteps { .. } => "--falling-steps",
                 _ => "--ratios",
             };
-            Failure::Option { option, message: error.to_string() }
+            Failure::of_option(option, &error)
         }
         error => error.into(),
     }
@@ -74,13 +74,12 @@ pub(crate) fn of_wheel(
     let range = span.closed(usual).map_err(|error| Failure::Range { option, error })?;
     if *range.start() == 0 {
         let message = format!("{span}: a wheel has at least 1 tooth");
-        return Err(Failure::Option { option, message });
+        return Err(Failure::invalid(option, message));
     }
     Ok(range)
 }
 
 /// The efficiency of a set that `--efficiency` gives.
 pub(crate) fn efficiency(eta: Given<Ratio>) -> Result<MeshEfficiency, Failure> {
-    MeshEfficiency::new(eta.0.value)
-        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
+    MeshEfficiency::new(eta.0.value).map_err(|error| Failure::of_option("--efficiency", &error))
 }

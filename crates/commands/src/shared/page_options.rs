@@ -66,7 +66,7 @@ impl PageArgs {
         match text.or(self.paper.map(|_| "--paper")) {
             Some(option) if !is_page => {
                 let message = "it stands on a page: the answer as a table, in a file of --output whose name ends in .html";
-                Err(Failure::Option { option, message: message.to_owned() })
+                Err(Failure::conflict(option, message))
             }
             _ => Ok(()),
         }

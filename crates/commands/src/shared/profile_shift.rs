@@ -60,7 +60,7 @@ impl ShiftOptions {
         let Some(wanted) = self.wanted() else { return Ok(()) };
         wanted.within(bounds).within(bounds).check().map_err(|error| {
             match of_teeth(&error, "--planet-count") {
-                Some(option) => Failure::Option { option, message: error.to_string() },
+                Some(option) => Failure::of_option(option, &error),
                 None => error.into(),
             }
         })
@@ -70,7 +70,7 @@ impl ShiftOptions {
     pub(crate) fn only_with_teeth(&self, teeth: bool) -> Result<(), Failure> {
         if self.ring_offset.is_some() && !teeth {
             let message = "offsets are of tooth numbers: add --teeth".to_owned();
-            return Err(Failure::Option { option: "--ring-offset", message });
+            return Err(Failure::invalid("--ring-offset", message));
         }
         Ok(())
     }

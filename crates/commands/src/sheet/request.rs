@@ -34,7 +34,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
     let answer = answers::answer(&subject, args.set.as_deref()).map_err(|error| match error {
-        Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
+        Error::NoSet { .. } => Failure::of_option("--set", &error),
         error => refuse(error),
     })?;
     args.output.deliver(call, &answer)

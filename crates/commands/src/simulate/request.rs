@@ -77,7 +77,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     drawing_file::check_dpi(args.dpi, drawing.iter().map(|(_, format)| *format))?;
     if args.view.is_some() && drawing.is_none() {
         let message = "it is for a drawing: let --output end in .svg, .pdf, .png or .dxf".to_owned();
-        return Err(Failure::Option { option: "--view", message });
+        return Err(Failure::invalid("--view", message));
     }
     let read = Read::of(call, &args.file)?;
     if let Some(range) = &args.sweep {
@@ -116,7 +116,7 @@ fn interrupted() -> Failure {
 fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
     if let Some((file, _)) = args.output.drawing() {
         let message = format!("{}: a sweep has tables; leave --sweep out for a drawing", file.display());
-        return Err(Failure::Option { option: "--output", message });
+        return Err(Failure::conflict("--output", message));
     }
     let (from, to) = (&range.from, &range.to);
     let wanted = Wanted {
@@ -132,10 +132,8 @@ fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(),
     let found = sweep::sweep(&read.document, &read.beside, &wanted, goes_on);
     drop((shown, hearing));
     let found = found.map_err(|error| match error {
-        crate::error::Error::Places { .. } => {
-            Failure::Option { option: "--steps", message: error.to_string() }
-        }
-        crate::error::Error::Sweep { why } => Failure::Option { option: "--sweep", message: why },
+        crate::error::Error::Places { .. } => Failure::of_option("--steps", &error),
+        crate::error::Error::Sweep { why } => Failure::named("sweep", "--sweep", why),
         error => error.into(),
     })?;
     let is_whole = found.runs.len() == wanted.steps as usize;
@@ -176,7 +174,7 @@ fn plot(simulation: &Simulation, view: Option<View>) -> Result<epicyclic_drawing
         Some(View::Temperatures) => (PlotView::Temperatures, "no element has a heat_capacity"),
     };
     let plot = picture(simulation, view);
-    let plot = plot.ok_or_else(|| Failure::Option { option: "--view", message: lacks.to_owned() })?;
+    let plot = plot.ok_or_else(|| Failure::invalid("--view", lacks))?;
     Ok(plot.scene()?)
 }
 

@@ -207,7 +207,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
         _ => None,
     };
     match option {
-        Some(option) => Failure::Option { option, message: error.to_string() },
+        Some(option) => Failure::of_option(option, &error),
         None => analyze::refuse(error),
     }
 }

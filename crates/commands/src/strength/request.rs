@@ -54,5 +54,5 @@ fn refuse_of(error: Error, args: &Args) -> Failure {
         Error::OfOnePoint => "--speed",
         _ => return refuse(error),
     };
-    Failure::Option { option, message: error.to_string() }
+    Failure::of_option(option, &error)
 }

@@ -7,7 +7,7 @@ use epicyclic_synthesis::work::Share;
 use std::path::{Path, PathBuf};
 
 fn refused(option: &'static str) -> Failure {
-    Failure::Option { option, message: "this build of the program has no tables of searches".to_owned() }
+    Failure::named("not-in-this-build", option, "this build of the program has no tables of searches")
 }
 
 /// Refuses.

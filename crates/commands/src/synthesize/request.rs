@@ -258,10 +258,10 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page() && args.shard.is_none())?;
     let tolerance = args.tolerance.0.si();
     if !(tolerance > 0.0 && tolerance < 1.0) {
-        return Err(Failure::Option { option: "--tolerance", message: "above 0 and below 100 %".into() });
+        return Err(Failure::invalid("--tolerance", "above 0 and below 100 %"));
     }
     let efficiency = MeshEfficiency::new(args.efficiency.0.si())
-        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
+        .map_err(|error| Failure::of_option("--efficiency", &error))?;
     let format = args.output.format();
     // Tooth numbers of thousands of gearboxes would take hours.
     let few = format == Format::Table || args.teeth.teeth;
@@ -460,8 +460,8 @@ impl Wishes {
         let steps = self.step.map(|step| step.closed(1.0..=f64::INFINITY)).transpose();
         let steps = steps.map_err(|error| Failure::Range { option: "--step", error })?;
         if steps.as_ref().is_some_and(|steps| *steps.start() < 1.0) {
-            let message = "a step is the higher ratio over the next lower, at least 1".into();
-            return Err(Failure::Option { option: "--step", message });
+            let message = "a step is the higher ratio over the next lower, at least 1";
+            return Err(Failure::invalid("--step", message));
         }
         Ok(Limits {
             steps,
@@ -477,7 +477,7 @@ impl Wishes {
 fn equal_k(count: u32) -> Result<usize, Failure> {
     if !(1..=MOST_SETS).contains(&(count as usize)) {
         let message = format!("from 1, which asks for nothing, to {MOST_SETS}");
-        return Err(Failure::Option { option: "--equal-k", message });
+        return Err(Failure::invalid("--equal-k", message));
     }
     Ok(count as usize)
 }
@@ -485,7 +485,7 @@ fn equal_k(count: u32) -> Result<usize, Failure> {
 fn greatest(option: &'static str, value: Option<Number>) -> Result<Option<f64>, Failure> {
     let value = value.map(Number::get);
     if value.is_some_and(|value| value <= 0.0) {
-        return Err(Failure::Option { option, message: "must be above 0".into() });
+        return Err(Failure::invalid(option, "must be above 0"));
     }
     Ok(value)
 }
@@ -513,7 +513,7 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
     let Some(file) = &args.save else { return Ok(vec![]) };
     let Some(one) = kept.iter().find(|kept| kept.number == args.nth) else {
         let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);
-        return Err(Failure::Option { option: "--nth", message });
+        return Err(Failure::no_such_design(message));
     };
     let ratios: Vec<String> =
         found.wanted.iter().map(|gear| crate::synthesize::table::wanted(gear, found.tolerance)).collect();

@@ -51,7 +51,7 @@ pub(crate) fn search(call: &Call<'_>, wanted: &Wanted, share: Share, file: &Path
                     "{name} is of share {version} and version {given}, not of share {share} and version {VERSION}: remove it, or \
                      name another file"
                 );
-                return Err(Failure::Option { option: "--shard", message });
+                return Err(Failure::invalid("--shard", message));
             }
             same_question(&name, &part, &asked)?;
             call.complain(&format!("note: going on with {name}"));

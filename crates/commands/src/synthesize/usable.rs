@@ -55,12 +55,12 @@ impl UsableOptions {
     pub(crate) fn wanted(&self) -> Result<Option<Usable>, Failure> {
         let share = |option, value: Quantity<Ratio>| match value.0.si() {
             share if (0.0..=1.0).contains(&share) => Ok(share),
-            _ => Err(Failure::Option { option, message: "from 0, which asks for nothing, to 100 %".into() }),
+            _ => Err(Failure::invalid(option, "from 0, which asks for nothing, to 100 %")),
         };
         let circulation = self.most_circulating.get();
         if circulation < 0.0 {
-            let message = "at least 0: circulating power over what enters".into();
-            return Err(Failure::Option { option: "--most-circulating", message });
+            let message = "at least 0: circulating power over what enters";
+            return Err(Failure::invalid("--most-circulating", message));
         }
         let usable = Usable {
             forward: share("--least-efficiency", self.least_efficiency)?,
@@ -73,7 +73,7 @@ impl UsableOptions {
 
 /// The share of each gear of the list.
 pub(crate) fn shares_of(given: &[GearShare], gears: &[WantedRatio]) -> Result<Vec<f64>, Failure> {
-    let fault = |message: String| Err(Failure::Option { option: "--shares", message });
+    let fault = |message: String| Err(Failure::invalid("--shares", message));
     let mut shares: Vec<Option<f64>> = vec![None; gears.len()];
     for GearShare { gear, share } in given {
         let Some(place) = gear.checked_sub(1).filter(|place| *place < gears.len()) else {

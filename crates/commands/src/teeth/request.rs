@@ -203,7 +203,7 @@ fn save(args: &Args, wanted: &Wanted, chosen: Option<Gearbox>, found: u64) -> Re
     let Some(file) = &args.save else { return Ok(vec![]) };
     let Some(gearbox) = chosen else {
         let message = format!("{}: there are sets 1 to {found}", args.nth);
-        return Err(Failure::Option { option: "--nth", message });
+        return Err(Failure::no_such_design(message));
     };
     let comment = format!(
         "Set {} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
@@ -236,20 +236,21 @@ fn refuse_one(error: crate::error::Error, wanted: &Wanted) -> Failure {
 fn refuse_answer(error: crate::error::Error) -> Failure {
     match error {
         crate::error::Error::Gear(error) => refuse(error),
-        crate::error::Error::TooMany { found, most } => Failure::Option {
-            option: "--limit",
-            message: format!(
+        error @ crate::error::Error::TooMany { found, most } => Failure::named(
+            error.name(),
+            "--limit",
+            format!(
                 "{found} sets of tooth numbers are within the tolerance and at most {most} are written: narrow --tolerance, --k \
                  or the ranges of teeth, or ask for the most exact with --limit {most}"
             ),
-        },
+        ),
         error => error.into(),
     }
 }
 
 fn refuse(error: Error) -> Failure {
     match options::of_teeth(&error, "--planets") {
-        Some(option) => Failure::Option { option, message: error.to_string() },
+        Some(option) => Failure::of_option(option, &error),
         None => error.into(),
     }
 }

@@ -144,7 +144,7 @@ impl Exciting {
             }
             error => error.to_string(),
         };
-        Failure::Option { option, message }
+        Failure::named(error.name(), option, message)
     }
 }
 
@@ -154,11 +154,11 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let subject = answers::subject(&document)?;
     if args.set.is_some() && args.exciting.coupled {
         let message = "it is of all sets; leave --set out".to_owned();
-        return Err(Failure::Option { option: "--coupled", message });
+        return Err(Failure::conflict("--coupled", message));
     }
     let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
     let answer = answers::answer(&subject, &wanted, &|| call.goes_on()).map_err(|error| match error {
-        Error::NoSet { .. } => Failure::Option { option: "--set", message: error.to_string() },
+        Error::NoSet { .. } => Failure::of_option("--set", &error),
         error => Exciting::refuse(error),
     })?;
     let mut files = vec![];
@@ -185,7 +185,7 @@ fn drawn(file: &Path, option: &'static str, scene: &Scene) -> Result<Content, Fa
 
 /// Refuses a picture of none.
 fn none(option: &'static str, needs: &str) -> Failure {
-    Failure::Option { option, message: format!("nothing to draw: it is of {needs}") }
+    Failure::named("nothing-to-draw", option, format!("nothing to draw: it is of {needs}"))
 }
 
 /// Refuses a picture of several.
@@ -194,7 +194,7 @@ fn only(option: &'static str, by: &str, all: &[String]) -> Result<(), Failure> {
         return Ok(());
     }
     let message = format!("it is of one, by {by}; there are {}", all.join(", "));
-    Err(Failure::Option { option, message })
+    Err(Failure::invalid(option, message))
 }
 
 /// The Campbell diagram.

@@ -104,11 +104,11 @@ impl Several {
         let Some(map) = &self.map else { return Ok(None) };
         let [first, second] = &map.0[..] else {
             let message = format!("{} ranges are given: two are due", map.0.len());
-            return Err(Failure::Option { option: "--map", message });
+            return Err(Failure::invalid("--map", message));
         };
         let steps = |(link, range): &(String, Range)| {
             Steps::new(link.clone(), range.from, range.to, range.places)
-                .map_err(|error| Failure::Option { option: "--map", message: error.to_string() })
+                .map_err(|error| Failure::of_option("--map", &error))
         };
         Ok(Some([steps(first)?, steps(second)?]))
     }

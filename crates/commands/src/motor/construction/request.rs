@@ -32,7 +32,7 @@ pub(crate) fn run(
     if args.files.view.is_some_and(|view| view != View::Construction) {
         let message = "the construction has the view construction alone; for another give one of --l and --a, and no \
                        --construction";
-        return Err(Failure::Option { option: "--view", message: message.to_owned() });
+        return Err(Failure::invalid("--view", message));
     }
     let constructed = match of_file {
         Some(designed) => Constructed::of_motor(designed),

@@ -226,7 +226,7 @@ impl Shown {
         if self.design.is_some() && !outlet.has_files() {
             let message = "it is for drawings, centrodes and the file of a motor; give --svg, --dxf, --csv or --save, or an --output \
                            that ends in .svg, .dxf, .pdf or .png";
-            return Err(Failure::Option { option: "--design", message: message.to_owned() });
+            return Err(Failure::conflict("--design", message));
         }
         Ok(outlet)
     }

@@ -209,7 +209,7 @@ impl Args {
                 }
                 _ => continue,
             };
-            return Err(Failure::Option { option, message: format!("{objective} needs {lacks}") });
+            return Err(Failure::missing(option, format!("{objective} needs {lacks}")));
         }
         Ok(())
     }
@@ -282,7 +282,7 @@ fn refuse(error: crate::error::Error) -> Failure {
         _ => None,
     };
     match option {
-        Some(option) => Failure::Option { option, message: error.to_string() },
+        Some(option) => Failure::of_option(option, &error),
         None => refuse_motor(error),
     }
 }

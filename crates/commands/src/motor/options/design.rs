@@ -74,7 +74,7 @@ pub(crate) fn refuse(error: crate::error::Error) -> Failure {
     };
     if let Some((option, of)) = key.as_deref().and_then(of_group) {
         let message = if of.is_empty() { error.to_string() } else { format!("{of}: {error}") };
-        return Failure::Option { option, message };
+        return Failure::named(error.name(), option, message);
     }
     let option = match &error {
         crate::error::Error::Motor(error) => of_motor(error),
@@ -88,7 +88,7 @@ pub(crate) fn refuse(error: crate::error::Error) -> Failure {
         _ => None,
     };
     match option {
-        Some(option) => Failure::Option { option, message: error.to_string() },
+        Some(option) => Failure::of_option(option, &error),
         None => error.into(),
     }
 }

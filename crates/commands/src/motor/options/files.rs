@@ -49,7 +49,7 @@ impl Wanted {
     pub(crate) fn needed_by(&self, option: &'static str) -> Result<(), Failure> {
         if self.is_empty() {
             let message = "it is for drawings; give --svg or --dxf, or an --output that ends in .svg, .dxf, .pdf or .png";
-            return Err(Failure::Option { option, message: message.to_owned() });
+            return Err(Failure::conflict(option, message));
         }
         Ok(())
     }
@@ -94,13 +94,13 @@ pub(crate) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
     };
     motor::scene(view, designed).map_err(|error| match error {
         crate::table::text::Error::NoTeeth(_) => {
-            Failure::Option { option: "--view teeth", message: error.to_string() }
+            Failure::named("no-teeth", "--view teeth", error.to_string())
         }
         crate::table::text::Error::Answer(error) if matches!(*error, Error::NoArcs) => {
-            Failure::Option { option: "--view construction", message: error.to_string() }
+            Failure::of_option("--view construction", &*error)
         }
         crate::table::text::Error::Lacking(_) => {
-            Failure::Option { option: "--view", message: error.to_string() }
+            Failure::named("nothing-to-draw", "--view", error.to_string())
         }
         error => error.into(),
     })

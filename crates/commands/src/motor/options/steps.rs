@@ -99,7 +99,7 @@ pub(crate) fn each_once<T: PartialEq + Copy + fmt::Display>(
 ) -> Result<Vec<T>, Failure> {
     for (place, choice) in choices.iter().enumerate() {
         if choices[..place].contains(choice) {
-            return Err(Failure::Option { option, message: format!("{choice} is named twice") });
+            return Err(Failure::invalid(option, format!("{choice} is named twice")));
         }
     }
     Ok(choices.to_vec())

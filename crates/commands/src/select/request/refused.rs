@@ -42,12 +42,11 @@ pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
         E::RepeatedObjective { .. } | E::UnknownObjective { .. } | E::NoObjectiveOfTeeth { .. } => "--order",
         _ => return Failure::Selection(error),
     };
-    Failure::Option { option, message: error.to_string() }
+    Failure::of_option(option, &error)
 }
 
 /// The option that a refusal speaks of.
 pub(super) fn refuse(args: &Args, error: Error) -> Failure {
-    let option = |option, message: String| Failure::Option { option, message };
     match error {
         Error::Selection(error) => refuse_selection(error),
         Error::Duty(problem) => refuse_duty(args, problem),
@@ -55,9 +54,9 @@ pub(super) fn refuse(args: &Args, error: Error) -> Failure {
             let message = format!(
                 "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
             );
-            option("--limit", message)
+            Failure::named(error.name(), "--limit", message)
         }
-        Error::ModuleRange { .. } => option("--least-module", error.to_string()),
+        Error::ModuleRange { .. } => Failure::of_option("--least-module", &error),
         error => error.into(),
     }
 }
@@ -82,5 +81,5 @@ fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
         DutyProblem::PowerWithoutSpeed => return Error::Duty(problem).into(),
     };
     let message = written.map_or_else(|| DUE.to_owned(), |written| format!("{written}: {DUE}"));
-    Failure::Option { option, message }
+    Failure::invalid(option, message)
 }
