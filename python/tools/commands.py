@@ -1,4 +1,4 @@
-"""Writes ``epicyclic/commands.py`` from the commands of the command line; with ``--check`` only compares."""
+"""Writes ``epicyclic/commands.py`` from the commands of a library that is built: ``commands.py target/debug/lib_core.so``."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import keyword
 import re
 import sys
 import textwrap
+from importlib.machinery import ExtensionFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 from typing import Any
-
-from epicyclic import _core
 
 TARGET = Path(__file__).resolve().parents[1] / "epicyclic" / "commands.py"
 
@@ -153,8 +153,14 @@ def options(command: dict[str, Any]) -> str:
     return "\n".join([*lines, "    progress: Progress | None", ""])
 
 
-def module() -> str:
-    commands = json.loads(_core.commands())
+def module(library: str) -> str:
+    # By its file: the package cannot be imported yet, since it imports what is written here.
+    loader = ExtensionFileLoader("_core", library)
+    spec = spec_from_loader("_core", loader)
+    assert spec is not None
+    core = module_from_spec(spec)
+    loader.exec_module(core)
+    commands = json.loads(core.commands())
     functions = [options(command) for command in commands if command["path"][0] in METHODS]
     functions += [function(command) for command in commands]
     names = ["_".join(name_of(part) for part in command["path"]) for command in commands]
@@ -163,16 +169,5 @@ def module() -> str:
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
-def main() -> int:
-    text = module()
-    if "--check" in sys.argv:
-        if TARGET.read_text(encoding="utf-8") != text:
-            print(f"{TARGET}: the options of the program have changed; run tools/commands.py", file=sys.stderr)
-            return 1
-        return 0
-    TARGET.write_text(text, encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    TARGET.write_text(module(sys.argv[1]), encoding="utf-8")

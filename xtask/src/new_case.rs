@@ -2,7 +2,7 @@
 
 use crate::calculations::{self, Calculation};
 use crate::project_root;
-use crate::schema::write_whole;
+use crate::schema::{self, write_whole};
 use clap::Args;
 use epicyclic_formats::nearest;
 use serde_json::{Map, Value};
@@ -66,7 +66,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     write_whole(&path, &text).map_err(|error| format!("{}: {error}", path.display()))?;
     println!("wrote {}", path.display());
     println!("next: fill it in, then run `cargo xtask verify {}`", arguments.name);
-    Ok(ExitCode::SUCCESS)
+    // The first line of the file names it, for the editor.
+    schema::run(&schema::Arguments {})
 }
 
 /// The starting file of a case.

@@ -118,11 +118,11 @@ fn the_commands_of_readme_and_book_print_what_they_show() {
     assert!(check(&root.join("README.md")) >= 2);
 }
 
-/// Which crate uses insta, proptest, criterion, nalgebra or serde_yaml is said in ARCHITECTURE.md.
+/// Which crate uses insta, proptest, criterion, nalgebra or serde_yaml is said in the book.
 #[test]
-fn the_architecture_says_where_five_crates_of_others_are_used() {
+fn the_book_says_where_five_crates_of_others_are_used() {
     let root = xtask::project_root();
-    let text = fs::read_to_string(root.join("ARCHITECTURE.md")).unwrap();
+    let text = fs::read_to_string(root.join("docs/src/reference/crates.md")).unwrap();
     let mut members: Vec<_> =
         fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path()).collect();
     members.push(root.join("xtask"));

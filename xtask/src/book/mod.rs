@@ -4,9 +4,11 @@
 //! |---|---|
 //! | [`formulas`] | formulas in a chapter, `$…$` and `$$…$$`, as MathML |
 //! | [`symbols`] | the symbols of a formula |
+//! | [`keys`] | keys of the answers in JSON, from the schemas of the program |
 //! | [`links`] | links of the finished pages: none leads nowhere |
 
 pub mod formulas;
+pub mod keys;
 pub mod links;
 pub mod symbols;
 
@@ -38,6 +40,8 @@ const SIGN: &str = "toc.html";
 
 /// Where a chapter links the report of `verify`, which is then a page of the book.
 const REPORT_HERE: &str = "<!-- cargo xtask book links the report of verify here -->";
+/// Where a chapter lists the keys of all answers.
+const KEYS_HERE: &str = "<!-- cargo xtask book lists the keys of every answer here -->";
 const REPORT: &str = "verification-report.html";
 
 /// Runs the command.
@@ -88,6 +92,7 @@ pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
     config.build.build_dir = pages.to_owned();
     let mut book = MDBook::load_with_config(source, config).map_err(said)?;
     let typesetter = Typesetter::default();
+    let keys = keys::tables()?;
     let (mut chapters, mut has_report, mut faults) = (0, false, Vec::new());
     book.book.for_each_chapter_mut(|chapter| {
         chapters += 1;
@@ -96,6 +101,7 @@ pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
             let link = format!("[Every figure of every source with its verdict]({REPORT})");
             chapter.content = chapter.content.replace(REPORT_HERE, &link);
         }
+        chapter.content = chapter.content.replace(KEYS_HERE, &keys);
         match typesetter.chapter(&chapter.content) {
             Ok(content) => chapter.content = content,
             Err(wrong) => {

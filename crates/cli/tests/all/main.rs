@@ -13,7 +13,6 @@ mod files;
 mod gearboxes;
 mod helical;
 mod json;
-mod json_page;
 mod kept_inputs;
 mod motor;
 mod motor_forms;
