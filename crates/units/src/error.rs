@@ -1,4 +1,4 @@
-//! What may be wrong with a number or a quantity as written.
+//! Errors in the text of a number or a quantity.
 
 use super::dimension::Dimension;
 use crate::visible::one_line;
@@ -11,7 +11,7 @@ pub enum QuantityError {
     /// Nothing but white space.
     #[error("empty text; write a number{}", example(*expected))]
     Empty {
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
     },
     /// No number at the start.
@@ -19,7 +19,7 @@ pub enum QuantityError {
     NotANumber {
         /// The text.
         text: String,
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
     },
     /// NaN, infinity, or too large for a double.
@@ -33,7 +33,7 @@ pub enum QuantityError {
     TooLarge {
         /// The text.
         text: String,
-        /// What it is a quantity of.
+        /// The dimension of the quantity.
         dimension: Dimension,
     },
     /// `106,5 kW`.
@@ -54,17 +54,17 @@ pub enum QuantityError {
         /// Without the separators.
         corrected: String,
     },
-    /// A bare number where a unit is due.
+    /// A bare number where a unit is required.
     #[error("{text}: no unit; write {corrected}, or another unit of {expected} ({})", expected.unit_list(), text = one_line(text), corrected = one_line(corrected))]
     MissingUnit {
         /// The text.
         text: String,
-        /// The dimension due.
+        /// The required dimension.
         expected: Dimension,
         /// With the usual unit.
         corrected: String,
     },
-    /// A unit where a plain number is due.
+    /// A unit where a plain number is required.
     #[error("{text}: a plain number is due here, without a unit; write {corrected}", text = one_line(text), corrected = one_line(corrected))]
     UnexpectedUnit {
         /// The text.
@@ -79,7 +79,7 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
         /// With the unit most like it, if one is like it at all.
         corrected: Option<String>,
@@ -91,7 +91,7 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// What it may mean, and how to say so.
+        /// The possible units, with a spelling for each.
         choices: String,
     },
     /// A unit of another dimension.
@@ -101,9 +101,9 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// What it is a unit of.
+        /// The dimension of the unit.
         found: Dimension,
-        /// The dimension due.
+        /// The required dimension.
         expected: Dimension,
     },
 }
@@ -122,8 +122,8 @@ impl QuantityError {
         }
     }
 
-    /// This error with a correction that can be read: one fault may hide another, as a decimal comma hides
-    /// the unit behind it.
+    /// Checks that the correction can be read, and corrects it once more if not: one fault may hide another,
+    /// as a decimal comma hides the unit behind it.
     pub(super) fn settled(mut self, read: impl Fn(&str) -> Option<QuantityError>) -> Self {
         let settle = |text: &mut String| {
             // Comma, unit: no text has a third fault of these kinds.

@@ -35,7 +35,7 @@ impl Number {
         }
     }
 
-    /// Its value.
+    /// Value of the number.
     #[must_use]
     pub const fn get(self) -> f64 {
         self.0
@@ -190,7 +190,7 @@ fn names_no_finite_number(unsigned: &str) -> bool {
     matches!(word.to_lowercase().as_str(), "nan" | "inf" | "infinity" | "∞")
 }
 
-/// How many bytes of digits, points and separators stand at the start.
+/// Length in bytes of the leading digits, points and separators.
 fn body_length(text: &str) -> usize {
     let mut end = 0;
     let mut after_digit = false;
