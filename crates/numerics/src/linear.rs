@@ -75,7 +75,8 @@ pub fn solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     Some(x)
 }
 
-/// [`solution`] after each equation is divided by its largest coefficient, of which `least_pivot` is a share.
+/// Scaled [`solution`]: each equation is first divided by its largest coefficient, so that `least_pivot` is a
+/// share of that coefficient.
 #[must_use]
 pub fn scaled_solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     for row in 0..equations.rows {
