@@ -23,10 +23,10 @@ use serde::Deserialize;
 use std::cmp::Reverse;
 use uom::si::f64::Ratio;
 
-/// What messages call the file.
+/// Name of the file in messages.
 const NAME: &str = "gearbox.yaml";
 
-/// What is asked of a file.
+/// Question about a file, as the app sends it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Question {
@@ -104,7 +104,8 @@ fn typed<Q: Physical>(field: &str, text: Option<&str>) -> Result<Option<Q>, Fail
     text.map(read).transpose()
 }
 
-/// What the file says of the gearbox that is meant: done with it, or a list of transmissions.
+/// Reads the selected gearbox of the file and answers with `done`, or a list of its transmissions with
+/// `several`.
 fn with<T>(
     file: &str,
     question: &Question,
@@ -172,7 +173,7 @@ fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
     read(subject.document, &Choice::default()).map_err(refused)
 }
 
-/// A picture as SVG, or in words why there is none.
+/// Picture as SVG in JSON; where it cannot be drawn, the message that gives the reason.
 fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> String {
     let scene =
         scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));

@@ -1,4 +1,4 @@
-//! What goes back: JSON of answers, or why there is none.
+//! Replies to the app: JSON of answers, or of the error.
 
 use epicyclic_commands::answer::Answer;
 use epicyclic_commands::answer::to_json;
