@@ -145,7 +145,7 @@ impl ToothedGear {
         self.pitch_diameter() * libm::cos(self.rack.pressure_angle.si())
     }
 
-    /// Its circles, in modules.
+    /// Circles of the gear, in modules.
     #[must_use]
     pub fn circles(&self) -> Gear {
         Gear::new(self.kind, self.teeth.as_f64())

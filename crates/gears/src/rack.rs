@@ -142,8 +142,8 @@ mod tests {
     }
 
     proptest! {
-        /// By the geometry of the cut: the rack's tip line stands `r − h_a*·m` from the axis, the tangent
-        /// point of the line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
+        /// Geometry of the cut: the rack's tip line is `r − h_a*·m` from the axis, the tangent point of the
+        /// line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
         #[test]
         fn the_limit_is_where_the_tip_line_meets_the_tangent_point(
             addendum in 0.3..1.5_f64, alpha_deg in 10.0..35.0_f64,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! equal centre distances      z_a + z_g = z_b − z_g
-//! clearance between planets   (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s        γ smallest angle between planets
+//! clearance between planets   (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s      γ least angle between planets
 //! assembly                    (z_a + z_b)/N integer, for equal spacing γ = 2π/N
 //! ```
 //!
@@ -11,15 +11,15 @@
 //! | `z_a`, `z_g`, `z_b` | teeth of sun, planet, ring | 1 |
 //! | `N` | number of planets | 1 |
 //! | `h_a*` | addendum coefficient | modules |
-//! | `s` | least gap wanted between the tip circles of adjacent planets | modules |
+//! | `s` | required gap between the tip circles of adjacent planets | modules |
 //!
-//! Gears without profile shift: sets that depart from `z_b = z_a + 2·z_g` by some teeth and close by it are
-//! those of [`ShiftedSearch`](crate::involute::search::ShiftedSearch).
+//! Gears have no profile shift. [`ShiftedSearch`](crate::involute::search::ShiftedSearch) finds the sets that
+//! deviate from `z_b = z_a + 2·z_g` by some teeth and close by profile shift.
 //!
 //! # Source
-//! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
-//! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
-//! and the factor is an integer that shares no divisor with `N`.
+//! excavator-dynamics (1) and the conditions after it. Its condition of assembly is that `z_1·U/N·(1 + N·n)`
+//! is an integer for some integer `n`. It is the condition above: `z_1·U = z_a + z_b`, and the factor is an
+//! integer without a common divisor with `N`.
 
 use crate::checks::not_negative;
 use crate::involute::check::Check;
@@ -105,10 +105,11 @@ pub enum Placement {
     LeastUnequal,
 }
 
-/// The bounds within which sets of tooth numbers are sought.
+/// Bounds of the search for sets of tooth numbers.
 ///
-/// All ranges include their ends. The default is 12 teeth and more on sun and planet, a ring up to
-/// 200, `k` from 1.3 to 10, 3 to 8 equally spaced planets, standard addendum, tips that just clear.
+/// All ranges include their ends. By default sun and planet have 12 teeth and more, the ring up to 200, and
+/// `k` is from 1.3 to 10. There are 3 to 8 equally spaced planets, the standard addendum, and tips that just
+/// clear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
     /// Teeth of the sun.
@@ -216,12 +217,12 @@ impl Bounds {
         Ok(count)
     }
 
-    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets;
-    /// nothing is held. `done` is told, from 0 to 1, how much of the bounds has been gone through; a break
+    /// Passes each set of tooth numbers within the bounds to `each`, ascending by sun, planet and number of
+    /// planets, without storing them. `done` receives the completed share of the bounds, from 0 to 1; a break
     /// ends the search.
     ///
     /// # Errors
-    /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
+    /// Errors of [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
     pub fn each(
         &self,
         done: impl FnMut(f64) -> ControlFlow<()>,
@@ -269,7 +270,7 @@ impl Bounds {
         (*self.planet.start()).max(from_k).max(from_ring)..=(*self.planet.end()).min(to_k).min(to_ring)
     }
 
-    /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.
+    /// Passes each set of tooth numbers to `each`, and after each sun the share of completed suns to `done`.
     fn visit(
         &self,
         mut done: impl FnMut(f64) -> ControlFlow<()>,
@@ -330,11 +331,11 @@ impl Bounds {
         self.for_ratio_watched(wanted, mode, tolerance, |_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
-    /// search.
+    /// Sets of tooth numbers as by [`for_ratio`](Self::for_ratio), with progress: `done` receives the
+    /// completed share of the bounds, from 0 to 1; a break ends the search.
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
+    /// Errors of [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn for_ratio_watched(
         &self,
         wanted: f64,
@@ -379,12 +380,13 @@ impl Bounds {
         })
     }
 
-    /// Each set of tooth numbers for a ratio in turn, in no order that matters, how many there were, and
-    /// those that a check of their teeth leaves out; nothing is held. `done` as in
+    /// Passes each set of tooth numbers for a ratio to `each`, in no particular order, without storing them.
+    ///
+    /// Returns the number of sets and those that a check of their teeth leaves out. `done` is used as in
     /// [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
+    /// Errors of [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn each_for_ratio(
         &self,
         wanted: f64,
@@ -503,14 +505,14 @@ pub struct Ranked<Set = Candidate> {
     pub left_out: Option<Box<LeftOut>>,
 }
 
-/// A set of tooth numbers that meets a wanted ratio, and what there is to know of it.
+/// A set of tooth numbers that meets a target ratio, with its ratio and ratio error.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// The teeth and the number of planets.
     pub teeth: ToothNumbers,
     /// The ratio it has.
     pub ratio: f64,
-    /// The same as a fraction.
+    /// The ratio as a fraction.
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,

@@ -71,13 +71,12 @@ fn apart_by(of: &DoublePlanetNumbers, angles: &[f64], addendum: f64, gap: f64) -
     clear
 }
 
-/// Teeth between a direction and the tooth of a gear that stands at its phase.
+/// Teeth between a direction and the tooth at the phase of a gear.
 fn teeth_to(teeth: f64, phase: f64, direction: f64) -> f64 {
     teeth * (direction - phase) / TAU
 }
 
-/// Phase of a gear in mesh with another: a tooth of the one stands in a space of the other on the line of
-/// their centres.
+/// Phase of a gear in mesh with another: a tooth of one lies in a space of the other on the line of centres.
 fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
     let direction = libm::atan2(its[1] - at[1], its[0] - at[0]);
     let behind = direction + PI;
@@ -116,7 +115,7 @@ fn equal(pairs: u32) -> Vec<f64> {
     (0..pairs).map(|pair| TAU * f64::from(pair) / f64::from(pairs)).collect()
 }
 
-/// What is preferred: the least comes first.
+/// Order of preference: the least comes first.
 fn preference(set: &DoublePlanetNumbers) -> impl Ord + use<> {
     let (inner, outer) = (set.inner, set.outer);
     (Reverse(set.pairs), Reverse(inner.min(outer)), inner.max(outer), Reverse(outer))

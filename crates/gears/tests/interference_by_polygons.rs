@@ -21,7 +21,7 @@ const ROUNDING: f64 = 1e-6;
 /// Misses of a check by less may lie between the positions and points that are tried.
 const GRAZE: f64 = 0.03;
 
-/// The deepest that a point of planet or ring stands in a tooth of the other, as an arc in modules.
+/// Greatest depth of a point of planet or ring inside a tooth of the other, as an arc in modules.
 fn deepest(set: &PlanetSet) -> Option<f64> {
     let [_, planet, ring] = set.gears();
     let planet = ToothCurve::new(*planet).ok()?;
@@ -128,7 +128,7 @@ proptest! {
         }
     }
 
-    /// What a search offers.
+    /// Sets that a search offers.
     #[test]
     fn sets_that_close_do_not_collide(sun in 12..40_u32, planet in 14..45_u32, offset in -4..=4_i32) {
         let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };

@@ -5,7 +5,7 @@ use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::{Error, Quantity};
 
-/// What a set must keep; lengths in modules.
+/// Limits for the checks of a set; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Least normal thickness of a tip: 0.2 by default, 0.4 of case-hardened teeth.

@@ -5,7 +5,7 @@ use std::fmt;
 /// Why a shift gives no gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShiftFault {
-    /// It is no number.
+    /// The shift or tip alteration is not a finite number.
     NotFinite,
     /// A root or tip circle of radius 0 or less.
     NoCircle,

@@ -34,9 +34,10 @@ impl Tips {
         self.bases[1] / self.bases[0]
     }
 
-    /// Angle of the ring, rad, by which the tips miss each other after they have left the mesh: −∞ where the
-    /// tip circle of the external gear encloses that of the ring, so that some tooth is always in the way,
-    /// and +∞ where the tip circles do not meet.
+    /// Angle of the ring, rad, by which the tips miss each other after they have left the mesh.
+    ///
+    /// If the tip circle of the external gear encloses that of the ring, some tooth is always in the way and
+    /// the angle is −∞. If the tip circles do not meet, it is +∞.
     pub(super) fn trochoidal(&self) -> f64 {
         let ([r1, r2], a) = (self.tips, self.distance);
         if r1 >= r2 + a {

@@ -1,4 +1,4 @@
-//! What cuts the teeth of a gear: a hob, a pinion-type cutter (shaper), or a form tool.
+//! Tools that cut the teeth of a gear: a hob, a pinion-type cutter (shaper), or a form tool.
 //!
 //! Hobs cut external gears, shapers both kinds, form tools (broaches, moulds, electrodes) both kinds. No rack
 //! cuts a ring.
@@ -6,7 +6,7 @@
 use crate::gear_kind::GearKind;
 use crate::{Error, Quantity, ToothCount};
 
-/// What cuts a gear; lengths in modules.
+/// Tool that cuts a gear; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tool {
     /// A hob with the basic rack of the gear, for external gears.
@@ -85,8 +85,8 @@ impl Tool {
         }
     }
 
-    /// The same, a shaper without an addendum of its own with this one: a search takes a cutter that exists,
-    /// not one made for each ring.
+    /// Tool with this addendum if it is a shaper without an addendum of its own. A search takes an existing
+    /// cutter, not one made for each ring.
     #[must_use]
     pub fn with_addendum(self, addendum: f64) -> Self {
         match self {
@@ -97,7 +97,7 @@ impl Tool {
         }
     }
 
-    /// Refuses a tool that does not cut gears of this kind, or that is none.
+    /// Refuses a tool that does not cut gears of this kind, or whose dimensions are invalid.
     ///
     /// # Errors
     /// [`Error::WrongGearKind`] for a hob of a ring; [`Error::Negative`] for radii; [`Error::NotPositive`]
