@@ -25,7 +25,7 @@ impl fmt::Display for Edition {
 }
 
 epicyclic_gears::words! {
-    /// A document that a formula stands in.
+    /// A document that contains a formula.
     Document {
         Iso6336Part1 "ISO 6336-1:2006"
         Iso6336Part2 "ISO 6336-2:2006"
@@ -34,7 +34,7 @@ epicyclic_gears::words! {
     }
 }
 
-/// Where a formula stands: a document and its clause or formula.
+/// Reference of a formula: a document and its clause or formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Reference {
     /// The document.
@@ -91,15 +91,15 @@ impl Symbol {
 /// A factor of the calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factor {
-    /// Its symbol.
+    /// Symbol of the factor.
     pub symbol: Symbol,
-    /// Its value; of `Z_E` in √(N/mm²), else without unit.
+    /// Value; of `Z_E` in √(N/mm²), else without unit.
     pub value: f64,
     /// Where the value comes from.
     pub origin: Origin,
 }
 
-/// Which of the two gears of a mesh.
+/// One of the two gears of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The first, external gear.
@@ -109,7 +109,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Both.
+    /// Sides of a mesh, the first gear first.
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 

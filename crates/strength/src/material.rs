@@ -1,7 +1,7 @@
 //! Materials of gears: class, stress limits, elasticity.
 //!
-//! The class says which of the standard's life, notch, surface and size factors hold. Stress limits `σ_Hlim`,
-//! `σ_Flim` are given by whoever knows the material, or taken from the small table [`listed`].
+//! The class decides which of the standard's life, notch, surface and size factors apply. Stress limits
+//! `σ_Hlim`, `σ_Flim` are given, or taken from the small table [`listed`].
 //!
 //! | class | in ISO 6336 |
 //! |---|---|
@@ -9,7 +9,8 @@
 //! | through-hardened steel | V |
 //! | grey, nodular, black malleable cast iron | GG, GGG (perl., bai.; ferr.), GTS (perl.) |
 //! | case-hardened, induction- or flame-hardened | Eh, IF |
-//! | nitriding steel nitrided; through-hardened steel nitrided, nitrocarburized | NT (nitr.), NV (nitr.), NV (nitrocar.) |
+//! | nitriding steel, nitrided | NT (nitr.) |
+//! | through-hardened steel, nitrided or nitrocarburized | NV (nitr.), NV (nitrocar.) |
 
 use crate::checks::{positive, within};
 use crate::{Error, Quantity};
@@ -104,11 +105,11 @@ impl Material {
 /// A material of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Listed {
-    /// Its designation, `18CrNiMo7-6`.
+    /// Designation, `18CrNiMo7-6`.
     pub designation: &'static str,
-    /// Its values.
+    /// Values of the material.
     pub material: Material,
-    /// Where they come from.
+    /// Source of the values.
     pub source: &'static str,
 }
 

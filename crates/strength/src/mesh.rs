@@ -12,7 +12,7 @@ use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Tor
 /// A gear of the mesh beyond its geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gear {
-    /// Its material.
+    /// Material of the gear.
     pub material: Material,
     /// Roughness `R_z` of the flank.
     pub flank_roughness: Length,

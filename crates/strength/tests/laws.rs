@@ -209,7 +209,7 @@ proptest! {
         }
     }
 
-    /// The chain tells every factor: their products are the stresses and limits.
+    /// Completeness of the chain of factors: their products are the stresses and limits.
     #[test]
     fn the_chain_gives_stress_and_limit(z1 in 17..40_u32, ring in any::<bool>(), helix in 0.0..20.0_f64, hours in 0.01..1e5_f64) {
         let mesh = mesh(z1, 50, ring, helix);
@@ -441,8 +441,8 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     );
 }
 
-/// What the standard does not hold for, or a factor that is missing, leaves one flank or root without a
-/// rating and changes no other.
+/// Keeps the error of one flank or root that the standard does not cover, or that lacks a factor, and changes
+/// no other rating.
 #[test]
 fn a_part_that_cannot_be_rated_leaves_the_others() {
     let good = mesh(20, 50, false, 0.0);

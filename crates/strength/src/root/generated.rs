@@ -66,8 +66,8 @@ fn by_shaper(ring: &InvoluteGear, shaper: Shaper, angle: f64) -> Point {
     upright(point, (angle - own) * z0 / z + PI / z)
 }
 
-/// The section on a curve of points that runs from the root to the flank, by bisection on the angle between
-/// tangent and centre line. The tooth stands upwards, or downwards of a ring.
+/// Section on a curve of points that runs from the root to the flank, by bisection on the angle between
+/// tangent and centre line. The tooth points upwards, of a ring downwards.
 fn on(
     curve: impl Fn(f64) -> Point,
     up: f64,

@@ -87,6 +87,8 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
         } else {
             search.left_out.not_calculable += 1;
         }
+        // A wider design of the same geometry and bearing is heavier: it enters the queue only now, which
+        // keeps it short.
         if next.width + 1 < next.end {
             heap.push(Reverse(search.candidate(next.geometry, next.bearing, next.width + 1, next.end)));
         }
@@ -231,16 +233,16 @@ impl PartialOrd for Candidate {
 #[derive(Debug, Clone, Copy)]
 struct Rated {
     meshes: [[GearDuty<Worn>; 2]; 2],
-    /// What is met least over the duty.
+    /// The requirement that is met least over the duty.
     over_duty: Governing,
-    /// What is met least against the overloads.
+    /// The overload requirement that is met least.
     overload: Option<Governing>,
 }
 
 /// Teeth that were rated; `None` outside what the standard holds for.
 type Teeth = Option<Rated>;
 
-/// What is met least; of equal ones the first.
+/// The requirement that is met least; of equal ones the first.
 fn least(all: impl IntoIterator<Item = Governing>) -> Option<Governing> {
     all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
 }
@@ -313,6 +315,8 @@ impl Search<'_> {
         let rim_mm = (bore_mm > 0.0).then(|| (own.planet_root_mm - bore_mm) / 2.0);
         let is_thin = rim_mm.is_some_and(|rim| rim / own.planet_height_mm < THICK_RIM);
         let place = one.geometry * self.widths_mm.len() + one.width;
+        // Rating is the slow step. Only a thin rim depends on the bearing, so all other bearings share one
+        // rating.
         let teeth = match self.teeth[place] {
             Some(teeth) if !is_thin => teeth,
             _ => {
@@ -365,7 +369,8 @@ impl Search<'_> {
         &own.expect("every number of planets of the space has its steps").1
     }
 
-    /// Both meshes over the duty, planets with a rim that weakens them.
+    /// Ratings of both meshes over the duty, with `planet_rim_mm` if the rim of the planets weakens their
+    /// roots.
     fn rate(&self, one: &Candidate, planet_rim_mm: Option<f64>) -> Result<Teeth, Error> {
         let task = self.task;
         let own = &self.geometries[one.geometry];
