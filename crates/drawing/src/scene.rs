@@ -21,7 +21,7 @@ pub struct Vertex {
     pub bulge: f64,
 }
 
-/// What is drawn.
+/// Shape that is drawn.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
@@ -168,7 +168,7 @@ pub struct LayerId(pub(crate) usize);
 /// A named layer and how its shapes are drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
-    /// Its name.
+    /// Name of the layer.
     pub name: String,
     /// How its shapes are drawn.
     pub style: Style,

@@ -25,7 +25,7 @@ impl Color {
         Self { red, green, blue }
     }
 
-    /// The colour at `part` of the way from this to another, each channel by itself; `part` outside 0…1 means
+    /// Colour at `part` of the way from this to another, each channel separately; `part` outside 0…1 means
     /// the nearer end.
     #[must_use]
     pub fn towards(self, other: Self, part: f64) -> Self {
@@ -101,25 +101,25 @@ impl Style {
         Self { color, width_mm: 0.0, dash: Dash::Solid, fill: Some(color) }
     }
 
-    /// The same in another colour.
+    /// Style in another colour.
     #[must_use]
     pub const fn color(self, color: Color) -> Self {
         Self { color, ..self }
     }
 
-    /// The same with another width.
+    /// Style with another line width.
     #[must_use]
     pub const fn width(self, width_mm: f64) -> Self {
         Self { width_mm, ..self }
     }
 
-    /// The same with other dashes.
+    /// Style with other dashes.
     #[must_use]
     pub const fn dash(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
 
-    /// The same with a fill.
+    /// Style with a fill.
     #[must_use]
     pub const fn fill(self, fill: Color) -> Self {
         Self { fill: Some(fill), ..self }

@@ -1,9 +1,8 @@
 //! The scene as an SVG image, one user unit a millimetre.
 //!
 //! A layer is a group with the layer's name as its `id` and `class`, so that a page can restyle or hide it.
-//! Shapes keep their order across layers: a layer whose shapes are drawn in several goes appears as several
-//! groups, of which the first has the `id`. Shapes that follow each other in one style of their own share a
-//! group.
+//! Shapes keep their order across layers: if other layers are drawn between shapes of a layer, it appears as
+//! several groups, and the first has the `id`. Consecutive shapes with one style of their own share a group.
 
 use quick_xml::Writer;
 use quick_xml::escape::partial_escape;
@@ -26,7 +25,7 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
     image(scene, true, &letters)
 }
 
-/// The same to stand among others in one page: its groups have no `id`, and the page sets its size.
+/// SVG image for a page with others: its groups have no `id`, and the page sets its size.
 ///
 /// # Errors
 /// As [`Scene::check`].
@@ -34,7 +33,7 @@ pub fn embed(scene: &Scene) -> Result<String, Error> {
     image(scene, false, &letters)
 }
 
-/// The same with text as outlines, for which no font is needed.
+/// SVG image with text as outlines, for which no font is needed.
 ///
 /// # Errors
 /// As [`Scene::check`].
