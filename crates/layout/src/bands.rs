@@ -95,13 +95,13 @@ impl Recorder for Draft<'_> {
 
 /// Heights and places.
 struct Grid {
-    /// Of each bar.
+    /// Height of each bar.
     heights: Vec<i32>,
-    /// Of each column.
+    /// Place of each column along the axis.
     places: Vec<i32>,
     planet: i32,
     wall: i32,
-    /// Of the shaft ends.
+    /// Places of the left and the right shaft end.
     left: i32,
     right: i32,
 }
@@ -194,7 +194,7 @@ impl<'a> Draft<'a> {
         grid
     }
 
-    /// Nets and heights of what stands upright in a column, doubled so that they are whole.
+    /// Nets and heights of the upright lines in a column, doubled so that they are integers.
     fn spans(&self, column: usize, grid: &Grid) -> Vec<(Net, [i32; 2])> {
         let height = |bar: usize| 2 * grid.heights[bar];
         let pin = 2 * grid.planet;
@@ -228,7 +228,7 @@ impl<'a> Draft<'a> {
         })
     }
 
-    /// Each column as far left as can be, then those moved right that make the lines shorter there.
+    /// Places the columns as far left as possible, then moves right those that make the lines shorter there.
     fn places(&self, grid: &mut Grid) {
         let count = self.columns.len();
         let spans: Vec<_> = (0..count).map(|column| self.spans(column, grid)).collect();

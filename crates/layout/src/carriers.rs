@@ -123,7 +123,7 @@ fn units(graph: &Graph, planet: usize) -> Vec<Vec<usize>> {
     units
 }
 
-/// The same graph with one planet a vertex of its own between two webs of its carrier.
+/// Graph in which one planet is a separate vertex between two webs of its carrier.
 fn split<'a>(graph: &Graph, planet: usize, beyond: impl Iterator<Item = &'a usize>) -> Graph {
     let mut split = graph.clone();
     let Planet { set, carrier, sun, ring } = split.planets.remove(planet);

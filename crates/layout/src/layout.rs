@@ -19,18 +19,19 @@ pub struct Point {
 /// A straight line, along the axis or at right angles to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// Its left or lower end.
+    /// Left or lower end.
     pub from: Point,
-    /// Its right or upper end.
+    /// Right or upper end.
     pub to: Point,
 }
 
 /// Everything that turns as one piece with a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkShape {
-    /// The link; of links joined for ever the first. The housing's are what stands out of its wall.
+    /// The link; of permanently joined links the first. For the housing the lines are those that project from
+    /// its wall.
     pub link: LinkId,
-    /// Shafts, drums and webs. They meet at ends and in tees, never cross one another.
+    /// Shafts, drums and webs. They meet at ends and in tees and never cross one another.
     pub segments: Vec<Segment>,
 }
 
@@ -80,7 +81,7 @@ pub struct BrakeMark {
     pub link: LinkId,
     /// End of the link at the gap.
     pub link_end: Point,
-    /// The housing, or what stands out of it, across the gap.
+    /// Point of the housing, or of its projection, across the gap.
     pub housing: Point,
 }
 
@@ -89,7 +90,7 @@ pub struct BrakeMark {
 pub struct ShaftEnd {
     /// The link.
     pub link: LinkId,
-    /// Its outer end.
+    /// Outer end of the shaft.
     pub at: Point,
 }
 

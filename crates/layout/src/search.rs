@@ -63,7 +63,7 @@ fn steps(nodes: &[Node], end: usize) -> Vec<Step> {
     steps
 }
 
-/// What is still to come costs at least this.
+/// Lower bound of the cost of the remaining steps.
 fn at_least(task: &Task, state: &State) -> u32 {
     let lines = || state.below.lines().iter().chain(state.above.lines());
     let open = |place: usize| state.placed >> place & 1 == 0;
