@@ -21,24 +21,26 @@ const TRIED: u32 = 40;
 ///
 /// let ticks: Vec<f64> = (0..=20).map(f64::from).collect();
 /// let values = ticks.iter().flat_map(|x| ticks.iter().map(move |y| Some(0.8 + 0.0004 * x * y))).collect();
-/// let picture = Contours { title: "A map".into(), across: "x".into(), up: "y".into(), columns: ticks.clone(), rows: ticks, values };
+/// let picture = Contours {
+///     title: "A map".into(), across: "x".into(), up: "y".into(), columns: ticks.clone(), rows: ticks, values
+/// };
 /// let image = epicyclic_drawing::svg::write(&picture.scene()?)?;
 /// assert!(image.contains("0.9"));
 /// # Ok::<(), epicyclic_drawing::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contours {
-    /// What it shows.
+    /// Title of the picture.
     pub title: String,
-    /// What runs to the right, with its unit.
+    /// Quantity on the horizontal axis, with its unit.
     pub across: String,
-    /// What runs up, with its unit.
+    /// Quantity on the vertical axis, with its unit.
     pub up: String,
     /// Values to the right, ascending or descending.
     pub columns: Vec<f64>,
     /// Values upwards.
     pub rows: Vec<f64>,
-    /// What is shown, column by column; `None` where there is no value.
+    /// Values of the map, column by column; `None` at points without a value.
     pub values: Vec<Option<f64>>,
 }
 
@@ -49,11 +51,11 @@ const SIZE_MM: [f64; 2] = [130.0, 90.0];
 type Line = Vec<[f64; 2]>;
 
 impl Contours {
-    /// The scene. A line stands where its value has room on it; values without room are left out with their
-    /// lines.
+    /// Scene of the map. Each contour line carries its value; values whose label has no room are left out
+    /// with their lines.
     ///
     /// # Errors
-    /// As [`Scene::layer`] and [`Scene::check`]; not for any finite values.
+    /// Errors of [`Scene::layer`] and [`Scene::check`]; finite values cause none.
     pub fn scene(&self) -> Result<Scene, Error> {
         let mut scene = Scene::new(self.title.clone());
         let frame = scene.layer("frame", Style::line(0.25))?;
@@ -92,7 +94,7 @@ impl Contours {
         Ok(scene)
     }
 
-    /// The lines that stand, each value with a label on one of its lines.
+    /// Contour lines that are drawn, each value with a label on one of its lines.
     fn placed(&self, across: &Axis, up: &Axis) -> Vec<Drawn> {
         let known = || self.values.iter().flatten().copied().filter(|value| value.is_finite());
         let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
@@ -120,7 +122,7 @@ impl Contours {
         all
     }
 
-    /// The lines of a value, with its label where it is clear of what stands already.
+    /// Contour lines of a value with its label, if the label has room among the earlier ones.
     fn drawn(&self, value: f64, axes: [&Axis; 2], others: &[Drawn]) -> Option<Drawn> {
         let lines = self.lines(value, axes);
         let is_hit = |other: &Drawn| lines.iter().any(|line| meets(line, &other.room));

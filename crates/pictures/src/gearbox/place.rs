@@ -18,13 +18,13 @@ const OWN_MM: f64 = 0.8;
 const NEAR: u32 = 50;
 const FAR: u32 = 400;
 
-/// What labels have to keep clear of.
+/// Lines, labels and signs that labels and leaders have to keep clear of.
 pub(super) struct Places {
     /// Lines, and half their widths.
     lines: Vec<(Shape, f64, Bounds)>,
     /// Boxes of labels, which no leader may cross.
     labels: Vec<Bounds>,
-    /// What a label may not stand on: labels, fills and lines.
+    /// Obstacles for labels: labels, fills and lines.
     obstacles: Obstacles,
     /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and
     /// brakes, teeth in mesh.
@@ -36,7 +36,7 @@ struct Start {
     at: Point,
     /// From here on it keeps clear of its own lines.
     off: f64,
-    /// Which lines meet at the point, in the order of [`Places::lines`].
+    /// Whether each line meets at the point, in the order of [`Places::lines`].
     own: Vec<bool>,
 }
 

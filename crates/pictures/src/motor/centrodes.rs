@@ -153,7 +153,7 @@ fn junctions(
     Ok(())
 }
 
-/// Centres, distances, radii and angles of the first crest and the trough beside it.
+/// Draws centres, distances, radii and angles of the first crest and the trough next to it.
 fn construct(
     sheet: &mut Sheet,
     layer: epicyclic_drawing::LayerId,

@@ -36,14 +36,14 @@ const MOST_HALVINGS: u32 = 16;
 /// A closed curve of arcs, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Its vertices, each with the bulge of the arc that follows.
+    /// Vertices, each with the bulge of the arc that follows.
     pub vertices: Vec<Vertex>,
-    /// Greatest distance of the exact curve from it; 0 of exact arcs.
+    /// Greatest distance of the exact curve from the outline; 0 of exact arcs.
     pub deviation_mm: f64,
 }
 
 impl Outline {
-    /// The same turned about the axis.
+    /// Outline turned about the axis.
     pub(super) fn turned(mut self, angle_rad: f64) -> Self {
         for vertex in &mut self.vertices {
             vertex.at = turned(vertex.at, angle_rad);
@@ -227,7 +227,7 @@ impl Biarc {
         ]
     }
 
-    /// Distance of a point from the arc beside it.
+    /// Distance of a point from the nearer arc.
     fn distance(&self, point: Vector) -> f64 {
         let second = usize::from(dot(less(point, self.middle), self.along[1]) > 0.0);
         let (t, kappa) = (self.along[second], self.curvatures[second]);

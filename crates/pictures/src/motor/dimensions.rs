@@ -24,11 +24,11 @@ const NEXT: f64 = 6.0;
 const ARROW: [f64; 2] = [2.2, 0.4];
 /// Height of a row of the table, over that of its letters.
 const ROW: f64 = 2.0;
-/// The most that a centre of arc 1 is away to be shown, over the stator's greatest radius.
+/// Largest distance of a centre of arc 1 that is still shown, over the stator's greatest radius.
 const REACH: f64 = 1.5;
 
-/// The motor with its dimensions after a rotation of the rotor; teeth and width stand in the table where they
-/// are given.
+/// The motor with its dimensions after a rotation of the rotor; the table shows teeth and width if they are
+/// given.
 ///
 /// # Errors
 /// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a

@@ -13,11 +13,11 @@ use super::sheet::{AUXILIARY, Sheet, number};
 use crate::Error;
 use crate::tolerance::BALANCED;
 
-/// Of the pressure.
+/// Forces of the pressure.
 const OF_PRESSURE: Color = Color::new(30, 30, 30);
-/// Of flanks.
+/// Forces of flanks.
 const OF_FLANKS: Color = Color::new(0, 120, 70);
-/// On the bearing.
+/// Forces on the bearing.
 const OF_BEARING: Color = Color::new(170, 80, 0);
 
 /// Forces of so much pressure on a motor of a width, with ideal ports and contacts at the pitch points.

@@ -1,4 +1,4 @@
-//! What the pictures of a motor share: layers, sizes, words beside them, labels where there is room.
+//! Common parts of the pictures of a motor: layers, sizes, text, and labels where they have room.
 
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text, text};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
@@ -16,7 +16,7 @@ pub(super) const LOW: Color = Color::new(38, 110, 184);
 pub(super) const IDLE: Color = Color::new(150, 150, 150);
 /// Bodies.
 pub(super) const STEEL: Color = Color::new(226, 229, 233);
-/// What is constructed.
+/// Auxiliary lines of a construction.
 pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
 
 /// A picture of a motor in the making.
@@ -36,7 +36,7 @@ impl Sheet {
         Self::of(&name(motor.numbers(), motor.module()), view, unit)
     }
 
-    /// Of the motor with this name.
+    /// Sheet for the motor with this name.
     pub(super) fn of(name: &str, view: &str, unit: f64) -> Self {
         let title = format!("{name}: {view}");
         Self { scene: Scene::new(title), unit, words: None, pen: Point::default() }
@@ -122,7 +122,7 @@ impl Sheet {
         self.pen.y -= 1.8 * height;
     }
 
-    /// A label beside a point, at the first place around it that is free; none where there is no room.
+    /// Writes a label near a point, at the first free place around it. Returns whether a place was free.
     pub(super) fn label(&mut self, layer: LayerId, at: Point, words: &str) -> bool {
         let height = self.letter();
         let around = [1.6, 2.4, 3.4, 4.6].into_iter().flat_map(move |ring| {

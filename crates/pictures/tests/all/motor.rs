@@ -133,8 +133,8 @@ fn no_label_of_the_known_motors_meets_a_line() {
     }
 }
 
-/// Diameters, radii and counts stand in the drawing as the motor has them, each diameter between its two
-/// arrows; tolerances are blank.
+/// Diameters, radii and counts are drawn as the motor has them, each diameter between its two arrows;
+/// tolerances are blank.
 #[test]
 fn the_dimensions_are_those_of_the_motor() {
     let motor = two_arcs([5, 3, 55, 10], 2.0, 80.0);

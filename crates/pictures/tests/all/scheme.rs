@@ -25,7 +25,7 @@ fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service()).chain(examples())
 }
 
-/// Sets of all of them stand side by side.
+/// Sets of every gearbox are side by side.
 #[test]
 fn all_sets_stand_in_one_band() {
     let bands = |gearbox: &Gearbox| layout(gearbox).cost(gearbox).bands;
@@ -128,7 +128,7 @@ fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
     }
 }
 
-/// The same for all structures of two sets that can be drawn, with input and output on one side or two.
+/// Labels of all drawable structures of two sets, with input and output on one side or two.
 #[test]
 fn no_label_of_any_two_set_structure_meets_anything() {
     let eta = MeshEfficiency::new(0.97).unwrap();

@@ -1,5 +1,5 @@
-//! The order of the levers, which end of each is up, and their heights: so that what joins them is level and
-//! crosses as little as possible.
+//! Arrangement of the levers: their order, their upper ends and their heights, so that ties are level and
+//! cross as little as possible.
 //!
 //! A *tie* joins two points of different levers: the next points of one link, or the links of a clutch. An
 //! arrangement costs
@@ -9,13 +9,13 @@
 //!   +  Σ |rise of a tie|, mm  +  5·Σ levers between the ends of a tie
 //! ```
 //!
-//! A clutch between two links of one lever stands to the left of it as an upright tie, which all that passes
-//! there or comes from the left between its ends crosses, and so does the end of another such clutch.
+//! A clutch between two links of one lever is an upright tie to the left of it. Every tie that passes there,
+//! or comes from the left between its ends, crosses it, and so does the end of another such clutch.
 //!
-//! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the
-//! squared rises least, lengths between 0.8 and 1.3 of the usual one. All orders and senses of up to five
-//! levers are tried. Beyond, the order is improved from that of the file by exchanging two levers or turning
-//! one while this costs less; the result then need not be the best.
+//! For one order and given upper ends of all levers, heights and lengths minimize the sum of the squared
+//! rises, with lengths between 0.8 and 1.3 of the usual one. Up to five levers, all orders and directions are
+//! tried. For more levers, the order is improved from that of the file by exchanging two levers or turning
+//! one while this costs less. The result then need not be the best.
 
 use super::merge::Lever;
 use crate::tolerance::LEVEL;
@@ -25,7 +25,7 @@ use epicyclic_train::LinkId;
 const LENGTH_MM: f64 = 70.0;
 /// Shortest and longest lever, over the usual one.
 const STRETCH: [f64; 2] = [0.8, 1.3];
-/// Levers of which every arrangement is tried.
+/// Largest number of levers for which every arrangement is tried.
 const ALL_TRIED: usize = 5;
 /// A tie nearer than this to a point seems to belong to it.
 const NEAR_MM: f64 = 4.0;
@@ -40,7 +40,7 @@ const STEPS: usize = 120;
 /// A lever on paper: heights of its points from the lowest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
-    /// Its place among the levers.
+    /// Index of its lever.
     pub(super) lever: usize,
     pub(super) points: Vec<(LinkId, f64)>,
 }
@@ -120,7 +120,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     best.1
 }
 
-/// All orders of so many, the usual one first.
+/// Permutations of `count` items, the usual order first.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let mut all = vec![vec![]];
     for _ in 0..count {
@@ -136,8 +136,8 @@ fn permutations(count: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// What joins columns: each link from one of its columns to the next, and each clutch between the nearest
-/// columns of its links.
+/// Ties between the columns: each link from one of its columns to the next, and each clutch between the
+/// nearest columns of its links.
 pub(super) fn ties(columns: &[Column], clutches: &[(usize, [LinkId; 2])]) -> Vec<Tie> {
     let mut found = vec![];
     let of = |link: LinkId| {
@@ -238,7 +238,7 @@ fn heights(
     columns
 }
 
-/// What an order costs whichever ends are up: the levers between the ends of ties.
+/// Cost of an order for any choice of the upper ends: the levers between the ends of ties.
 fn cost_of_order(levers: &[Lever], order: &[usize], clutches: &[(usize, [LinkId; 2])]) -> f64 {
     let columns: Vec<Column> =
         order.iter().map(|&lever| Column { lever, points: levers[lever].nodes.clone() }).collect();
@@ -246,7 +246,7 @@ fn cost_of_order(levers: &[Lever], order: &[usize], clutches: &[(usize, [LinkId;
     5.0 * ties(&columns, clutches).iter().map(between).sum::<usize>() as f64
 }
 
-/// What an arrangement costs.
+/// Cost of an arrangement.
 fn cost(columns: &[Column], ties: &[Tie]) -> f64 {
     let end = |tie: &Tie, end: usize| {
         let (column, link) = tie.ends[end];

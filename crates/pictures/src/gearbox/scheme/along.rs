@@ -4,19 +4,20 @@ use super::{ALONG_MM, LEAST_ALONG_MM, signs};
 use epicyclic_layout::Layout;
 use epicyclic_train::Gearbox;
 
-/// Of the distance between two columns with signs, that between two where carriers fork around planets,
-/// between one of these or another sign and a line, and between two lines, where columns are drawn closest.
+/// Shares of the distance between two columns with signs, where columns are drawn closest: between two
+/// columns where carriers fork around planets, between a forked column and a line, between another sign and a
+/// line, and between two lines.
 const FORKED: f64 = 8.5 / LEAST_ALONG_MM;
 const FORKED_MIXED: f64 = 0.75;
 const MIXED: f64 = 0.6;
 const LINES: f64 = 0.4;
 
-/// Where the columns of a layout stand.
+/// Positions of the columns of a layout.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Along {
     /// The first column.
     from: f64,
-    /// Millimetres of each.
+    /// Position of each column, mm.
     places: Vec<f64>,
 }
 

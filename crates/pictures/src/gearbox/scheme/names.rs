@@ -11,7 +11,7 @@ use epicyclic_train::LinkId;
 const OFF_MM: f64 = 2.6;
 
 impl Sheet<'_> {
-    /// All names: first those with the fewest places to stand in.
+    /// Writes all names: first those with the fewest possible places.
     pub(super) fn names(&mut self) {
         let mut places = Places::around(&self.scene);
         self.keep_signs_clear(&mut places);
@@ -178,8 +178,8 @@ impl Sheet<'_> {
     }
 }
 
-/// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it
-/// stands at.
+/// Desired places of a link's name: along its shafts, the longest first, and then along its webs. Each comes
+/// with the point of the link that it names.
 fn wishes(shape: &LinkShape, name: &str, at: impl Fn(Place) -> Point) -> Vec<(Point, Point)> {
     let mut segments: Vec<[Point; 2]> = shape.segments.iter().map(|s| [at(s.from), at(s.to)]).collect();
     let length = |[from, to]: &[Point; 2]| (to.x - from.x) + (to.y - from.y);

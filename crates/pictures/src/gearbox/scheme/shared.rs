@@ -8,7 +8,7 @@ use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use epicyclic_drawing::{Point, Shape, Style};
 use epicyclic_layout::layout::Point as Place;
 
-/// From the rims of a short planet to a fork beside it, and on to the long planet.
+/// From the rims of a short planet to a fork next to it, and on to the long planet.
 const FORK_GAP_MM: f64 = 1.0;
 
 impl Sheet<'_> {
@@ -17,7 +17,7 @@ impl Sheet<'_> {
         self.pairs.iter().copied().find(|pair| pair.stacks.iter().any(|stack| stack.set == set))
     }
 
-    /// The same where the planet in common is a long one, around which the carrier forks.
+    /// Pair of a set if the common planet is a long one, around which the carrier forks.
     pub(super) fn long_pair_of(&self, set: usize) -> Option<Pair> {
         self.pair_of(set).filter(|pair| pair.common == Common::Long)
     }
@@ -35,8 +35,8 @@ impl Sheet<'_> {
         self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([left, y], [right, y]));
     }
 
-    /// Both suns, the ring once over both, the short planet under the long one, and the carrier's fork around
-    /// them.
+    /// Draws both suns, the ring once over both, the short planet under the long one, and the carrier's fork
+    /// around them.
     fn ravigneaux(&mut self, pair: &Pair) {
         let [double, simple] = pair.stacks;
         let [xd, xs] = [double.x, simple.x].map(|x| self.at(Place { x, y: 0.0 }).x);
@@ -117,7 +117,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// The same to scale: the long planet ends before the short one, as the two reach past each other.
+    /// Draws the Ravigneaux set to scale: the long planet ends before the short one, as the two reach past
+    /// each other.
     fn ravigneaux_to_scale(&mut self, pair: &Pair, [xd, xs]: [f64; 2], [short, long]: [Wheel; 2]) {
         let [double, simple] = pair.stacks;
         let high = UP_MM * double.ring_mesh + MESH_MM;

@@ -15,7 +15,7 @@ pub(super) const RIM_MM: f64 = 2.6;
 pub(super) const MESH_MM: f64 = 0.55;
 /// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
 pub(super) const FORK_MM: f64 = 4.2;
-/// How far a planet pin stands out of its planet.
+/// Length of a planet pin outside its planet.
 pub(super) const PLANET_PIN_MM: f64 = 3.2;
 /// From the middle of a set to planets drawn beside each other, and half the length of their rims.
 pub(super) const BESIDE_MM: f64 = 1.9;
@@ -37,7 +37,7 @@ pub(super) fn is_cut(kind: SetKind) -> bool {
     matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns) || kind.is_pair()
 }
 
-/// What is left of a line of a link where carriers fork around double planets, and bearings of pairs end.
+/// Pieces of a link's line that remain where carriers fork around double planets and bearings of pairs end.
 pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -> Vec<[Place; 2]> {
     let [from, to] = line;
     let mut left = vec![line];
@@ -71,7 +71,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
 }
 
 impl Sheet<'_> {
-    /// Axis and wall, and what stands out of the wall.
+    /// Draws the axis, the wall and the projections of the wall.
     pub(super) fn housing(&mut self) {
         let (axis, wall) = (self.layout.axis, self.layout.housing);
         let (left, right) = (self.at(axis.from), self.at(axis.to));
@@ -267,8 +267,8 @@ impl Sheet<'_> {
             .then_some([one, other])
     }
 
-    /// The same on the arms of a fork, one on either side; an arm that passes behind the other planet has a
-    /// gap there.
+    /// Draws planets on the arms of a fork, one on either side; an arm that passes behind the other planet
+    /// has a gap there.
     fn planets_beside(&mut self, stack: &SetStack, x: f64, planets: [Wheel; 2]) {
         let pins = planets.map(|planet| UP_MM * planet.pin);
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };

@@ -1,7 +1,8 @@
 //! Heights of gears by their pitch radii.
 //!
 //! ```text
-//! r = m·z/2        of central gears and planets        R = r_sun + r_planet = r_ring − r_planet        of planet pins
+//! r = m·z/2                                        of central gears and planets
+//! R = r_sun + r_planet = r_ring − r_planet         of planet pins
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -10,15 +11,14 @@
 //! | `R` | radius of a planet pin | that of `r` |
 //! | `m`, `z` | module, number of teeth | mm, 1 |
 //!
-//! All sets have one scale. A set without a module has that of the first set that has one, and where none has
-//! any, all sets have the same. Of a set of which `k` alone is known the largest central gear is as large as
-//! the largest of the others. The picture says which sets these are. Where a planet is in mesh with the other
-//! planets of its set and their sizes are not given, they are those of the
-//! [speed diagram](crate::gearbox::speeds).
+//! All sets have one scale. A set without a module has that of the first set that has one; without any module
+//! all sets have the same. If only `k` of a set is known, its largest central gear is drawn as large as the
+//! largest of the others. The picture names these sets. If planets of a set mesh with each other and their
+//! sizes are not given, the sizes are those of the [speed diagram](crate::gearbox::speeds).
 //!
-//! Two central gears that a half-plane shows on one side of their planet, as two suns, stand on both sides of
-//! it: the second is mirrored at the planet's axis, of two rings the first. Bevel gears have no radius of
-//! this kind and keep any height.
+//! Two central gears that a half-plane shows on one side of their planet, such as two suns, are drawn on both
+//! sides of it. The second is mirrored at the planet's axis, of two rings the first. Bevel gears have no
+//! radius of this kind and keep any height.
 
 use super::UP_MM;
 use super::halves::{Common, Pair, pairs};
@@ -45,7 +45,7 @@ const LEAST_SHARE: f64 = 1.0 / 32.0;
 pub(super) struct Wheel {
     /// Height of its pin, in units of the layout.
     pub(super) pin: f64,
-    /// Its radius, in the same.
+    /// Radius, in units of the layout.
     pub(super) radius: f64,
 }
 
@@ -55,7 +55,7 @@ pub struct Scale {
     /// Of each drawn set, its planets or their steps from central gear 1 to 2; none where they are not to
     /// scale.
     pub(super) wheels: Vec<Vec<Wheel>>,
-    /// What the picture says.
+    /// Remarks of the picture.
     pub(super) notes: Vec<String>,
     /// Units of the layout to a millimetre of radius, where that is known.
     units_to_mm: Option<f64>,
@@ -64,9 +64,9 @@ pub struct Scale {
 /// A bar as long as a round number of millimetres in a scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bar {
-    /// How long it stands for.
+    /// Length that the bar represents.
     pub(super) length_mm: f64,
-    /// How long it is drawn.
+    /// Length of the bar as drawn.
     pub(super) drawn_mm: f64,
 }
 
@@ -88,8 +88,8 @@ impl Scale {
     }
 }
 
-/// A layout with its gears at heights in proportion to their pitch radii, and the scale. The planet bearings
-/// say the modules of those sets of which any are known.
+/// Layout with gears at heights in proportion to their pitch radii, and the scale. The planet bearings give
+/// the modules of the sets for which they are known.
 ///
 /// ```
 /// use epicyclic_layout::{self as layout, Verdict};
@@ -107,14 +107,16 @@ impl Scale {
 /// };
 /// let (layout, _) = to_scale(&gearbox, &plain, &[])?;
 /// let set = layout.sets[0];
-/// assert!((set.ring_mesh / set.sun_mesh - 3.0).abs() < 1e-12 && (set.planet / set.sun_mesh - 2.0).abs() < 1e-12);
+/// assert!(
+///     (set.ring_mesh / set.sun_mesh - 3.0).abs() < 1e-12
+///         && (set.planet / set.sun_mesh - 2.0).abs() < 1e-12
+/// );
 /// # Ok(())
 /// # }
 /// ```
 ///
 /// # Errors
-/// [`Error::NotToScale`] where the layout has a set above a larger one, [`Error::NoRadii`] where no set has
-/// any.
+/// [`Error::NotToScale`] if the layout has a set above a larger one, [`Error::NoRadii`] if no set has radii.
 pub fn to_scale(
     gearbox: &Gearbox,
     layout: &Layout,
@@ -230,7 +232,7 @@ fn tie(gearbox: &Gearbox, pair: &Pair, all: &mut [Radii]) {
     }
 }
 
-/// What is known of the sizes of all sets.
+/// Known sizes of all sets.
 struct Sizes {
     /// Radius of central gear 1 of each drawn set.
     units: Vec<f64>,
@@ -364,7 +366,7 @@ fn heights(set: &DrawnSet, radii: &Radii, pair: Option<&Pair>, unit: f64) -> (Se
     (SetRadii::Planets { sun_mesh, planet, ring_mesh, reach: [low, high] }, wheels)
 }
 
-/// What the picture has to say of single sets.
+/// Remarks of the picture on single sets.
 fn remarks(drawn: &[DrawnSet], all: &[Radii], pairs: &[Pair], heights: &[SetRadii]) -> Vec<String> {
     let is_in_pair =
         |place: usize| pairs.iter().any(|pair| pair.stacks.iter().any(|stack| stack.set == place));

@@ -8,7 +8,7 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
     pub(super) name: String,
-    /// Its link; none of a planet.
+    /// Link of the line; `None` for a planet.
     pub(super) link: Option<LinkId>,
     pub(super) from: [f64; 2],
     pub(super) to: [f64; 2],
@@ -16,7 +16,7 @@ pub(super) struct Line {
     pub(super) is_assumed: bool,
 }
 
-/// What is drawn of a set, radii in units of central gear 1.
+/// Diagram of a set, radii in units of central gear 1.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpeedDiagram {
     pub(super) lines: Vec<Line>,
