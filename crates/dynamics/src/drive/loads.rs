@@ -9,7 +9,7 @@ use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power};
 
-/// What the gear set carries.
+/// Load of the gear set: efficiency, speeds, torques and powers.
 pub(super) struct Carried {
     pub(super) efficiency: Efficiency,
     pub(super) speeds: Speeds,

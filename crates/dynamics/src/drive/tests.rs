@@ -152,7 +152,8 @@ fn the_excavators_forces() {
     close(found.planet_bearing.si(), libm::hypot(tangential, centrifugal + 25.1), 0.2);
 }
 
-/// The same set as a gearbox, its torques by the solver: one figure for each force, with losses.
+/// Compares the drive with the same set as a gearbox, its torques by the solver: one figure for each force,
+/// with losses.
 #[test]
 fn planet_bearings_of_a_drive_are_those_of_its_gearbox() {
     let spec = excavator();
@@ -505,7 +506,7 @@ prop_compose! {
     }
 }
 
-/// What goes into a planet and what does not: the default takes it as solid, a bearing asked for is refused.
+/// Fit of a bearing in a planet: the default takes the planet as solid, a required bearing is refused.
 #[test]
 fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
     let mut spec = DriveSpec::new(Power::from_si(55e3), rpm(220.0), 5.2, mm(6.0), mm(70.0));

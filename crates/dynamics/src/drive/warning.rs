@@ -1,4 +1,4 @@
-//! What deserves a second look in a drive that could be calculated.
+//! Warnings: findings to be checked in a drive that could be calculated.
 
 use super::part::{BoredGear, Shaft};
 
@@ -8,40 +8,40 @@ use super::part::{BoredGear, Shaft};
 pub enum Warning {
     /// A given shaft is thinner than the formula asks for.
     ShaftTooThin {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
-        /// Its diameter, mm.
+        /// Diameter of the shaft, mm.
         diameter_mm: f64,
         /// The diameter needed, mm.
         needed_mm: f64,
-        /// Its torsional stress, MPa.
+        /// Torsional stress of the shaft, MPa.
         stress_mpa: f64,
         /// The stress allowed, MPa.
         allowable_mpa: f64,
     },
     /// A given bearing does not go on the shaft.
     BearingTooNarrow {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
         /// Designation of the bearing.
         bearing: &'static str,
-        /// Its bore, mm.
+        /// Bore of the bearing, mm.
         bore_mm: f64,
         /// The shaft's diameter, mm.
         diameter_mm: f64,
     },
     /// No bearing of the series goes on the shaft.
     NoBearing {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
-        /// Series sought in.
+        /// Series from which the bearing is taken.
         series: u16,
         /// The shaft's diameter, mm.
         diameter_mm: f64,
     },
     /// A bearing whose dimensions were not found in a catalogue.
     UnverifiedBearing {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
         /// Designation of the bearing.
         bearing: &'static str,
@@ -53,9 +53,9 @@ pub enum Warning {
     },
     /// A rack undercuts the gear.
     Undercut {
-        /// Which gear.
+        /// The gear.
         gear: BoredGear,
-        /// Its teeth.
+        /// Teeth of the gear.
         teeth: u32,
         /// The fewest that are not undercut.
         at_least: u32,
@@ -110,7 +110,7 @@ pub enum Warning {
     PlanetBearingTooLarge {
         /// Designation of the bearing.
         bearing: &'static str,
-        /// Its outside diameter, mm.
+        /// Outside diameter of the bearing, mm.
         outside_mm: f64,
         /// Diameter of the pin, mm.
         pin_mm: f64,
@@ -142,7 +142,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Its name, which does not change: `shaft-too-thin`.
+    /// Name, which does not change: `shaft-too-thin`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
