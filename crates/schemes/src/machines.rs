@@ -8,11 +8,12 @@
 //! | 2.5 < d < 4.0 | 4 | d = 2.5 → 4, d = 4 → 4 |
 //! | above 4 | not assigned | 4 |
 //!
-//! The print has strict inequalities, so it says nothing of the ends and of d > 4. An end goes to the larger
-//! number, which loads the motor better at the cost of a gear; beyond 4 the number stays 4, since the source
-//! finds more than four speeds of no use. [`Recommendation::printed`] tells these from what is printed.
+//! The print has strict inequalities, so it does not assign the ends, nor d > 4. Here an end belongs to the
+//! larger number, which loads the motor better at the cost of a gear. Beyond 4 the number stays 4, since the
+//! source finds more than four speeds of no use. [`Recommendation::printed`] distinguishes these from what is
+//! printed.
 //!
-//! Table 2.1 is drawn up for bucket wheels. The source never holds it against its own tables; here
+//! Table 2.1 is made for bucket wheels. The source does not compare it with its own tables;
 //! [`Machine::is_as_recommended`] does.
 //!
 //! # Source
@@ -43,7 +44,7 @@ pub enum Table {
 }
 
 impl Table {
-    /// Its number.
+    /// Number of the table.
     #[must_use]
     pub const fn number(self) -> &'static str {
         match self {
@@ -71,9 +72,9 @@ impl fmt::Display for Table {
 pub struct Machine {
     /// The table that lists it.
     pub table: Table,
-    /// What is driven.
+    /// Kind of the driven machine.
     pub kind: &'static str,
-    /// Its name, as printed.
+    /// Name as printed.
     pub name: &'static str,
     /// Number of speeds; `None` where its control is stepless.
     pub steps: Option<u32>,

@@ -1,4 +1,4 @@
-//! What an error of the machine side or of a connection speaks of.
+//! Quantities that errors of the machine side or of a connection name.
 
 use epicyclic_gears::words;
 

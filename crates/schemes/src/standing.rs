@@ -1,19 +1,18 @@
-//! Why the document has a structure, or has it not.
+//! Standing of a structure in the document: listed or not, and why.
 //!
 //! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and set 2
-//! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)), of which it
-//! lists eleven and gives no reason for leaving out the other 25. Of all 111
-//!
+//! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)). It lists
+//! eleven of them and gives no reason for leaving out the other 25. Standing of all 111 structures:
 //! | standing | how many | why |
 //! |---|---|---|
 //! | [`Listed`](Standing::Listed) | 11 | |
-//! | [`Unlisted`](Standing::Unlisted) | 25 | built by its rule; 10 of them are fit for its purpose: [*missed*](Standing::is_missed) |
+//! | [`Unlisted`](Standing::Unlisted) | 25 | by its rule, not listed; 10 are fit: [*missed*](Standing::is_missed) |
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
-//! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and
-//! that none of it circulates. Fit for its purpose means: some `k₁`, `k₂` within the range give gears that
-//! both slow, in the same direction of rotation. What gear 2 of the 25 can be used for ([`Use`]) is
+//! No two of the 36 are equal as structures. The eleven are those that split the power, without circulation,
+//! and whose gear 2 can slow down. A structure is fit for the purpose if some `k₁`, `k₂` within the range
+//! give gears that both slow, in the same direction of rotation. Possible uses of gear 2 of the 25 ([`Use`]):
 //!
 //! | use | how many, k from 1.7 to 7 | of these splitting the power |
 //! |---|---|---|
@@ -32,11 +31,11 @@ use crate::pair::{coefficients, fraction};
 use crate::structures::{Family, Structure};
 use std::ops::RangeInclusive;
 
-/// What the ratios of a structure's gears do while both ring-to-sun ratios run over a range.
+/// Values of the ratios of a structure's gears while both ring-to-sun ratios run over a range.
 ///
-/// Numerator and denominator are bilinear, so over a rectangle both take their extremes, and show
-/// every change of sign, at the corners; and between zeros and poles the ratio is monotonous in each
-/// `k`, so it takes its extremes at corners too.
+/// Numerator and denominator are bilinear. Over a rectangle both therefore take their extremes, and show
+/// every change of sign, at the corners. Between zeros and poles the ratio is monotonous in each `k`, so it
+/// takes its extremes at corners too.
 #[must_use]
 pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
     let [one, two] = structure.sets();
@@ -46,23 +45,23 @@ pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
     })
 }
 
-/// Why the document has a structure, or has it not, the ring-to-sun ratios within a range.
+/// Standing of a structure in the document, with the ring-to-sun ratios within a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Standing {
     /// One of its eleven: power splits, and gear 2 can slow down.
     Listed(ThreeSpeed),
     /// By its rule, and not listed.
     Unlisted {
-        /// What gear 2 could be used for.
+        /// Possible use of gear 2.
         usage: Use,
         /// Whether gear 2 splits the power between the sets; otherwise power circulates at every `k`.
         splits_power: bool,
-        /// What gear 1 gives.
+        /// Values of the ratio of gear 1.
         first: Reach,
-        /// What gear 2 gives.
+        /// Values of the ratio of gear 2.
         second: Reach,
     },
-    /// By its rule once D and B change places; as it stands gear 1 speeds up.
+    /// By its rule once D and B are exchanged; without exchange gear 1 speeds up.
     Reversed {
         /// The structure that slows in gear 1.
         of: Structure,
@@ -74,19 +73,19 @@ pub enum Standing {
     },
 }
 
-/// What gear 2 of a structure could be used for beside gear 1, over a range of ring-to-sun ratios.
+/// Possible use of gear 2 of a structure besides gear 1, over a range of ring-to-sun ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Use {
-    /// Its ratio has the sign of `i₁` at every k and can slow down.
+    /// The ratio has the sign of `i₁` at every k and can slow down.
     Slows,
-    /// Its ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
+    /// The ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
     SlowsAtSome,
-    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout: slowing mixed with speeding, which the
+    /// The ratio has the sign of `i₁` but `|i₂| < 1` throughout: a mix of slowing and speeding, which the
     /// source calls unfavourable.
     OnlySpeedsUp,
-    /// Its ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
+    /// The ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
     Reverses,
-    /// Its ratio changes its sign within the range, and with the sign of `i₁` never slows down.
+    /// The ratio changes its sign within the range, and with the sign of `i₁` never slows down.
     ChangesSign,
 }
 
