@@ -59,14 +59,14 @@ pub use size::Rating;
 use epicyclic_schemes::structures::Role;
 use front::Entry;
 
-/// Between which links a mechanism's direct-drive clutch can be drawn; if there are none, or the mechanism
-/// itself cannot be drawn without self-crossing, why. As [`drawing::drawable_direct_clutches`].
+/// Drawable direct-drive clutches of a mechanism, as pairs of links. If there are none, or the mechanism
+/// itself cannot be drawn without self-crossing, the reason. See [`drawing::drawable_direct_clutches`].
 pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> + Sync + 'a;
 
 /// A mechanism that has no ring-to-sun ratios for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unreachable {
-    /// Which mechanism.
+    /// The mechanism.
     pub mechanism: Mechanism,
     /// Ratios wanted of its gears.
     pub wanted: Vec<f64>,
@@ -81,11 +81,11 @@ pub struct Unreachable {
 pub enum Obstacle {
     /// A set would need an infinite `k`.
     Infinite,
-    /// These sets, by their places from 0, would need `k ≤ 1`, and that of a simple set is above 1.
+    /// Sets, by their places from 0, that would need `k ≤ 1`; `k` of a simple set is above 1.
     TooSmall(Vec<usize>),
 }
 
-/// What a selection found.
+/// Result of a selection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Selection {
     /// Candidates that meet every required criterion, in the order of the mechanisms.

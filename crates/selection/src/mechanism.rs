@@ -1,4 +1,4 @@
-//! What selection chooses among: one set of two speeds, or two sets of three.
+//! Mechanisms among which selection chooses: one set for two speeds, or two sets for three.
 
 use super::Error;
 use super::tolerance::SLACK;
@@ -27,9 +27,9 @@ pub enum Mechanism {
 pub enum Space {
     /// Schemes I, II, III for two speeds, I-1…III-3 for three.
     Catalogue,
-    /// All six ways to use one set, all 111 two-set structures.
+    /// Six ways to use one set, and 111 two-set structures.
     All,
-    /// These alone; those of one set for two speeds, those of two for three.
+    /// Given mechanisms: those of one set for two speeds, those of two sets for three.
     Mechanisms(Vec<Mechanism>),
 }
 
@@ -43,7 +43,7 @@ impl Space {
         }
     }
 
-    /// Its ways to use one set, by the links of sun, ring and carrier.
+    /// Ways to use one set, by the links of sun, ring and carrier.
     #[must_use]
     pub fn sets(&self) -> Vec<SetRoles> {
         let listed = TwoSpeed::ALL.map(TwoSpeed::set);
@@ -62,7 +62,7 @@ impl Space {
         }
     }
 
-    /// Its structures of two sets.
+    /// Structures of two sets.
     #[must_use]
     pub fn structures(&self) -> Vec<Structure> {
         match self {

@@ -91,7 +91,8 @@ fn the_excavator_wheel_over_small_rings() {
     assert!(equals_brute_force(&search).unwrap() > 10);
 }
 
-/// Planets of one ring and sun with several tooth numbers, so that `k` alone tells neither speeds nor sizes.
+/// Planets of one ring and sun with several tooth numbers, so that `k` alone decides neither speeds nor
+/// sizes.
 #[test]
 fn the_excavator_wheel_with_profile_shift() {
     let mut search = ToothSearch::new(excavator());
@@ -216,7 +217,7 @@ fn the_first_before_a_bound_are_the_first_of_all() {
     }
 }
 
-/// However little is held, the first designs are the same, or the search says that it cannot tell.
+/// Gives the same first designs for any number of designs held, or refuses the search.
 #[test]
 fn what_is_held_changes_nothing_or_is_refused() {
     let mut search = ToothSearch::new(excavator());

@@ -1,9 +1,9 @@
-//! The same search for two speeds: all tooth numbers of one set, in all ways to use it.
+//! Search over teeth for two speeds: all tooth numbers of one set, in all ways to use it.
 //!
-//! With one set every objective is a function of one ring-to-sun ratio, so nothing has to be left out to be
-//! quick: all tooth numbers whose ratio is within tolerance in any of the ways are tried, once for each `k`.
-//! Ratios and speeds are quotients of whole numbers, and efficiency and size are placed on their grid by
-//! twice a double's digits, so what is equal is equal to the bit ([`super`]).
+//! With one set every objective is a function of one ring-to-sun ratio, so the search is fast without leaving
+//! anything out. All tooth numbers whose ratio is within tolerance in any of the ways are tried, once for
+//! each `k`. Ratios and speeds are quotients of whole numbers, and efficiency and size are placed on their
+//! grid by twice a double's digits. Equal values are therefore equal to the bit ([`super`]).
 //!
 //! With coefficients `c = (z_a, z_b, −(z_a + z_b))` at the links of sun, ring and carrier, and T₁ at rest,
 //!
@@ -11,8 +11,8 @@
 //! i = −c_B/c_D      ω_D = 1      ω_B = 1/i      T_a = z_a/c_D      η = î/i
 //! ```
 //!
-//! speeds and torques as multiples of the input's; `î` and `T_a` with losses are those of a set with
-//! `k·η₀^x`, `x` the sign of its rolling power.
+//! Speeds and torques are multiples of the input's. `î` and `T_a` with losses are those of a set with
+//! `k·η₀^x`, where `x` is the sign of its rolling power.
 
 use super::double::Double;
 use super::exact;
@@ -38,9 +38,9 @@ use uom::si::f64::Length;
 /// A search over the teeth of one set.
 #[derive(Debug, Clone)]
 pub struct OneSetSearch {
-    /// What is wanted: one ratio.
+    /// Requirements with one ratio.
     pub requirements: Requirements,
-    /// Which of the signs that the requirements allow are searched, all by default.
+    /// Signs that are searched, of those that the requirements allow; by default all.
     pub directions: Directions,
     /// Ways to use the set, all six by default.
     pub sets: Vec<SetRoles>,
@@ -48,8 +48,8 @@ pub struct OneSetSearch {
     pub bounds: Bounds,
     /// Sets with profile shift in place of those without; `None` by default.
     pub shift: Option<ProfileShift>,
-    /// Order of objectives by which entries are sorted; circulating power, of which one set has none, stands
-    /// last.
+    /// Order of objectives by which entries are sorted. Circulating power, which one set does not have, must
+    /// be last.
     pub order: Order,
     /// Module that the set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -57,7 +57,7 @@ pub struct OneSetSearch {
     pub ring_diameter: Option<Length>,
 }
 
-/// What a search over the teeth of one set found.
+/// Result of a search over the teeth of one set.
 #[derive(Debug, Clone)]
 pub struct OneSetFound {
     entries: Vec<Entry>,
@@ -126,7 +126,7 @@ const MANY: usize = 1 << 20;
 const LEVELS: u32 = 256;
 
 impl OneSetSearch {
-    /// All six ways, default tooth bounds and order, no limits of size.
+    /// Search over all six ways, with default tooth bounds and order and no limits of size.
     #[must_use]
     pub fn new(requirements: Requirements) -> Self {
         Self {
@@ -150,11 +150,11 @@ impl OneSetSearch {
         self.front_watched(|_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
-    /// search.
+    /// Front with reports of progress: `done` receives the completed share of the bounds, from 0 to 1; a
+    /// break ends the search.
     ///
     /// # Errors
-    /// As [`front`](Self::front).
+    /// Errors of [`front`](Self::front).
     pub fn front_watched(&self, mut done: impl FnMut(f64) -> ControlFlow<()>) -> Result<OneSetFound, Error> {
         self.requirements.check()?;
         check_order(self.order)?;

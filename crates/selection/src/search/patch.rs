@@ -48,7 +48,7 @@ pub(crate) struct Measured {
     pub(crate) ratio_error: f64,
     /// Largest torque on the suns over the gears.
     pub(crate) sun_torques: [f64; 2],
-    /// What rounding may have added to efficiency and torques, relative.
+    /// Relative error that rounding may have added to efficiency and torques.
     doubt: f64,
 }
 
@@ -343,11 +343,12 @@ impl Measured {
     }
 }
 
-/// What circulates in a gear between two sets, with losses, over what enters.
+/// Circulating power of a gear between two sets, with losses, over the power that enters.
 ///
-/// Each set gives or takes power at each link. What one gives and the other takes at a link can go round if
-/// as much comes back at other links: of two sets there is no other loop. As the definition asks
-/// ([`epicyclic_train::power_flow`]), it is the most that goes through the link with the most.
+/// Each set gives or takes power at each link. The power that one gives and the other takes at a link can
+/// circulate if as much returns at other links; two sets have no other loop. By the definition
+/// ([`epicyclic_train::power_flow`]), the circulating power is the largest that passes the link with the
+/// most.
 fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f64 {
     let x = [Role::T2.index(), Role::T1.index()][gear];
     let (one, two) = (&one.loaded[gear], &two.loaded[gear]);

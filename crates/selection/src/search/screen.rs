@@ -1,18 +1,18 @@
-//! A first look at pairs of levels: which of them need no measuring, because rounding cannot matter to what
-//! decides.
+//! First look at pairs of levels: finds those that need no measuring, because rounding cannot change the
+//! decision.
 //!
 //! The first designs in an order ([`best`](super::ToothSearch::best)) are few, and the rest need only be
-//! counted. Beside a set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact
-//! here as in a measure, minors with losses are the same to the bit, and all that follows misses its value by
-//! less than 1e-14 of it. So
+//! counted. For one set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact here
+//! as in a measure, and minors with losses are the same to the bit. All further values are wrong by less than
+//! 1e-14 of themselves. Therefore
 //!
-//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too, and where all figures keep to
-//!   their limits by as much, the pair is feasible;
+//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too. If all figures keep to their
+//!   limits by as much, the pair is feasible.
 //! - a first objective beyond that of a bound by [`BEHIND`] is beyond it on the grid of objectives as well,
-//!   whose step is 1e-12. Torques and ratios with losses lose digits where their terms cancel; a pair of
-//!   which more than [`CANCELLED`] cancels is measured, and of the others the loss is below 2e-10.
+//!   whose step is 1e-12. Torques and ratios with losses lose digits where their terms cancel. A pair in
+//!   which more than [`CANCELLED`] cancels is measured; for the others the loss is below 2e-10.
 //!
-//! Whatever is neither is measured. So no pair is judged otherwise than by a measure.
+//! All other pairs are measured, so every judgement is that of a measure.
 
 use super::levels::Level;
 use super::patch::{Allowed, Patch, Side};
@@ -38,14 +38,14 @@ pub(super) const AT_ONCE: usize = 16;
 
 type Column = [f64; AT_ONCE];
 
-/// What a look says of a pair.
+/// Result of a look at a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Verdict {
     /// A limit is broken.
     Infeasible,
-    /// All criteria are met, and the bound comes first.
+    /// The criteria are all met, and the bound comes first.
     Behind,
-    /// To be measured.
+    /// The pair has to be measured.
     Open,
 }
 
