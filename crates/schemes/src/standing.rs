@@ -6,7 +6,7 @@
 //! | standing | how many | why |
 //! |---|---|---|
 //! | [`Listed`](Standing::Listed) | 11 | |
-//! | [`Unlisted`](Standing::Unlisted) | 25 | by its rule, not listed; 10 are fit: [*missed*](Standing::is_missed) |
+//! | [`Unlisted`](Standing::Unlisted) | 25 | by its rule; 10 are fit ([*missed*](Standing::is_missed)) |
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
