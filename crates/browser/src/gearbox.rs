@@ -234,7 +234,7 @@ pub(crate) fn front(file: &str, question: &str) -> Result<String, Failure> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Change {
-    /// As `adjust` has named it of this file.
+    /// Position of a number that `adjust` has named in this file.
     number: AdjustableNumber,
     to: String,
 }

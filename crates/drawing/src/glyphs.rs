@@ -67,7 +67,7 @@ pub(crate) fn outline(text: &Text) -> Vec<Step> {
 /// Collects the outlines of glyphs.
 struct Pen {
     steps: Vec<Step>,
-    /// In units of the font.
+    /// Position of the pen in units of the font.
     at: Point,
     start: Point,
     place: Box<dyn Fn(Point) -> Point>,

@@ -74,7 +74,7 @@ pub fn write(scene: &Scene) -> Result<Vec<u8>, Error> {
     Ok(pdf.finish())
 }
 
-/// As numbers of a content stream, which have single precision.
+/// Number with the single precision of a content stream.
 #[allow(clippy::cast_possible_truncation)] // within ±1e5, checked
 fn single(value: f64) -> f32 {
     value as f32

@@ -260,7 +260,7 @@ fn place(point: Point) -> String {
     format!("{} {}", number(point.x), number(-point.y))
 }
 
-/// To a tenth of a micrometre, without trailing zeros.
+/// Writes a number to a tenth of a micrometre, without trailing zeros.
 fn number(value: f64) -> String {
     let scaled = value.abs() * 1e4;
     // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what

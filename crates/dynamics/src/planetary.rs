@@ -146,7 +146,7 @@ pub struct Accelerations {
     pub carrier: AngularAcceleration,
 }
 
-/// In which direction a drive turns.
+/// Direction of rotation of a drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turning {
     /// The sun turns in the positive direction.

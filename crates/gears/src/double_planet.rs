@@ -234,8 +234,8 @@ pub struct DoublePlanetCandidate {
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs close, assemble and clear each other
-    /// between this sun and ring within the bounds, this one among them; their teeth are not checked.
+    /// Number of choices of both planets and of the number of pairs for this sun and ring within the bounds,
+    /// this one included. The choices close, assemble and clear each other; their teeth are not checked.
     pub choices: u64,
     /// Whether a rack would undercut the sun.
     pub undercut_sun: bool,
@@ -243,7 +243,7 @@ pub struct DoublePlanetCandidate {
     pub undercut_inner: bool,
     /// Whether a rack would undercut the outer planets.
     pub undercut_outer: bool,
-    /// Where the pairs sit.
+    /// Spacing of the pairs.
     pub spacing: PlanetSpacing,
 }
 
@@ -307,7 +307,7 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// How many planets fit, by halving: beyond the first that does not fit none does.
+    /// Number of planets that fit, by halving: after the first that does not fit no other fits.
     fn count(&self) -> u64 {
         let planets = self.planets();
         let (least, most) = (*planets.start(), *planets.end());
@@ -367,11 +367,13 @@ impl Bounds {
         Ok(found)
     }
 
-    /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since
-    /// the ratio does not depend on them: the most pairs; of those the most teeth on the smaller planet, so
-    /// that the planets turn as slowly as they can; of those the fewest on the larger; of two such the
-    /// larger outside; and of these the first whose teeth can be cut and turned together. Pairs of sun and
-    /// ring without such planets are left out, and counted.
+    /// One choice of planets for each sun and ring within the bounds that some pairs of planets fit; the
+    /// ratio does not depend on the planets.
+    ///
+    /// The choice has the most pairs, then the most teeth on the smaller planet, so that the planets turn as
+    /// slowly as possible, then the fewest on the larger. Of two such choices the larger planet is outside.
+    /// Of these the first whose teeth can be cut and turned together is taken. Pairs of sun and ring without
+    /// such planets are left out, and counted.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -512,7 +514,7 @@ impl Bounds {
         Ok(Err(first))
     }
 
-    /// How many choices of planets and of pairs fit a sun and a ring.
+    /// Number of choices of planets and of pairs that fit a sun and a ring.
     fn count_of_planets(&self, sun: ToothCount, ring: ToothCount) -> u64 {
         let frames = self.planets.clone().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
         frames.map(|frame| frame.count()).sum()

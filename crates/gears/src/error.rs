@@ -305,7 +305,7 @@ pub enum Error {
         teeth: u32,
         /// External or internal.
         kind: GearKind,
-        /// Why.
+        /// The reason, if it is known.
         fault: Option<ToolFault>,
     },
 

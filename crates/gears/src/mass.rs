@@ -29,7 +29,8 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// From the integrals over the volume `V` and the second polar moment `∫ r²·dV` of a body of one density.
+    /// Mass properties from the integrals over the volume `V` and the second polar moment `∫ r²·dV` of a body
+    /// of one density.
     pub(crate) fn from_volume_integrals(volume_m3: f64, r2_volume_m5: f64, density_kg_m3: f64) -> Self {
         Self {
             volume: Volume::from_si(volume_m3),

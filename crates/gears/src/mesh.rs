@@ -107,7 +107,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Two external gears of so many teeth.
+    /// External pair with these tooth numbers.
     #[must_use]
     pub const fn external(first: f64, second: f64) -> Self {
         Self { first: Gear::external(first), second: Gear::external(second) }

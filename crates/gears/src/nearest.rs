@@ -31,13 +31,13 @@ impl Search {
         ratio / self.wanted - 1.0
     }
 
-    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is
+    /// Whether a ratio is within tolerance. A ratio that is off by the tolerance itself, but for rounding, is
     /// within.
     pub(crate) fn is_near(&self, ratio: f64) -> bool {
         self.error(ratio).abs() <= self.tolerance + 4.0 * f64::EPSILON
     }
 
-    /// Whether it is nearer than all that were taken.
+    /// Whether a ratio is nearer than all those taken before.
     pub(crate) fn is_nearer(&self, ratio: f64) -> bool {
         self.nearest.is_none_or(|(_, least)| self.error(ratio).abs() < least)
     }

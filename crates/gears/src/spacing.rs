@@ -16,7 +16,7 @@ use uom::si::f64::Angle;
 /// Slots that the planets of a set occupy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetSpacing {
-    /// Two counts of 32 bits have a sum of 33.
+    /// Number of slots; the sum of two counts of 32 bits has 33.
     slots: u64,
     planets: u32,
 }

@@ -66,7 +66,7 @@ impl ToothNumbers {
         self.ring.as_f64() / self.sun.as_f64()
     }
 
-    /// By how much the ring departs from equal centre distances without profile shift, `z_b − z_a − 2·z_g`.
+    /// Offset of the ring from equal centre distances without profile shift, `z_b − z_a − 2·z_g`.
     #[must_use]
     pub fn ring_offset(&self) -> i32 {
         let coaxial = i64::from(coaxial_ring(self.sun.get(), self.planet.get()));
@@ -95,13 +95,13 @@ impl ToothNumbers {
     }
 }
 
-/// How the planets may be placed.
+/// Placement of the planets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Placement {
-    /// At equal angles only.
+    /// Equal angles only.
     #[default]
     Equal,
-    /// At equal angles, or, where those do not assemble, as near to them as they do.
+    /// Equal angles, or, if the planets do not assemble at them, the nearest at which they do.
     LeastUnequal,
 }
 
@@ -127,7 +127,7 @@ pub struct Bounds {
     pub rack: BasicRack,
     /// Least gap between the tip circles of adjacent planets, in modules.
     pub tip_gap: f64,
-    /// How the planets may be placed.
+    /// Permissible placement of the planets.
     pub placement: Placement,
 }
 
@@ -207,7 +207,7 @@ impl Bounds {
         Ok(found)
     }
 
-    /// How many sets of tooth numbers there are within the bounds, without holding them.
+    /// Number of sets of tooth numbers within the bounds, without storing them.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers).
@@ -346,8 +346,9 @@ impl Bounds {
         Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
     }
 
-    /// How many sets of tooth numbers there are for a ratio, and the first `most` of them in the order of
-    /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
+    /// Number of sets of tooth numbers for a ratio, and the first `most` of them in the order of
+    /// [`for_ratio`](Self::for_ratio). Memory holds no more than twice these. `done` is used as in
+    /// [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
     /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
@@ -447,8 +448,8 @@ impl Bounds {
         found.ok().and(most)
     }
 
-    /// How many combinations of sun, planet and number of planets are gone through, before their clearances
-    /// and assembly are looked at; of double-planet sets of sun, ring and number of pairs.
+    /// Number of combinations of sun, planet and number of planets to be checked, before clearances and
+    /// assembly; of double-planet sets those of sun, ring and number of pairs.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -497,7 +498,7 @@ pub struct Near {
 /// first of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranked<Set = Candidate> {
-    /// How many there are.
+    /// Number of sets found.
     pub found: u64,
     /// The first, the most exact before the others.
     pub first: Vec<Set>,
@@ -522,7 +523,7 @@ pub struct Candidate {
     pub undercut_sun: bool,
     /// Whether a rack would undercut the planet.
     pub undercut_planet: bool,
-    /// Where the planets sit.
+    /// Positions of the planets.
     pub spacing: PlanetSpacing,
 }
 

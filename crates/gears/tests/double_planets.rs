@@ -303,7 +303,7 @@ fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
     assert!(matches!(refused, Err(Error::ToothRange { .. })) && empty.space(true).is_err());
 }
 
-/// By going through them.
+/// Counts the space by visiting every combination.
 #[test]
 fn the_space_is_what_is_gone_through() {
     let bounds = Bounds { sun: 12..=40, planet: 12..=30, ring: 30..=70, planets: 3..=5, ..Bounds::default() };

@@ -112,8 +112,8 @@ fn set(teeth: [u32; 3], shift: f64, ring: Tool) -> Option<PlanetSet> {
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases / 8, ..ProptestConfig::default() })]
-    /// With tips as they come and with shortened ones: clear where the outlines say so, and not where they
-    /// overlap.
+    /// Compares the verdicts for usual and for shortened tips: clear if the outlines are clear, and not if
+    /// they overlap.
     #[test]
     fn verdicts_are_those_of_the_outlines(
         sun in 12..50_u32, planet in 14..50_u32, shift in -0.5..0.5_f64, cutter in 18..40_u32, radius in 0.1..0.38_f64, shortened: bool,

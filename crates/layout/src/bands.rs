@@ -263,7 +263,7 @@ impl<'a> Draft<'a> {
         (grid.left, grid.right) = (-1, last + 1);
     }
 
-    /// By how much the lines get longer if a column moves.
+    /// Growth of the lines' length if a column moves.
     fn pull(&self, grid: &Grid, column: usize, to: i32) -> i32 {
         let length = |bar: usize, moved: bool| {
             let Bar { net, columns, side, .. } = &self.bars[bar];

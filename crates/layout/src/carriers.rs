@@ -34,7 +34,7 @@ pub(super) fn arrange(graph: &Graph, variant: usize) -> Option<Vec<Vec<usize>>> 
     })
 }
 
-/// How many other chords each planet's chord crosses.
+/// Number of other chords that each planet's chord crosses.
 fn crossings(graph: &Graph, rotation: &[Vec<usize>]) -> Vec<usize> {
     let chords: Vec<[usize; 2]> = graph
         .planets

@@ -10,7 +10,7 @@ pub const PLANET: f64 = 0.5;
 /// A point of the half-plane: `x` along the axis to the right, `y` away from it, in grid units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Along the axis.
+    /// Position along the axis.
     pub x: f64,
     /// Distance from the axis.
     pub y: f64,
@@ -85,7 +85,7 @@ pub struct BrakeMark {
     pub housing: Point,
 }
 
-/// Where power enters or leaves.
+/// Shaft end at which power enters or leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShaftEnd {
     /// The link.

@@ -132,7 +132,7 @@ pub use to_scale::{NotToScale, SetRadii};
 use epicyclic_train::{Gearbox, LinkId};
 use scheme::Scheme;
 
-/// How to draw.
+/// Options of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
     /// Input and output both leave on the left, the input's shaft around the output's.

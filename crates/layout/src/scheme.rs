@@ -19,7 +19,7 @@ pub(super) enum Kind {
     Sun(usize),
     /// Mesh with the second central gear.
     Ring(usize),
-    /// From the planet of this set to a web of its carrier.
+    /// Edge from the planet of this set to a web of its carrier.
     Arm(usize),
 }
 

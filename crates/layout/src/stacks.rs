@@ -45,7 +45,7 @@ enum Side {
 }
 use Side::{Left, Right};
 
-/// How the edges of one planet are led. Lists run from left to right.
+/// Plan of the edges of one planet. Lists run from left to right.
 #[derive(Default)]
 struct Plan {
     left_down: Vec<usize>,

@@ -307,12 +307,12 @@ impl State {
     }
 }
 
-/// Where an arm of a carrier goes from its planet.
+/// Directions of an arm of a carrier from its planet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Arm {
     pub(super) below: bool,
     pub(super) above: bool,
-    /// On to the next set at the height of the planet pin.
+    /// Whether the arm goes on to the next set at the height of the planet pin.
     pub(super) level: bool,
 }
 

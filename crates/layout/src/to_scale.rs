@@ -18,16 +18,17 @@ use epicyclic_train::LinkId;
 
 /// Least distance of two lines.
 const LINE: f64 = 0.6;
-/// From a contact, or the far side of a planet, to the line that carries a gear there.
+/// Distance from a contact, or the far side of a planet, to the line that carries a gear there.
 const SEAT: f64 = 0.45;
-/// From a contact to the planet pin.
+/// Distance from a contact to the planet pin.
 const REACH: f64 = 0.35;
-/// From a line to the middle of a clutch.
+/// Distance from a line to the middle of a clutch.
 const PLATE: f64 = 0.45;
-/// From a line to a projection of the housing, with a brake between.
+/// Distance from a line to a projection of the housing, with a brake between.
 const BRAKE: f64 = 0.75;
 
-/// How often the scale is halved or doubled until there is room; then as often the step of its search.
+/// Number of halvings or doublings of the scale until there is room; and of halvings of the step in its
+/// search.
 const HALVINGS: u32 = 60;
 
 /// Given heights of a drawn set.
@@ -75,7 +76,7 @@ enum Kind {
     Plate,
     Pin,
     Contact,
-    /// How far a planet reaches.
+    /// Farthest point of a planet.
     Reach,
 }
 
@@ -88,7 +89,7 @@ struct Node {
     set: Option<usize>,
     /// Height in the layout as it is.
     y: f64,
-    /// From where to where along the axis.
+    /// Range along the axis.
     x: [f64; 2],
     height: Height,
 }
@@ -103,7 +104,7 @@ struct Heights<'a> {
     webs: Vec<(LinkId, f64, [usize; 2])>,
     /// Nodes of planet pin and contacts of each stack, in the layout's order.
     stacks: Vec<[usize; 3]>,
-    /// Of each clutch.
+    /// Node of each clutch.
     plates: Vec<usize>,
     /// `(lower, upper, gap)`.
     rises: Vec<(usize, usize, f64)>,

@@ -1,8 +1,8 @@
 //! Non-dominated designs: the Pareto front.
 //!
-//! A design is described by its costs, each of which should be small. It *dominates* another if no cost is
-//! higher and at least one is lower. The front holds all designs that no other dominates. Designs of equal
-//! costs do not dominate each other, so either all or none are on the front.
+//! A design is described by its costs; smaller is better. It *dominates* another if no cost is higher and at
+//! least one is lower. The front holds all designs that no other dominates. Designs of equal costs do not
+//! dominate each other, so either all or none are on the front.
 //!
 //! # Method
 //! Comparisons use ranks first: small whole numbers that never fall where a cost rises. Sixteen of them are

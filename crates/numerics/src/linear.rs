@@ -242,7 +242,7 @@ fn divide(row: &mut [f64], by: f64) {
 pub struct Independent {
     /// Places of the rows kept.
     pub kept: Vec<usize>,
-    /// Of each other row its place and its factors over the rows kept before it.
+    /// Place of each other row, and its factors over the rows kept before it.
     pub others: Vec<(usize, Vec<f64>)>,
 }
 

@@ -21,13 +21,13 @@ const KINDS: [(&str, Color, Dash); 4] = [
 /// Kind of a branch, by its mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Of a rotational mode.
+    /// Branch of a rotational mode.
     Rotational,
-    /// Of a translational mode.
+    /// Branch of a translational mode.
     Translational,
-    /// Of a planet mode.
+    /// Branch of a planet mode.
     Planet,
-    /// Of no one kind.
+    /// Branch of a mode of no single kind.
     Mixed,
 }
 

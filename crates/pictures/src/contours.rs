@@ -235,7 +235,7 @@ struct Drawn {
     room: Bounds,
 }
 
-/// With as many decimals as its steps have.
+/// Writes a value with as many decimals as its steps have.
 fn shown(value: f64) -> String {
     let text = format!("{value:.3}");
     let short = text.trim_end_matches('0').trim_end_matches('.');

@@ -27,7 +27,7 @@ pub enum Error {
     NoRatio {
         /// The gearbox.
         gearbox: String,
-        /// How many gears it has.
+        /// Number of its gears.
         gears: usize,
     },
     /// No set has pitch radii: bevel gears, say.

@@ -17,7 +17,7 @@ pub struct GearSet<'a> {
     pub ring: Circles,
     /// Radius of the planets' orbit.
     pub centre_distance: Length,
-    /// Where the planets are.
+    /// Angles of the planets.
     pub angles: &'a [Angle],
 }
 

@@ -18,7 +18,7 @@ pub struct ToothedSet {
     pub module: Length,
 }
 
-/// How far the sides of an outline may leave the curve, modules.
+/// Largest distance of the sides of an outline from the curve, modules.
 const DEVIATION: f64 = 1e-3;
 
 /// Parts of a degree to which a helix angle is given.

@@ -299,7 +299,7 @@ impl fmt::Display for Connection {
 }
 
 impl ThreeSpeed {
-    /// How set 2 is connected: see [this module](self).
+    /// Connection of set 2: see [this module](self).
     #[must_use]
     pub fn connection(self) -> Connection {
         Connection::of_structure(self.structure())

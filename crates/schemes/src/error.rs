@@ -69,7 +69,7 @@ pub enum Error {
         "i = {ratio} of the {what}: the ratios of gears 1 and 2 are finite and not 0, and that of gear 1 is not 1"
     )]
     ConnectionRatio {
-        /// Of what: a gear or the connection.
+        /// The gear or the connection.
         what: ConnectionPart,
         /// The ratio given.
         ratio: f64,

@@ -95,14 +95,15 @@ impl Machine {
         Some(Self { table: Table::numbered(table)?, kind, name, steps, speed_range: range.parse().ok()? })
     }
 
-    /// How many speeds table 2.1 recommends for its range; `None` of conveyors, for which the table is not
-    /// drawn up.
+    /// Number of speeds that table 2.1 recommends for its range; `None` for conveyors, for which the table is
+    /// not made.
     #[must_use]
     pub fn recommended(&self) -> Option<Recommendation> {
         (self.table == Table::BucketWheels).then(|| recommended_speeds(self.speed_range).ok()).flatten()
     }
 
-    /// Whether it has as many speeds as recommended; `None` where its control is stepless, and of conveyors.
+    /// Whether the machine has as many speeds as recommended; `None` for a stepless control, and for
+    /// conveyors.
     #[must_use]
     pub fn is_as_recommended(&self) -> Option<bool> {
         Some(self.steps? == self.recommended()?.speeds)
@@ -135,7 +136,7 @@ pub fn machine(name: &str) -> Result<&'static Machine, Error> {
 /// A number of speeds from table 2.1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Recommendation {
-    /// How many speeds.
+    /// Number of speeds.
     pub speeds: u32,
     /// Whether the print says so; at the ends of its intervals and above 4 it is our choice.
     pub printed: bool,

@@ -106,7 +106,7 @@ impl RatioSeries {
         }
     }
 
-    /// Of direct drive and the ratios of the braked gears, in their order and with their signs.
+    /// Series of direct drive and the ratios of the braked gears, in their order and with their signs.
     ///
     /// # Errors
     /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
@@ -256,7 +256,7 @@ impl PrintedSeries {
         self.number
     }
 
-    /// How many speeds it is for.
+    /// Number of speeds of the series.
     #[must_use]
     pub fn count(self) -> usize {
         self.count
@@ -274,7 +274,7 @@ impl PrintedSeries {
         self.members.iter().map(|[of_q, of_d]| q.powi(*of_q) * d.powi(*of_d)).collect()
     }
 
-    /// Whether it gives these speeds (slowest first), each to `tolerance` relative.
+    /// Whether the series gives these speeds (slowest first), each to `tolerance` relative.
     ///
     /// # Errors
     /// Those of [`RatioSeries::of_speeds`].

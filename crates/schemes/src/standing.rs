@@ -48,9 +48,9 @@ pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
 /// Standing of a structure in the document, with the ring-to-sun ratios within a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Standing {
-    /// One of its eleven: power splits, and gear 2 can slow down.
+    /// One of the eleven of the source: power splits, and gear 2 can slow down.
     Listed(ThreeSpeed),
-    /// By its rule, and not listed.
+    /// Structure by the rule of the source that is not listed.
     Unlisted {
         /// Possible use of gear 2.
         usage: Use,
@@ -61,14 +61,14 @@ pub enum Standing {
         /// Values of the ratio of gear 2.
         second: Reach,
     },
-    /// By its rule once D and B are exchanged; without exchange gear 1 speeds up.
+    /// Structure by the rule once D and B are exchanged; without exchange gear 1 speeds up.
     Reversed {
         /// The structure that slows in gear 1.
         of: Structure,
     },
-    /// Not by its rule: no set has both T₁ and T₂ and one of D, B beside a set of D, B, T₁.
+    /// Structure outside the rule: no set has both T₁ and T₂ and one of D, B beside a set of D, B, T₁.
     OutsideRule {
-        /// How the sets share the work instead.
+        /// Division of the work between the sets.
         family: Family,
     },
 }
@@ -90,7 +90,7 @@ pub enum Use {
 }
 
 impl Use {
-    /// Of a gear 2 with these values beside a gear 1 whose ratio has this sign.
+    /// Use of a gear 2 with these values beside a gear 1 whose ratio has this sign.
     fn of(second: Reach, sign: f64) -> Self {
         match (second.sign(), second.slows_with_sign_of(sign)) {
             (None, true) => Self::SlowsAtSome,
@@ -103,7 +103,7 @@ impl Use {
 }
 
 impl Standing {
-    /// Of a structure, the ring-to-sun ratios within a range.
+    /// Standing of a structure with the ring-to-sun ratios within a range.
     ///
     /// ```
     /// use epicyclic_schemes::{standing::Standing, structures::{Role::*, Structure}};
@@ -135,7 +135,7 @@ impl Standing {
 }
 
 impl Connection {
-    /// Why the source has it, or has it not, the ring-to-sun ratios within a range.
+    /// Standing of the connection in the source, with the ring-to-sun ratios within a range.
     #[must_use]
     pub fn standing(self, range: RingToSunRange) -> Standing {
         Standing::of(self.structure(), &(range.low()..=range.high()))

@@ -107,7 +107,7 @@ pub struct Renaming {
 /// Roles of sun, ring and carrier of a set.
 pub type SetRoles = [Role; 3];
 
-/// How a structure's sets share the work.
+/// Division of the work between the sets of a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
     /// Sets of D B T₁ and of T₁ T₂ B: gear 1 is set 1 alone, in gear 2 set 2 ties T₁ to B.
@@ -235,7 +235,7 @@ impl Structure {
         ThreeSpeed::ALL.into_iter().find(|scheme| scheme.sets() == self.sets)
     }
 
-    /// How the sets share the work.
+    /// Family: the division of the work between the sets.
     #[must_use]
     pub fn family(self) -> Family {
         let has = |set: usize, role| self.sets[set].contains(&role);
@@ -328,7 +328,7 @@ pub fn gearbox(
 impl FromStr for Structure {
     type Err = Error;
 
-    /// As [`read`](Self::read).
+    /// Reads a structure as [`read`](Self::read) does.
     fn from_str(name: &str) -> Result<Self, Error> {
         Self::read(name).map(|(structure, _)| structure)
     }

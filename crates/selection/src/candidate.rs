@@ -107,11 +107,11 @@ pub struct Verdict {
     pub met: bool,
     /// Whether a candidate is rejected where it does not.
     pub required: bool,
-    /// Where the worst value is, or what speaks for or against a yes or no.
+    /// Place of the worst value, or reason for a yes or no.
     pub evidence: Evidence,
 }
 
-/// Where the worst value of a criterion is, or what speaks for or against a yes or no.
+/// Place of the worst value of a criterion, or reason for a yes or no.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Evidence {
     /// A gear.
@@ -122,14 +122,14 @@ pub enum Evidence {
     Link {
         /// The link, by its role.
         role: Role,
-        /// In which gear.
+        /// The gear in which it is worst.
         gear: SchemeGear,
     },
     /// The planets of a set, by its place from 0.
     Planet {
         /// Index of the set.
         set: usize,
-        /// In which gear.
+        /// The gear in which they are worst.
         gear: SchemeGear,
     },
     /// The direct-drive clutch between these links.
@@ -142,7 +142,7 @@ pub enum Evidence {
     Backward(Vec<SchemeGear>),
     /// The scheme can be drawn, with so many options for the direct-drive clutch.
     Drawable {
-        /// How many.
+        /// Number of these options.
         direct_clutches: usize,
     },
     /// The scheme cannot be drawn.

@@ -10,7 +10,7 @@ use super::mechanism::Mechanism;
 use epicyclic_layout::{Options, Verdict, Witness, direct_clutch_options, draw, is_drawable};
 use epicyclic_schemes::structures::Role;
 
-/// Why a mechanism cannot be drawn.
+/// Reason why a mechanism cannot be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NotDrawable {
     /// The mechanism makes no gearbox.

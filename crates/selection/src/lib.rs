@@ -72,11 +72,11 @@ pub struct Unreachable {
     pub wanted: Vec<f64>,
     /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,
-    /// Why these are out of reach.
+    /// Reason why these are out of reach.
     pub obstacle: Obstacle,
 }
 
-/// Why ring-to-sun ratios are out of reach.
+/// Reason why ring-to-sun ratios are out of reach.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Obstacle {
     /// A set would need an infinite `k`.

@@ -22,7 +22,7 @@ pub enum Mechanism {
     TwoSets(Structure),
 }
 
-/// From what to select.
+/// Mechanisms from which to select.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Space {
     /// Schemes I, II, III for two speeds, I-1…III-3 for three.
@@ -275,8 +275,8 @@ pub(crate) fn largest_error(ratios: &[f64], wanted: &[f64]) -> f64 {
     ratios.iter().zip(wanted).map(error).fold(0.0, |m, e| if e.is_nan() { f64::INFINITY } else { m.max(e) })
 }
 
-/// Where a function that falls and then rises is least, by golden sections; its part at or above 1 may
-/// be flat or broken (a ratio passes a pole there) and is left by halving towards what is below.
+/// Minimum of a function that falls and then rises, by golden sections. Its part at or above 1 may be flat or
+/// broken (a ratio passes a pole there) and is left by halving towards the part below.
 fn section(ends: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
     const STEPS: usize = 64;
     // The part below 1 may be narrow: first a ladder, then sections around its best rung.

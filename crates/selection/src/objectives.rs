@@ -12,8 +12,8 @@
 //! Circulating power is taken over the power that enters. Objectives are not weighed against each other. One
 //! design dominates another if no objective is worse and at least one is better; the front holds all designs
 //! that no other dominates. Designs whose objectives are all equal are one entry. Equality is decided on a
-//! grid of 2⁻⁴⁰ ≈ 10⁻¹². For the size the grid applies to its cube, relative; for the distance it applies to
-//! the ratio of which it is the logarithm.
+//! grid of 2⁻⁴⁰ ≈ 10⁻¹². For the size the grid applies to its cube, relative; for the distance, a logarithm,
+//! it applies to the ratio itself.
 //!
 //! The search over teeth knows the first five alone; there circulating power can have a limit.
 //!

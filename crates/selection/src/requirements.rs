@@ -29,9 +29,9 @@ pub enum Signs {
     Any,
 }
 
-/// From here on a person would object to circulating power, over what enters, where no limit is given: half
-/// of the power that the sets are loaded by then comes from the loop and not from the input, and it has no
-/// part in the output.
+/// Circulating power over the power that enters, from which on it is an objection if no limit is given. Half
+/// of the power that loads the sets then comes from the loop and not from the input, and has no part in the
+/// output.
 pub const OBJECTED_CIRCULATION: f64 = 0.5;
 
 /// Limits of section 3.1; infinity (of an efficiency 0) lifts one.

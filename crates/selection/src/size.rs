@@ -169,7 +169,7 @@ mod tests {
         }
     }
 
-    /// As above, at the working circles of planets that are larger and smaller than the room between sun and
+    /// Sizes at the working circles of planets that are larger and smaller than the room between sun and
     /// ring.
     #[test]
     fn planets_of_sets_with_an_offset_count_with_their_own_teeth() {

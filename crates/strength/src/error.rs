@@ -164,7 +164,7 @@ pub enum Error {
     SpaceTooLarge {
         /// Centre distances of all modules and numbers of planets, times face widths.
         count: f64,
-        /// How many are searched.
+        /// Largest number that is searched.
         most: u32,
     },
     /// A column of a table of bearings that is missing, unknown or named twice.
@@ -221,8 +221,8 @@ impl Error {
         }
     }
 
-    /// Whether it ends the calculation of one flank, root or mesh and leaves the others: outside what the
-    /// standard holds for, or without a factor.
+    /// Whether the error ends the calculation of one flank, root or mesh and leaves the others: outside the
+    /// range of the standard, or without a factor.
     #[must_use]
     pub const fn is_of_part(&self) -> bool {
         self.is_beyond_standard() || matches!(self, Self::MissingFactor { .. })

@@ -55,7 +55,7 @@ impl fmt::Display for Reference {
     }
 }
 
-/// Where the value of a factor comes from.
+/// Origin of the value of a factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Origin {
     /// Calculated by this formula.
@@ -95,7 +95,7 @@ pub struct Factor {
     pub symbol: Symbol,
     /// Value; of `Z_E` in √(N/mm²), else without unit.
     pub value: f64,
-    /// Where the value comes from.
+    /// Origin of the value.
     pub origin: Origin,
 }
 
@@ -128,13 +128,13 @@ pub struct Given {
 }
 
 impl Given {
-    /// With a factor of both gears or of the mesh.
+    /// Adds a factor of both gears or of the mesh.
     #[must_use]
     pub fn with(self, symbol: Symbol, value: f64) -> Self {
         self.with_of(Side::First, symbol, value).with_of(Side::Second, symbol, value)
     }
 
-    /// With a factor of one gear. Of a factor of the whole mesh, such as `K_v`, the first gear's counts.
+    /// Adds a factor of one gear. For a factor of the whole mesh, such as `K_v`, the first gear's counts.
     #[must_use]
     pub fn with_of(mut self, side: Side, symbol: Symbol, value: f64) -> Self {
         self.values[side as usize][symbol as usize] = Some(value);

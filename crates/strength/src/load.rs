@@ -63,7 +63,7 @@ use uom::si::f64::{Length, SurfaceTension};
 /// flexible supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Floating {
-    /// Not stated; one member is assumed to float.
+    /// No statement; one member is assumed to float.
     #[default]
     Assumed,
     /// One member floats.
@@ -122,7 +122,7 @@ pub fn load_sharing(planets: u32, floating: Floating) -> Result<f64, Error> {
 }
 
 impl Floating {
-    /// Where the value of [`load_sharing`] comes from.
+    /// Source of the value of [`load_sharing`].
     #[must_use]
     pub(crate) const fn reference(self) -> Reference {
         Reference::new(
@@ -489,7 +489,7 @@ struct Constants {
 }
 
 impl Constants {
-    /// Of a total contact ratio above 1.
+    /// Constants for a total contact ratio above 1.
     fn of(total: f64) -> Self {
         let v7 = if total <= 1.5 {
             0.75

@@ -22,7 +22,7 @@ pub struct Gear {
     pub rim: Option<Length>,
     /// The shaper that cuts an internal gear.
     pub shaper: Option<Shaper>,
-    /// How its teeth are bent.
+    /// Bending of its teeth.
     pub bending: Bending,
 }
 
@@ -70,7 +70,7 @@ pub struct Load {
     pub contacts: [f64; 2],
 }
 
-/// How to calculate.
+/// Method of calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Method {
     /// Edition of the standard.

@@ -138,7 +138,7 @@ pub struct Governing {
     pub required: f64,
 }
 
-/// Where a tooth fails.
+/// Place where a tooth fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
     /// The flank, by pitting.
@@ -148,7 +148,7 @@ pub enum Place {
 }
 
 impl Governing {
-    /// Whether it is enough, and with it all others of the mesh.
+    /// Whether the safety is enough, and with it all others of the mesh.
     #[must_use]
     pub fn is_enough(&self) -> bool {
         self.safety >= self.required

@@ -54,9 +54,9 @@ pub struct Atlas {
 /// A table of the atlas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
-    /// As Parquet.
+    /// Table as Parquet.
     pub bytes: Vec<u8>,
-    /// How many rows.
+    /// Number of rows.
     pub rows: usize,
 }
 

@@ -15,7 +15,7 @@ pub enum Error {
     /// More sets than the atlas has.
     #[error("{sets} planet sets: the atlas has at most {most}")]
     Sets {
-        /// How many.
+        /// Number of sets.
         sets: usize,
         /// The most.
         most: usize,

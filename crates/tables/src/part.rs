@@ -61,7 +61,7 @@ impl Part {
         self.searches.iter().all(|(_, work)| work.is_complete())
     }
 
-    /// As Parquet.
+    /// Writes the part as Parquet.
     ///
     /// # Errors
     /// [`Error::Parquet`], which memory alone can cause.
@@ -94,7 +94,7 @@ impl Part {
         Ok(bytes)
     }
 
-    /// From Parquet.
+    /// Reads a part from Parquet.
     ///
     /// # Errors
     /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before

@@ -8,7 +8,7 @@ use crate::visible::one_line;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// Nothing but white space.
+    /// A text of nothing but white space.
     #[error("empty text; write a number{}", example(*expected))]
     Empty {
         /// The required dimension, if it is known.
@@ -41,9 +41,9 @@ pub enum QuantityError {
     DecimalComma {
         /// The text.
         text: String,
-        /// With a point for the comma.
+        /// The text with a point for the comma.
         corrected: String,
-        /// Without the comma, where it may also part thousands: `1,950 rpm`.
+        /// The text without the comma, where it may also separate thousands: `1,950 rpm`.
         thousands: Option<String>,
     },
     /// `1,950,000 mm`, `1 950 rpm`, `1'950 rpm`, `1_950 rpm`.
@@ -51,7 +51,7 @@ pub enum QuantityError {
     ThousandsSeparator {
         /// The text.
         text: String,
-        /// Without the separators.
+        /// The text without the separators.
         corrected: String,
     },
     /// A bare number where a unit is required.
@@ -61,7 +61,7 @@ pub enum QuantityError {
         text: String,
         /// The required dimension.
         expected: Dimension,
-        /// With the usual unit.
+        /// The text with the usual unit.
         corrected: String,
     },
     /// A unit where a plain number is required.
@@ -69,7 +69,7 @@ pub enum QuantityError {
     UnexpectedUnit {
         /// The text.
         text: String,
-        /// Without the unit.
+        /// The number without the unit.
         corrected: String,
     },
     /// A unit we do not know.
@@ -81,7 +81,7 @@ pub enum QuantityError {
         unit: String,
         /// The required dimension, if it is known.
         expected: Option<Dimension>,
-        /// With the unit most like it, if one is like it at all.
+        /// The text with the unit most like it, if one is like it at all.
         corrected: Option<String>,
     },
     /// A unit that means different things to different engineers.

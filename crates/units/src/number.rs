@@ -145,7 +145,7 @@ fn within(value: f64, text: impl FnOnce() -> String) -> Result<f64, QuantityErro
 /// A text parted into its number and what follows.
 #[derive(Debug)]
 pub(super) struct Lexed<'a> {
-    /// As printed.
+    /// The number as printed.
     pub(super) number: &'a str,
     pub(super) value: f64,
     /// Trimmed; may be empty.

@@ -15,7 +15,7 @@ pub struct Unit {
     pub dimension: Dimension,
     /// The name we write: `kg·m²`, `rpm`.
     pub symbol: &'static str,
-    /// How many SI units it is.
+    /// Value of the unit in SI units.
     pub factor: f64,
     keys: &'static [&'static str],
 }

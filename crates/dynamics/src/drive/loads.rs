@@ -26,7 +26,8 @@ pub(super) struct Meshes {
 }
 
 impl Meshes {
-    /// From the sun to the planets' teeth, and from there through their bearings to the ring.
+    /// Efficiencies from the sun to the planets' teeth, and from there through the planet bearings to the
+    /// ring.
     pub(super) fn two(self) -> [MeshEfficiency; 2] {
         [self.sun_planet, MeshEfficiency::of_meshes(&[self.planet_bearings, self.planet_ring])]
     }

@@ -64,7 +64,7 @@ pub struct TeethDesign {
     pub exact_ratio: Fraction,
     /// Relative error of the ratio.
     pub ratio_error: f64,
-    /// Where the planets sit.
+    /// Positions of the planets.
     pub spacing: PlanetSpacing,
     /// Limit of the number of planets by the clearance between them,
     /// `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each other. `None` where two already
@@ -101,12 +101,12 @@ pub struct Speeds {
 /// Torques at the nominal power.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Torques {
-    /// On the sun, `T_1 = N_1/ω_1`.
+    /// Torque on the sun, `T_1 = N_1/ω_1`.
     pub sun: Torque,
-    /// On all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. Passed on to the ring; it
-    /// does not reach the planet pins.
+    /// Torque on all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. It is passed on to the
+    /// ring and does not reach the planet pins.
     pub planets: Torque,
-    /// Delivered by the carrier, `T_H = T_1·U·η`.
+    /// Torque that the carrier delivers, `T_H = T_1·U·η`.
     pub carrier: Torque,
     /// Torque of the housing on the ring, `T_H − T_1`.
     pub ring_reaction: Torque,
@@ -115,7 +115,7 @@ pub struct Torques {
 /// Powers at the nominal speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Powers {
-    /// Into the sun, `N_1`.
+    /// Power into the sun, `N_1`.
     pub input: Power,
     /// Rolling power, relative to the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
     pub mesh: Power,
@@ -303,7 +303,7 @@ pub struct EquivalentInertia {
     pub kinetic_energy: Energy,
 }
 
-/// How the drive moves under the starting torques.
+/// Motion of the drive under the starting torques.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
     /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses; where it is held, that of
@@ -323,7 +323,7 @@ pub struct Motion {
 /// Whether and when a drive reaches its speed from rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// After this time, both torques constant.
+    /// Time after which the drive reaches its speed, both torques constant.
     After(Time),
     /// Never: driving torque and load balance. A drive that turns forward keeps turning, one at rest stays
     /// so.

@@ -21,7 +21,7 @@ pub struct DriveSpec {
     pub speed: AngularVelocity,
     /// Ratio of the speeds of sun and carrier, `U = ω_1/ω_H`, with the ring at rest.
     pub ratio: f64,
-    /// How far the ratio may be off, relative. Default 0.01.
+    /// Permissible relative error of the ratio. Default 0.01.
     pub ratio_tolerance: f64,
     /// Tooth numbers. Default: searched within [`default_bounds`].
     pub teeth: TeethSpec,
@@ -59,7 +59,7 @@ pub enum TeethSpec {
     Given {
         /// The set.
         teeth: ToothNumbers,
-        /// How its planets may be placed: a set that needs unequal angles is warned of unless they are
+        /// Placement of the planets: a set that needs unequal angles causes a warning unless they are
         /// allowed.
         placement: Placement,
         /// Least gap between the tip circles of adjacent planets, in modules; a smaller one is warned of.

@@ -30,7 +30,7 @@ pub(super) struct Geared {
 #[derive(Clone, Copy)]
 pub(super) struct Wanted {
     pub(super) ratio: f64,
-    /// How far it may be off, relative.
+    /// Permissible relative error of the ratio.
     pub(super) tolerance: f64,
 }
 
@@ -118,7 +118,7 @@ fn geometry(wanted: &GearSetSpec, teeth: ToothNumbers) -> Result<GearSetGeometry
     Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
 }
 
-/// How well the tooth numbers meet their conditions.
+/// Conditions on the tooth numbers and how well they are met.
 fn conditions(
     wanted: Wanted,
     spec: &TeethSpec,

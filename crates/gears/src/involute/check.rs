@@ -7,9 +7,9 @@ use std::fmt;
 /// A mesh of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetMesh {
-    /// Of sun and planets.
+    /// Mesh of sun and planets.
     SunPlanet,
-    /// Of planets and ring.
+    /// Mesh of planets and ring.
     PlanetRing,
 }
 
@@ -102,7 +102,7 @@ impl Rule {
         }
     }
 
-    /// How grave a miss is.
+    /// Severity of a failed check.
     #[must_use]
     pub const fn severity(self) -> Severity {
         match self {
@@ -141,7 +141,7 @@ impl Rule {
         }
     }
 
-    /// By how much a value may fall short through rounding.
+    /// Amount by which a value may fall short through rounding.
     const fn slack(self) -> f64 {
         match self {
             Self::Backlash => PRESSED,
@@ -179,7 +179,7 @@ pub struct Check<P = Place> {
 }
 
 impl<P> Check<P> {
-    /// Whether it holds.
+    /// Whether the check passes.
     #[must_use]
     pub fn holds(&self) -> bool {
         // Tip circles that touch would rub, so a gap equal to the limit fails, unlike every other value.

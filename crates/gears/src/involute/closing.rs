@@ -65,8 +65,8 @@ impl Closing {
         Family::new(teeth, self.planets, self.profiles, a)?.choose(self.aim, &self.limits)
     }
 
-    /// For each offset `z_r − z_s − 2·z_p` the ring and its set, or why it does not close; rings without
-    /// teeth are passed over.
+    /// Ring and set for each offset `z_r − z_s − 2·z_p`, or the reason why the set does not close; rings
+    /// without teeth are skipped.
     #[must_use]
     pub fn rings(
         &self,

@@ -40,8 +40,8 @@ pub(super) struct Cut {
     pub(super) reach: f64,
     /// The shaper in mesh, where one cuts the gear.
     pub(super) shaped: Option<Shaped>,
-    /// Why the tool does not cut the gear. Root and end are then those that a shaper without room for its
-    /// corners would leave, or the root circle of the basic rack.
+    /// Reason why the tool does not cut the gear. Root and end are then those that a shaper without room for
+    /// its corners would leave, or the root circle of the basic rack.
     pub(super) fault: Option<ToolFault>,
 }
 

@@ -162,7 +162,7 @@ impl Family {
         Ok(self.cleared(sun_shift)?)
     }
 
-    /// As [`at`](Self::at), with the gear that has no teeth left.
+    /// Set by [`at`](Self::at); its error also names the gear that has no teeth left.
     fn cleared(&self, sun_shift: f64) -> Result<PlanetSet, Refused> {
         self.with_tips(sun_shift, self.clear_tips(sun_shift))
     }
@@ -348,7 +348,7 @@ impl From<Refused> for Error {
 }
 
 impl Refused {
-    /// As a fault of the set, where teeth are pointed.
+    /// Fault of the set, if teeth are pointed.
     fn fault(self, limits: &Limits) -> Result<Check, Error> {
         match (self.gear, self.error) {
             (Some(gear), Error::ShiftOutOfRange { fault: ShiftFault::Pointed { tip_thickness }, .. }) => {
@@ -364,7 +364,7 @@ impl Refused {
     }
 }
 
-/// Where a measure that rises with the shift is 0 within a range, or the end of the range that is nearest to
+/// Shift at which a measure that rises with the shift is 0 within a range, or the end of the range nearest to
 /// it.
 fn zero(
     range: &RangeInclusive<f64>,

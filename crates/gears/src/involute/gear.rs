@@ -168,7 +168,7 @@ impl InvoluteGear {
         &self.tool
     }
 
-    /// Why its tool does not cut it; `None` where it does.
+    /// Reason why the tool does not cut the gear; `None` where it does.
     #[must_use]
     pub const fn tool_fault(&self) -> Option<ToolFault> {
         self.cut.fault

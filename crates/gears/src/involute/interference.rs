@@ -51,7 +51,7 @@ impl Interference {
         self.base >= 0.0 && self.fillet >= 0.0 && self.trochoidal >= 0.0
     }
 
-    /// Whether it can also be put together radially.
+    /// Whether the pair turns and can also be assembled radially.
     #[must_use]
     pub fn can_be_put_together_radially(&self) -> bool {
         self.is_free() && self.trimming >= 0.0

@@ -136,7 +136,7 @@ mod tests {
         }
     }
 
-    /// By the shoelace formula, against teeth cut into thin rings.
+    /// Compares the area by the shoelace formula with teeth cut into thin rings.
     #[test]
     fn an_outline_encloses_the_area_of_its_teeth() {
         for curve in curves() {

@@ -86,7 +86,7 @@ impl Profiles {
     }
 }
 
-/// How a gear departs from the basic rack and the usual tool of its set; lengths in modules.
+/// Deviations of a gear from the basic rack and the usual tool of its set; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cutting {
     /// Dedendum `h_fP*` of its basic rack.

@@ -23,14 +23,14 @@ use std::ops::{ControlFlow, RangeInclusive};
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
 pub const MOST_OFFSET: i32 = 9;
 
-/// By how much rings may depart from equal centre distances without shift, and how such sets are closed, each
-/// at its [natural centre distance](super::family::natural_centre_distance).
+/// Offsets of rings from equal centre distances without shift, and the way in which such sets are closed,
+/// each at its [natural centre distance](super::family::natural_centre_distance).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileShift {
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// How the sets are closed; their number of planets is that of each set, and their centre distance the
-    /// natural one.
+    /// Data with which the sets are closed; their number of planets is that of each set, and their centre
+    /// distance the natural one.
     pub closing: Closing,
 }
 
@@ -75,7 +75,7 @@ pub struct ShiftedSearch {
     pub bounds: Bounds,
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// How the sets are closed; the number of planets is that of the bounds.
+    /// Data with which the sets are closed; the number of planets is that of the bounds.
     pub closing: Closing,
 }
 
@@ -232,8 +232,8 @@ impl ShiftedSearch {
         Ok(found)
     }
 
-    /// How many combinations of sun, planet, ring and number of planets are gone through, before assembly and
-    /// shifts are looked at.
+    /// Number of combinations of sun, planet, ring and number of planets to be checked, before assembly and
+    /// shifts.
     ///
     /// # Errors
     /// As [`check`](Self::check).

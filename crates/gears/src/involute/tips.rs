@@ -1,5 +1,5 @@
-//! Where the tips of an external gear and of a ring about it meet outside their mesh: of a planet, or of the
-//! shaper that cuts the ring.
+//! Contact of the tips of an external gear and of a ring about it outside their mesh. The external gear is a
+//! planet, or the shaper that cuts the ring.
 //!
 //! Index 1 the external gear, 2 the ring; radii and centre distance in one unit, `r_b1/r_b2 = z_1/z_2`.
 

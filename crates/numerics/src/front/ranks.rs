@@ -12,7 +12,7 @@ const STEPS: usize = 256;
 /// Ranks of a step.
 const OF_STEP: u16 = 255;
 
-/// From a cost to its rank: steps that part the designs evenly, and between two of them a straight line.
+/// Scale from costs to ranks: steps that divide the designs evenly, and a straight line between two of them.
 #[derive(Debug)]
 struct Scale {
     steps: Vec<f64>,

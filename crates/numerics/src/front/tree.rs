@@ -74,7 +74,7 @@ impl<const N: usize> Ends<N> {
 }
 
 impl<'a, const N: usize> Tree<'a, N> {
-    /// Over designs whose costs are all numbers.
+    /// Tree over designs whose costs are all numbers.
     pub(crate) fn new(costs: &'a [[f64; N]], places: &[u32]) -> Self {
         let scales = Scales::new(costs, places);
         let row = |&place: &u32| Row { ranks: scales.ranks(&costs[place as usize]), place };

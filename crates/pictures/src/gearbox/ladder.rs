@@ -12,7 +12,7 @@ use epicyclic_train::{Analysis, Gearbox};
 
 /// Height of the scale: of a drawing of its own, and on a page.
 const HEIGHTS_MM: [f64; 2] = [100.0, 70.0];
-/// From rung to rung of the labels.
+/// Distance of the labels from rung to rung.
 const PITCH_MM: f64 = 5.0;
 
 /// A gear on the ladder.

@@ -43,9 +43,9 @@ const FASTEST_MM: f64 = 26.0;
 const APART_MM: f64 = 9.0;
 /// Distance between the parts of two levers on a page, whose width sets the size of the letters.
 const APART_ON_PAGE_MM: f64 = 6.5;
-/// From a lever to the plate of its first brake, and from brake to brake of one link.
+/// Distance from a lever to the plate of its first brake, and from brake to brake of one link.
 const BRAKE_MM: f64 = 5.0;
-/// From the middle of a clutch to the mark of a speed.
+/// Distance from the middle of a clutch to the mark of a speed.
 const CLUTCH_CLEAR_MM: f64 = 4.0;
 /// Distance from a lever to a clutch next to it.
 const BESIDE_MM: f64 = 8.0;

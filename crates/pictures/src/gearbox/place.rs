@@ -12,9 +12,9 @@ const CLEAR_MM: f64 = 0.5;
 
 /// Least distance of a leader from lines and labels that are not its own.
 const LEADER_CLEAR_MM: f64 = 0.25;
-/// How far from its point a leader may run beside the lines that meet there.
+/// Distance from its point over which a leader may run close to the lines that meet there.
 const OWN_MM: f64 = 0.8;
-/// How far a label may be from its point, in half millimetres: first near, then anywhere.
+/// Distances of a label from its point, in half millimetres: first near, then anywhere.
 const NEAR: u32 = 50;
 const FAR: u32 = 400;
 
@@ -34,24 +34,24 @@ pub(super) struct Places {
 /// The point where a leader begins.
 struct Start {
     at: Point,
-    /// From here on it keeps clear of its own lines.
+    /// Distance from which on the leader keeps clear of its own lines.
     off: f64,
     /// Whether each line meets at the point, in the order of [`Places::lines`].
     own: Vec<bool>,
 }
 
-/// How a leader runs.
+/// Course of a leader.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Clear,
-    /// Over a line that is not its own.
+    /// The leader crosses a line that is not its own.
     Crossing,
     /// Through a label or a sign, or along its own line.
     Blocked,
 }
 
 impl Places {
-    /// Around everything that a scene holds so far.
+    /// Places around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
         let obstacles = Obstacles::over(scene.bounds());
         let mut places = Self { lines: vec![], labels: vec![], obstacles, signs: vec![] };
@@ -180,7 +180,7 @@ impl Places {
         Start { at, off, own }
     }
 
-    /// How a leader would run from its point to the end.
+    /// Course of a leader from its point to the end.
     fn way(&self, start: &Start, end: Point) -> Way {
         let at = start.at;
         let length = libm::hypot(end.x - at.x, end.y - at.y);
@@ -221,7 +221,7 @@ impl Places {
     }
 }
 
-/// How leaders are drawn.
+/// Style of leaders.
 const LEADER: Style = Style::line(0.18).color(Color::GREY);
 
 /// The point of a box, a little outside of it, that is nearest to a point.

@@ -53,7 +53,7 @@ pub const UP_MM: f64 = 12.0;
 /// The least of [`Options::along_mm`] in [`narrow`]: the signs of neighbouring sets stay apart.
 const LEAST_ALONG_MM: f64 = 7.0;
 
-/// How much wider the next trial of [`narrow`] is.
+/// Additional width of the next trial of [`narrow`].
 const WIDER_MM: f64 = 0.25;
 
 /// Width of shafts, and of gears' rims.
@@ -81,7 +81,7 @@ pub enum Show<'a> {
     Power(&'a Analysis<'a>),
 }
 
-/// How a scheme is drawn.
+/// Options of the drawing of a scheme.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The title; `None` for the gearbox's name and the gear's ratio.
@@ -90,7 +90,7 @@ pub struct Options {
     pub whole: bool,
     /// Whether the lines of the sets say `k` or teeth.
     pub gearing: bool,
-    /// Without title, sets and what the colours mean, for a page that says them itself.
+    /// Whether title, sets and the meaning of the colours are left out, for a page that gives them.
     pub bare: bool,
     /// Millimetres to a unit of the layout along the axis. If it is less than [`ALONG_MM`], lines without
     /// signs are drawn even closer together.
@@ -247,7 +247,7 @@ pub(super) fn title(gearbox: &Gearbox, gear: Option<&Analysis>) -> String {
     format!("{}, gear {}: {ratio}", gearbox.name(), gear.gear().name())
 }
 
-/// How a line of a link looks.
+/// Colour and widths of a line of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Look {
     color: Color,

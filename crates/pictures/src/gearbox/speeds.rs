@@ -37,12 +37,12 @@ struct Size {
     rays_mm: [f64; 2],
     /// Length of a label of the speeds, beyond which it goes on in a further line.
     label_mm: f64,
-    /// From the names of the levels to the gears, from there to the axis of velocities at least, and beyond
-    /// the fastest.
+    /// Distances from the names of the levels to the gears, from there to the axis of velocities at least,
+    /// and beyond the fastest.
     gaps_mm: [f64; 3],
-    /// From one diagram of a row to the next.
+    /// Distance from one diagram of a row to the next.
     apart_mm: f64,
-    /// Beside the rays.
+    /// Distance beside the rays.
     beside_rays_mm: f64,
     /// Width of a row of diagrams. The rays are in the last row if they have room there.
     row_mm: f64,
@@ -102,9 +102,9 @@ const SMALL: [Size; 3] = [
 const ROWS_APART_MM: f64 = 9.0;
 /// The explanations have lines of at least this length.
 const LEAST_WORDS_MM: f64 = 100.0;
-/// From a section with gears to the next.
+/// Distance from a section with gears to the next.
 const SECTIONS_MM: f64 = 5.5;
-/// From label to label of the speeds.
+/// Distance from label to label of the speeds.
 const PITCH_MM: f64 = 4.2;
 
 /// The speed diagram of a gear.
@@ -202,7 +202,7 @@ struct Layers {
     labels: LayerId,
 }
 
-/// How a line is drawn: links by their number, planets dashed.
+/// Style of a line: links by their number, planets dashed.
 fn style(line: &Line) -> Style {
     match line.link {
         Some(link) => Style::line(0.5).color(COLORS[(link.index() + COLORS.len() - 1) % COLORS.len()]),
@@ -219,7 +219,8 @@ struct Paper<'a> {
 }
 
 impl Paper<'_> {
-    /// One set: its gears on the left, velocities over radius on the right. Returns where the next may begin.
+    /// Draws one set: its gears on the left, velocities over radius on the right. Returns where the next may
+    /// begin.
     fn panel(&self, scene: &mut Scene, diagram: &SpeedDiagram, set: usize, corner: Point) -> f64 {
         let Self { layers, gearbox, size, slope } = *self;
         let Point { x: left, y: base } = corner;
@@ -368,7 +369,7 @@ impl Rays {
         last - first + 2.0 * self.beside_mm
     }
 
-    /// Below and to the right of a corner; returns the room that they take.
+    /// Draws the rays below and to the right of a corner; returns the room that they take.
     fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Bounds {
         let scale_y = corner.y - self.longest_mm - 7.0;
         let [least, most, first, _] = self.ends();

@@ -58,7 +58,7 @@ pub(super) fn wrapped(words: &str, width_mm: f64) -> Vec<String> {
     lines
 }
 
-/// How wide words are in the letters of the drawings.
+/// Width of words in the letters of the drawings.
 pub(super) fn width_of(words: &str) -> f64 {
     Text::new([0.0, 0.0], LETTERS_MM, words).width_mm()
 }

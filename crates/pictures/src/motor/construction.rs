@@ -19,7 +19,7 @@ use uom::si::f64::{Angle, Length};
 use super::sheet::{AUXILIARY, Sheet, millimetres, name, number};
 use crate::Error;
 
-/// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
+/// Distance outside the stator, over its greatest radius, up to which a centre of arc 1 is drawn.
 const REACH: f64 = 1.9;
 
 /// Points of the rotor's curve on the image of each arc.

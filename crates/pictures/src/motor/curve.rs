@@ -30,7 +30,7 @@ pub const TOLERANCE_MM: f64 = 1e-4;
 /// Places of a piece at which its distance is looked at.
 const PLACES: u32 = 9;
 
-/// How often a piece is halved at most.
+/// Largest number of halvings of a piece.
 const MOST_HALVINGS: u32 = 16;
 
 /// A closed curve of arcs, counter-clockwise.
@@ -139,8 +139,8 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     Ok(Outline { vertices: vertices.collect(), deviation_mm })
 }
 
-/// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how
-/// far the curve is from them.
+/// Start points of the pieces of the curve, and the distance of the curve from the pieces. Pieces are halved
+/// until each is near enough or [`MOST_HALVINGS`] are reached.
 fn pieces(
     curve: &Centrode<'_>,
     [from, to]: [f64; 2],

@@ -17,7 +17,7 @@ use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, name, number};
 use crate::Error;
 
-/// From the drawing to the first dimension line, and from line to line, in units of the sheet.
+/// Distance from the drawing to the first dimension line, and from line to line, in units of the sheet.
 const FIRST: f64 = 8.0;
 const NEXT: f64 = 6.0;
 /// Length and half the width of an arrowhead.

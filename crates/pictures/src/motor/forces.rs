@@ -135,7 +135,7 @@ impl Frame {
         })
     }
 
-    /// From the frame into the drawing.
+    /// Rotates a vector from the frame into the drawing.
     fn turned(&self, [along, across]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = libm::sincos(self.ray);
         [along * cos - across * sin, along * sin + across * cos]

@@ -12,7 +12,7 @@ use crate::Error;
 pub(super) const HIGH: Color = Color::new(200, 50, 47);
 /// Low pressure.
 pub(super) const LOW: Color = Color::new(38, 110, 184);
-/// Neither.
+/// Pressure that is neither high nor low.
 pub(super) const IDLE: Color = Color::new(150, 150, 150);
 /// Bodies.
 pub(super) const STEEL: Color = Color::new(226, 229, 233);

@@ -143,7 +143,7 @@ impl Reach {
         self.slows_with_sign_of(1.0) || self.slows_with_sign_of(-1.0)
     }
 
-    /// Whether it takes a value between two, `slack` of these aside.
+    /// Whether the ratio takes a value between `from` and `to`, both widened by `slack`.
     #[must_use]
     pub fn meets(self, from: f64, to: f64, slack: f64) -> bool {
         match self {

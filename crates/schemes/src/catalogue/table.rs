@@ -30,7 +30,7 @@ impl ClosedForm {
         (self.of)(k1, k2, eta0)
     }
 
-    /// How it is written, in `k1`, `k2`, `eta0`: `(k1+1)*(k2+1)/(k1+k2+1)`.
+    /// Text of the form in `k1`, `k2`, `eta0`: `(k1+1)*(k2+1)/(k1+k2+1)`.
     #[must_use]
     pub fn text(&self) -> String {
         self.text.split_whitespace().collect::<String>().replace(".0", "")

@@ -53,7 +53,7 @@ pub(super) struct Contenders {
     rivals: Vec<Costs>,
     pub(super) costs: Vec<Costs>,
     pub(super) points: Vec<Point>,
-    /// From how many on they are narrowed.
+    /// Number of designs from which on they are narrowed.
     enough: usize,
 }
 
@@ -89,7 +89,7 @@ impl Contenders {
         self.points.truncate(from + places.len());
     }
 
-    /// Where they have become many, [narrows](Self::narrow) them.
+    /// [Narrows](Self::narrow) the designs once they have become many.
     pub(super) fn narrow_many(&mut self, bound: &Bound) {
         if self.costs.len() >= self.enough.max(ENOUGH) {
             self.narrow(bound);

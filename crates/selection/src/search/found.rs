@@ -29,7 +29,7 @@ pub struct Found {
     pub(super) rating: Rating,
 }
 
-/// How many designs there were.
+/// Numbers of designs of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Combinations of tooth numbers of a set.
@@ -44,7 +44,7 @@ pub struct Counts {
     pub designs: u128,
     /// Pairs of ring-to-sun ratios tried in full.
     pub tried: u64,
-    /// Of these, pairs that meet every required criterion.
+    /// Pairs tried that meet every required criterion.
     pub feasible: u64,
 }
 
@@ -127,7 +127,7 @@ impl Found {
         &self.entries
     }
 
-    /// How many designs there were.
+    /// Numbers of designs of the search.
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts

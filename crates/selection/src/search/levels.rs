@@ -29,7 +29,7 @@ pub(crate) struct Level {
     pub(crate) planet_to_sun: f64,
     /// Working over reference diameters of sun and planets, `w`.
     pub(crate) working: f64,
-    /// How far `k` is from the preferred range: as a fraction, times a limit of that range or 1.
+    /// Distance of `k` from the preferred range: as a fraction, times a limit of that range or 1.
     pub(crate) distance: Distance,
     /// `k³·(1 + 1/r)/(w²·min(1, r))`.
     pub(crate) cube: f64,

@@ -118,7 +118,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
 
-/// How far a search has come: pieces of work done, and all of them.
+/// Progress of a search: pieces of work done, and all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// Done.
@@ -194,8 +194,8 @@ pub const MOST_WINDOWS: u64 = 20_000_000;
 /// The most pairs of ring-to-sun ratios that are tried, a minute or two of work.
 pub const MOST_PAIRS: u64 = 1_000_000_000;
 
-/// One in so many strips, and in these one in so many pairs, is tried for a first bound; of more than some
-/// `SAMPLE_PAIRS` fewer.
+/// Share of the strips, and of the pairs in these, that are tried for a first bound: one in `SAMPLE`. If they
+/// are more than some `SAMPLE_PAIRS`, fewer are tried.
 const SAMPLE: usize = 8;
 const SAMPLE_PAIRS: u64 = 1 << 15;
 

@@ -113,13 +113,13 @@ struct Measured {
 struct Nearby {
     /// Tooth numbers near the ratio whose gears can be cut and turned together.
     near: Vec<ToothNumbers>,
-    /// How many there are within the bounds, near or not.
+    /// Number of sets of tooth numbers within the bounds, near or not.
     tooth_sets: usize,
     /// Tooth numbers near the ratio whose gears cannot be cut or turned together.
     left_out: Option<Box<LeftOut>>,
 }
 
-/// From so many designs on those that others dominate are left out before all are there.
+/// Number of designs from which on those that others dominate are left out before all are known.
 const MANY: usize = 1 << 20;
 
 /// Sets of tooth numbers after which whoever watches a search is asked.
@@ -341,7 +341,7 @@ impl Way {
 }
 
 impl Measured {
-    /// On the points of the grids where the exact values belong.
+    /// Costs on the points of the grids where the exact values belong.
     fn costs(&self, level: &Level, share: f64) -> Costs {
         [
             exact::efficiency_cost(self.efficiency),
@@ -361,7 +361,7 @@ impl OneSetFound {
         &self.entries
     }
 
-    /// How many designs there were; `tried` and `feasible` are ring-to-sun ratios in a way to use the set.
+    /// Numbers of designs; `tried` and `feasible` are ring-to-sun ratios in a way to use the set.
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts

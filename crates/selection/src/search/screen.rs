@@ -130,9 +130,9 @@ pub(super) struct Screen<'a> {
     link_speed: Ceiling,
     planet_speed: Ceiling,
     clutch_slip: Ceiling,
-    /// Of `1 − η`.
+    /// Limit of `1 − η`.
     loss: Ceiling,
-    /// Above 0 where circulating power has a limit, which a look does not judge.
+    /// Value above 0 where circulating power has a limit, which a look does not judge.
     circulation: f64,
     first: Objective,
     /// A first objective as a cost is behind the bound from here on.
@@ -200,8 +200,7 @@ impl<'a> Screen<'a> {
         })
     }
 
-    /// By how much limits are broken, the most of all, and by how much the first objective is behind the
-    /// bound.
+    /// Largest excess over the limits, and the distance of the first objective behind the bound.
     #[inline]
     fn figures<const FIRST: usize>(&self, one: &Side, level: &Level, from: usize) -> [Column; 2] {
         let at = |column: &'a [f64]| -> &'a Column {

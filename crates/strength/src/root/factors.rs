@@ -198,15 +198,15 @@ pub fn size_factor(class: Class, module_mm: f64) -> f64 {
     }
 }
 
-/// How a tooth is bent.
+/// Bending of a tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Bending {
-    /// To one side alone: `Y_M` = 1.
+    /// Bending to one side alone: `Y_M` = 1.
     #[default]
     OneWay,
-    /// To both sides alike in each revolution, as the teeth of a planet or an idler: `Y_M` = 0.7.
+    /// Bending to both sides alike in each revolution, as the teeth of a planet or an idler: `Y_M` = 0.7.
     Reversed,
-    /// With a ratio of the least to the greatest stress.
+    /// Bending with a ratio of the least to the greatest stress.
     Ratio {
         /// Stress ratio `R`, −1.2 to 0.5; below 0 the tooth is bent back.
         stress_ratio: f64,

@@ -99,7 +99,7 @@ fn on(
     (here, radius)
 }
 
-/// Where the load at a diameter crosses the centre line, and its angle, from points of the flank.
+/// Point at which the load at a diameter crosses the centre line, and its angle, from points of the flank.
 fn load(gear: &InvoluteGear, diameter: f64) -> (f64, f64) {
     let flank = |diameter: f64| {
         let angle = gear.thickness_at(diameter) / diameter;

@@ -41,8 +41,8 @@ const ROWS_OF_BALLS: f64 = 0.7;
 const ROWS_OF_ROLLERS: f64 = 7.0 / 9.0;
 
 impl Bearing {
-    /// Two of it side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C` with balls,
-    /// `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
+    /// Pair of this bearing side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C`
+    /// with balls, `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
     ///
     /// ```
     /// use epicyclic_strength::sizing::bearing;

@@ -99,7 +99,7 @@ pub struct Space {
     pub planets: Vec<u32>,
     /// Step of the centre distances.
     pub centre_distance_step: Length,
-    /// How far centre distances may be from the natural one, in modules.
+    /// Largest distance of a centre distance from the natural one, in modules.
     pub reach: f64,
     /// The greatest face width over the sun's reference diameter; `None` without bound.
     pub width_ratio: Option<f64>,
@@ -170,7 +170,7 @@ pub struct Sizing {
     pub limits: Limits,
     /// Sun, planets and ring. Rims of planets and ring are those of the design.
     pub gears: [Gear; 3],
-    /// How both meshes are calculated; `K_γ` by the number of planets where it is not given.
+    /// Methods for both meshes; `K_γ` by the number of planets where it is not given.
     pub methods: [Method; 2],
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
@@ -233,7 +233,7 @@ pub struct Governing {
 }
 
 impl Governing {
-    /// How far it is met: 1 and more is enough.
+    /// Value over the required one: 1 and more is enough.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.value / self.required
@@ -283,8 +283,8 @@ pub struct Design {
     pub governing: Governing,
 }
 
-/// How many designs each requirement left out. A design that fails several of the last four counts with the
-/// one it meets least.
+/// Numbers of designs that each requirement left out. A design that fails several of the last four counts
+/// with the one it meets least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
     /// Planets that are not at equal angles.
@@ -344,6 +344,7 @@ pub struct Found {
     pub not_reached: u64,
     /// The best, in order.
     pub found: Vec<Design>,
-    /// Where none is found: of those whose teeth were rated the one that misses the requirements least.
+    /// The design that misses the requirements least, of those whose teeth were rated; only if no design is
+    /// found.
     pub nearest_miss: Option<Design>,
 }

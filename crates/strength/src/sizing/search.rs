@@ -20,7 +20,7 @@ use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
 
-/// Below this rim over tooth height a rim weakens the root
+/// Rim over tooth height below which a rim weakens the root
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
@@ -252,7 +252,7 @@ struct Search<'a> {
     geometries: Vec<Geometry>,
     widths_mm: Vec<f64>,
     choices: Vec<Option<&'a Bearing>>,
-    /// Of each geometry and width, with planets whose rim weakens nothing.
+    /// Ratings of each geometry and width, with planets whose rim weakens nothing.
     teeth: Vec<Option<Teeth>>,
     steps: Vec<(u32, MeshSteps)>,
     left_out: LeftOut,

@@ -29,10 +29,10 @@ const STRETCH: [f64; 2] = [0.8, 1.3];
 const ALL_TRIED: usize = 5;
 /// A tie nearer than this to a point seems to belong to it.
 const NEAR_MM: f64 = 4.0;
-/// How much the usual length of a lever and the usual height of its middle are worth against a level tie of a
+/// Weights of the usual length of a lever and of the usual height of its middle against a level tie of a
 /// link.
 const USUAL: [f64; 2] = [0.002, 0.0005];
-/// How much a level tie of a clutch is worth.
+/// Weight of a level tie of a clutch.
 const CLUTCH: f64 = 0.02;
 /// Steps of the iteration for the heights, at most.
 const STEPS: usize = 120;

@@ -19,7 +19,7 @@ pub(super) enum Common {
     Stepped,
 }
 
-/// Two drawn sets that are one.
+/// Pair of drawn sets that are one set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub(super) stacks: [SetStack; 2],
@@ -36,8 +36,8 @@ impl Pair {
         self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
     }
 
-    /// Whose power a member of a drawn set hands on where it is common to both: of both sets in one place, of
-    /// none in the other. `None` of members that are not in common.
+    /// Sets whose power a common member of a drawn set passes on: both sets in one place, none in the other.
+    /// `None` for members that are not in common.
     pub(super) fn hands_on(&self, set: usize, member: usize) -> Option<Vec<usize>> {
         let own = self.stacks.iter().position(|stack| stack.set == set)?;
         let place = match member {

@@ -7,7 +7,7 @@ use epicyclic_drawing::{Bounds, Point, Shape};
 use epicyclic_layout::layout::{LinkShape, Point as Place, SetStack};
 use epicyclic_train::LinkId;
 
-/// From a shaft to the middle of its name.
+/// Distance from a shaft to the middle of its name.
 const OFF_MM: f64 = 2.6;
 
 impl Sheet<'_> {

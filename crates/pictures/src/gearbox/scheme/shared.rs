@@ -8,7 +8,7 @@ use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use epicyclic_drawing::{Point, Shape, Style};
 use epicyclic_layout::layout::Point as Place;
 
-/// From the rims of a short planet to a fork next to it, and on to the long planet.
+/// Distance from the rims of a short planet to a fork next to it, and on to the long planet.
 const FORK_GAP_MM: f64 = 1.0;
 
 impl Sheet<'_> {

@@ -13,11 +13,11 @@ use epicyclic_train::set::SetKind;
 pub(super) const RIM_MM: f64 = 2.6;
 /// Half the room between two rims in mesh.
 pub(super) const MESH_MM: f64 = 0.55;
-/// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
+/// Distance from the middle of a set to a carrier's fork, and to the remaining bearings of a pair.
 pub(super) const FORK_MM: f64 = 4.2;
 /// Length of a planet pin outside its planet.
 pub(super) const PLANET_PIN_MM: f64 = 3.2;
-/// From the middle of a set to planets drawn beside each other, and half the length of their rims.
+/// Distance from the middle of a set to planets drawn side by side, and half the length of their rims.
 pub(super) const BESIDE_MM: f64 = 1.9;
 const SHORT_RIM_MM: f64 = 1.2;
 /// Half the hub of a planet of two.

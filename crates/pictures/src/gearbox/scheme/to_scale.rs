@@ -52,8 +52,7 @@ pub(super) struct Wheel {
 /// The scale of a layout, and the planets in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
-    /// Of each drawn set, its planets or their steps from central gear 1 to 2; none where they are not to
-    /// scale.
+    /// Planets of each drawn set, or their steps from central gear 1 to 2; none where they are not to scale.
     pub(super) wheels: Vec<Vec<Wheel>>,
     /// Remarks of the picture.
     pub(super) notes: Vec<String>,
@@ -82,7 +81,7 @@ impl Scale {
         Some(Bar { length_mm, drawn_mm: drawn * length_mm })
     }
 
-    /// How many times larger than in life the heights are drawn.
+    /// Magnification of the heights.
     pub(super) fn enlarged(&self) -> Option<f64> {
         self.units_to_mm.map(|units| UP_MM * units)
     }
