@@ -1,4 +1,4 @@
-//! A gearbox looked at: answers, tables and pictures of a file and a gear.
+//! Answers, tables and pictures of a gearbox file and a gear.
 
 use crate::reply::{Failure, json, object, refuse, refused, text, told};
 use crate::{documents, layouts};

@@ -5,7 +5,7 @@
 
 use crate::bounds::{Bounds, Point};
 
-/// The fonts that a picture asks for, all of one width.
+/// Fonts of the pictures, all of one width.
 pub const FONTS: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
 /// Height of capitals over the size of the font.

@@ -204,7 +204,7 @@ fn letters(image: &mut Image, text: &Text, style: Style) {
     let [lower, size] = [0.5 * text.height_mm, text.font_size_mm()].map(number);
     let fill = style.color.hex();
     let mut attributes = vec![("dy", &*lower), ("fill", &fill), ("font-size", &size)];
-    // Where none of the fonts is there, another is drawn together to the width that was counted on.
+    // If none of the fonts is installed, another is compressed to the calculated width.
     let width = text.fixed_width_mm().map(number);
     if width.is_some() {
         attributes.push(("lengthAdjust", "spacingAndGlyphs"));

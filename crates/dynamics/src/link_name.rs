@@ -1,4 +1,4 @@
-//! Names of the links of a drive, and of what an error says of them.
+//! Names of the links of a drive and of their properties, as errors give them.
 
 use std::fmt;
 

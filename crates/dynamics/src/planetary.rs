@@ -56,7 +56,7 @@ use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
 };
 
-/// The gear set of a drive with its speeds: the solver is asked once, here, and nowhere else.
+/// Gear set of a drive with its speeds, for which the solver is called once, here only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GearSet {
     teeth: ToothNumbers,

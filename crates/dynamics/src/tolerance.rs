@@ -6,7 +6,7 @@
 //!   product of ratios, which is rounded.
 //! - `DIAMETER`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
 
-/// A gap is as wide as wanted where it falls short by less than this fraction.
+/// Fraction by which a gap between planets may fall short of the required one through rounding.
 pub(crate) const GAP: f64 = 1e-9;
 
 /// A surplus below this part of the driving torque is none.

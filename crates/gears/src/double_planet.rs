@@ -99,7 +99,7 @@ pub struct DoublePlanetNumbers {
     pub pairs: u32,
 }
 
-/// Rings of one sun after which whoever watches a search is asked.
+/// Number of rings of one sun between two reports of progress.
 const RINGS: u32 = 64;
 
 /// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
@@ -141,7 +141,7 @@ impl Pair {
         })
     }
 
-    /// Whether so many pairs at equal angles are clear of a sun and a ring with these teeth, and of each
+    /// Whether `pairs` pairs at equal angles are clear of a sun and a ring with these teeth, and of each
     /// other, by more than `gap` modules.
     #[must_use]
     pub fn fits(&self, sun_and_ring: [f64; 2], pairs: u32, rack: &BasicRack, gap: f64) -> bool {
@@ -444,7 +444,7 @@ impl Bounds {
                 }
             }
             let Ok(ratio) = BasicRatio::double_planet(sun, ring).ratio(mode) else { return Ok(()) };
-            // Of what is farther off than the nearest known nothing is asked.
+            // A ratio that is farther off than the nearest known one needs no planets.
             if !search.is_near(ratio) && !search.is_nearer(ratio) {
                 return Ok(());
             }

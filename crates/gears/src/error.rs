@@ -13,7 +13,7 @@ use crate::tolerance;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A search that whoever watches it ended.
+    /// A search that the caller cancelled.
     #[error("the search was cancelled")]
     Cancelled,
     /// A gear without teeth.
@@ -114,7 +114,7 @@ pub enum Error {
         fewer_planets.map(|planets| format!("; with {planets} planets there are such sets: more stand too close or do not assemble")).unwrap_or_default()
     )]
     NoToothNumbers {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The mode of the gear set.
         mode: Mode,
@@ -141,7 +141,7 @@ pub enum Error {
             })
     )]
     NoDoublePlanetSet {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The mode of the gear set.
         mode: Mode,
@@ -373,7 +373,7 @@ pub enum Error {
     /// A shaft thicker than the largest diameter of the series.
     #[error("a shaft of {} mm is needed; the largest standard diameter listed is {largest_mm} mm", shown(*needed_mm))]
     NoStandardDiameter {
-        /// Diameter that the formula asks for, mm.
+        /// Diameter that the formula requires, mm.
         needed_mm: f64,
         /// The largest listed, mm.
         largest_mm: f64,
@@ -391,9 +391,9 @@ pub enum Error {
     /// A series without a bearing of this very bore.
     #[error("no bearing of series {series} with a bore of {bore_mm} mm; neighbouring bores are {}", list_mm(.neighbours_mm))]
     NoSuchBore {
-        /// Series asked for: 200, 300 or 400.
+        /// Series of the search: 200, 300 or 400.
         series: u16,
-        /// Bore asked for, mm.
+        /// Bore of the search, mm.
         bore_mm: f64,
         /// The next bores of the series below and above, mm.
         neighbours_mm: Vec<f64>,
@@ -405,7 +405,7 @@ pub enum Error {
         shown(*shaft_mm)
     )]
     NoBearingForShaft {
-        /// Series asked for: 200, 300 or 400.
+        /// Series of the search: 200, 300 or 400.
         series: u16,
         /// Shaft diameter, mm.
         shaft_mm: f64,

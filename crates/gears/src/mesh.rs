@@ -48,7 +48,7 @@ pub struct Gear {
 }
 
 impl Gear {
-    /// A gear of so many teeth.
+    /// Gear with this number of teeth.
     #[must_use]
     pub const fn new(kind: GearKind, teeth: f64) -> Self {
         Self { kind, teeth }

@@ -10,7 +10,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
 }
 
-/// A search for a ratio: what is wanted, and what came nearest.
+/// A search for a ratio: the target, and the nearest ratio found.
 pub(crate) struct Search {
     wanted: f64,
     tolerance: f64,

@@ -83,11 +83,11 @@ impl BasicRack {
     /// gives 32, 17 and 11.
     #[must_use]
     pub fn least_teeth_without_undercut(&self) -> u32 {
-        // A float cast to an integer saturates, so an absurd coefficient asks for u32::MAX teeth.
+        // A float cast to an integer saturates, so an absurd coefficient gives u32::MAX teeth.
         self.undercut_limit().round() as u32
     }
 
-    /// Whether the rack undercuts an external gear of so many teeth without profile shift, by
+    /// Whether the rack undercuts an external gear with this number of teeth and no profile shift, by
     /// [`least_teeth_without_undercut`](Self::least_teeth_without_undercut).
     #[must_use]
     pub fn undercuts(&self, teeth: ToothCount) -> bool {

@@ -301,7 +301,7 @@ impl Bounds {
                 };
                 let circle = TipCircle::of_planet(sun, planet, &self.rack);
                 for &(planets, sine) in &half_gap_sines {
-                    // More planets stand closer: none of the following fits either.
+                    // More planets are closer together: none of the following numbers fits either.
                     if !circle.clears_alike(sine, self.tip_gap) {
                         break;
                     }
@@ -321,8 +321,8 @@ impl Bounds {
         Ok(())
     }
 
-    /// Every set of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the
-    /// most exact first; equally exact ones by ring, sun and number of planets.
+    /// Sets of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`: every one,
+    /// the most exact first; equally exact ones by ring, sun and number of planets.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Tolerance`]; [`Error::NoToothNumbers`], with the
@@ -483,7 +483,7 @@ impl Bounds {
     }
 }
 
-/// A set of tooth numbers whose ratio is near a wanted one.
+/// A set of tooth numbers whose ratio is near the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
     /// The teeth and the number of planets.

@@ -84,10 +84,10 @@ fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
     behind - (0.5 - teeth_to(of.0, of.1, direction)) / teeth * TAU
 }
 
-/// Phase of the ring in teeth, that a planet in mesh with it asks for.
+/// Phase of the ring in teeth that a planet in mesh with it requires.
 fn ring_phase(planet: (f64, f64), at: Point, ring: f64) -> f64 {
     let direction = libm::atan2(at[1], at[0]);
-    // Inside each other the two count alike: u − v = 1/2; a ring's tooth stands where v is whole.
+    // Inside each other the two count alike: u − v = 1/2; a ring's tooth is where v is whole.
     let v = teeth_to(planet.0, planet.1, direction) - 0.5;
     (ring * direction / TAU - v).rem_euclid(1.0)
 }

@@ -308,7 +308,7 @@ mod tests {
                         split.ends[..edges].iter().map(|ends| ends.map(back)).collect();
                     assert_eq!(shrunk, graph.ends);
                     assert_eq!(split.ends[edges..], [[planet.carrier, hub], [hub, web]]);
-                    // The planet has its own two meshes and the arms, its second web what was asked for.
+                    // The planet has its own two meshes and the arms, its second web the edges in `beyond`.
                     let at = |vertex: usize| -> Vec<usize> {
                         (0..edges).filter(|&edge| split.ends[edge].contains(&vertex)).collect()
                     };

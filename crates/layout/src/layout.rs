@@ -63,8 +63,8 @@ pub struct SetStack {
 /// A clutch: a gap between two links that it closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutchMark {
-    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements);
-    /// further numbers are direct-drive clutches asked for.
+    /// Index of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements);
+    /// higher numbers are additional direct-drive clutches.
     pub shift_element: usize,
     /// Link and its end below the gap.
     pub lower: (LinkId, Point),

@@ -154,7 +154,7 @@ impl Default for Options {
 pub enum Element {
     /// A set, by its place in [`Gearbox::drawn_sets`].
     Set(usize),
-    /// A brake or clutch, by its place in [`Gearbox::shift_elements`]; a direct-drive clutch asked for has
+    /// A brake or clutch, by its index in [`Gearbox::shift_elements`]; an additional direct-drive clutch has
     /// the number after the last.
     ShiftElement(usize),
     /// A link; without it its members and connections are separate.

@@ -80,8 +80,8 @@ impl Drawing<'_> {
                 let fitting: Vec<usize> =
                     (0..self.faces.len()).filter(|&face| self.fits(&fragment, face)).collect();
                 let face = *fitting.get(variant % fitting.len().max(1))?;
-                // A fragment that hangs at one vertex fits anywhere there; it waits for the others,
-                // so that at any time only one block is half drawn.
+                // A fragment with one attachment fits anywhere at that vertex. It waits for the others, so
+                // that at any time only one block is half drawn.
                 let choices = if fragment.attachments.len() < 2 { usize::MAX } else { fitting.len() };
                 if best.as_ref().is_none_or(|(fewest, ..)| choices < *fewest) {
                     best = Some((choices, face, fragment));

@@ -241,7 +241,7 @@ impl<'a> Heights<'a> {
             self.nodes.push(Node { kind: Kind::Line, link: Some(link), set: None, y, x: ends, height });
             return;
         };
-        // A web stands where an arm of the carrier does, or else in the middle between two sets.
+        // A web is placed at an arm of the carrier, or else in the middle between two sets.
         let arms: Vec<f64> = self
             .layout
             .links
@@ -417,7 +417,7 @@ impl<'a> Heights<'a> {
 
     fn layout(&self, least: &[f64]) -> Layout {
         let mut y = least.to_vec();
-        // A clutch stands in the middle of what it joins.
+        // A clutch is placed in the middle of the lines that it joins.
         for &plate in &self.plates {
             let x = self.nodes[plate].x[0];
             let here = |node: &usize| {
@@ -524,7 +524,7 @@ mod tests {
         }
     }
 
-    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis asks for a scale of 0.45, the planet for
+    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis needs a scale of 0.45, the planet one of
     /// 0.35. The ring's web is 0.45 high and the brake in it 0.75.
     #[test]
     fn the_least_heights_of_one_set() {

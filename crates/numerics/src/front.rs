@@ -125,8 +125,8 @@ fn front_runs<const N: usize>(costs: &[[f64; N]]) -> Vec<Range<u32>> {
     runs
 }
 
-/// Places of designs without most of those that others near them dominate, ascending: each is asked about
-/// with a few designs met before it, to and fro. What dominates one is likely to dominate the next.
+/// Designs without most of those that others near them dominate, as ascending indices. Each is compared with
+/// a few earlier designs, in both directions. A design that dominates one is likely to dominate the next.
 #[must_use]
 pub fn thinned<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     let mut places: Vec<u32> = (0..costs.len() as u32).collect();
@@ -185,7 +185,7 @@ mod tests {
         assert!(non_dominated::<3>(&[]).is_empty());
     }
 
-    /// More than are asked about in one part; costs of few levels and some without end.
+    /// Designs for more than one part; costs of few levels and some infinite.
     #[test]
     fn many_designs_are_asked_about_in_parts() {
         let mut state = 1_u64;

@@ -209,7 +209,7 @@ impl Field {
     fn new(plot: &Plot) -> Self {
         let points = || plot.curves.iter().flat_map(|curve| pieces(&curve.points)).flatten();
         let [width, height] = plot.size_mm;
-        // A mark stands in the field though no curve comes to it.
+        // A mark is drawn in the field even if no curve reaches it.
         let marked = plot.marks.iter().map(|mark| mark.at).filter(|at| at.is_finite());
         Self {
             across: Axis::new(points().map(|[x, _]| *x).chain(marked), width, false),

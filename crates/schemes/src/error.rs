@@ -57,7 +57,7 @@ pub enum Error {
     RatioOutOfReach {
         /// The scheme, and the gear where it has several.
         scheme: String,
-        /// The ratio wanted.
+        /// Target ratio.
         ratio: f64,
         /// Lower end of what it gives.
         low: f64,

@@ -218,7 +218,7 @@ mod tests {
             .collect();
         assert_eq!(of.len(), 36);
         assert_eq!(of, Connection::all().into_iter().map(Connection::structure).collect());
-        // Set 1 alone: as it stands its ratio lies within ±1, exchanged outside.
+        // Set 1 alone: without exchange its ratio lies within ±1, exchanged outside.
         for structure in of {
             assert!(reach(structure, &RANGE)[0].slows() && !reach(structure.reversal(), &RANGE)[0].slows());
         }

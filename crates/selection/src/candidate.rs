@@ -140,7 +140,7 @@ pub enum Evidence {
     AllForward,
     /// Gears that turn the output against direct drive.
     Backward(Vec<SchemeGear>),
-    /// The scheme can be drawn, with so many options for the direct-drive clutch.
+    /// The scheme can be drawn, with a number of options for the direct-drive clutch.
     Drawable {
         /// Number of these options.
         direct_clutches: usize,
@@ -212,8 +212,8 @@ impl Candidate {
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
     }
 
-    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one a set, for the ratios wanted of its
-    /// braked gears.
+    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one for each set, for the target ratios
+    /// of its braked gears.
     ///
     /// # Errors
     /// [`Error::RingToSunCount`]; what the solver refuses of `k`.

@@ -157,7 +157,7 @@ pub enum Error {
         "a front of {designs} designs: at most {most} are held; narrow the ranges of teeth or the tolerance"
     )]
     FrontTooLarge {
-        /// Designs on the front, or asked for.
+        /// Designs on the front, or designs required.
         designs: usize,
         /// The most held, or found among what is held.
         most: usize,
@@ -207,7 +207,7 @@ impl Error {
     }
 }
 
-/// `6.4e7`: pairs of so many.
+/// Number of pairs of `count` items, `6.4e7`.
 fn pairs_of(count: u64) -> String {
     // Rounded, since the exact number of pairs has up to a dozen digits that say no more.
     let count = count as f64;

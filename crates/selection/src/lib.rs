@@ -12,9 +12,9 @@
 //! | [`search`] | the same over all tooth numbers of one set or of both: exact front, nothing missed |
 //!
 //! Ring-to-sun ratios follow from the ratios, one pair from one pair:
-//! [`structures`](epicyclic_schemes::structures). Where they lie outside the range allowed, the point of the
-//! range is taken that comes nearest to the ratios, and the tolerance says whether that is near enough.
-//! [`search`] goes on from here to teeth.
+//! [`structures`](epicyclic_schemes::structures). If they lie outside the allowed range, the point of the
+//! range nearest to the ratios is taken, and the tolerance decides whether it is near enough. [`search`] then
+//! covers teeth.
 //!
 //! ```
 //! use epicyclic_schemes::RatioSeries;
@@ -68,7 +68,7 @@ pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> 
 pub struct Unreachable {
     /// The mechanism.
     pub mechanism: Mechanism,
-    /// Ratios wanted of its gears.
+    /// Target ratios of its gears.
     pub wanted: Vec<f64>,
     /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,

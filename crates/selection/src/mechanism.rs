@@ -34,7 +34,7 @@ pub enum Space {
 }
 
 impl Space {
-    /// The mechanisms of so many braked gears.
+    /// Mechanisms with this number of braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
         if gears == 1 {
             self.sets().into_iter().map(Mechanism::OneSet).collect()
@@ -160,8 +160,8 @@ impl Mechanism {
         }
     }
 
-    /// Whether ratios within tolerance of those wanted can be there at all with ring-to-sun ratios of a
-    /// range, by what each gear reaches between the corners; `true` may be in error, `false` is not.
+    /// Whether ring-to-sun ratios of a range can give ratios within tolerance of the targets, by the values
+    /// that each gear takes between the corners. `true` may be wrong, `false` is not.
     pub(crate) fn reaches(self, wanted: &[f64], tolerance: f64, [low, high]: [f64; 2]) -> bool {
         let Self::TwoSets(structure) = self else { return true };
         reach(structure, &(low..=high)).into_iter().zip(wanted).all(|(reach, ratio)| {
@@ -174,11 +174,12 @@ impl Mechanism {
 
     /// Ring-to-sun ratios within a range that come nearest to the ratios: the least largest relative error.
     ///
-    /// Exact where the exact ones lie within the range. Otherwise on the edge of the range: ratios and
-    /// `k` correspond one to one, so from an inner point a step straight towards the wanted ratios
-    /// lessens both errors. Along an edge each ratio is monotonous, hence the largest error falls and then
-    /// rises, and a section search finds its least. `None` where no point of the range gives ratios of the
-    /// wanted signs.
+    /// The result is exact if the exact ring-to-sun ratios lie within the range.
+    ///
+    /// Otherwise they lie on the edge of the range: ratios and `k` correspond one to one, so from an inner
+    /// point a step straight towards the target ratios lessens both errors. Along an edge each ratio is
+    /// monotonous. The largest error therefore falls and then rises, and a section search finds its minimum.
+    /// `None` where no point of the range gives ratios of the required signs.
     pub(crate) fn nearest(self, wanted: &[f64], range: &RangeInclusive<f64>) -> Option<Vec<f64>> {
         let exact = self.ring_to_sun_ratios(wanted);
         if let Some(exact) = exact.filter(|k| k.iter().all(|k| range.contains(k))) {

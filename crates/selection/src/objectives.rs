@@ -62,7 +62,7 @@ impl Order {
         self.0
     }
 
-    /// Places of so many costs, the decisive one first.
+    /// Indices of `N` costs, the decisive one first.
     pub(crate) fn of_costs<const N: usize>(self) -> [usize; N] {
         let mut places = self.0.into_iter().map(|objective| objective as usize).filter(|place| *place < N);
         std::array::from_fn(|_| places.next().unwrap_or(0))
@@ -100,8 +100,8 @@ pub struct Objectives {
     pub ratio_error: f64,
     /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
     pub size: f64,
-    /// The largest circulating power of a braked gear, over what enters; `None` where it was not asked for,
-    /// as in a search over teeth.
+    /// The largest circulating power of a braked gear over the power that enters; `None` where it was not
+    /// calculated, as in a search over teeth.
     pub circulation: Option<f64>,
 }
 

@@ -141,7 +141,7 @@ impl Floating {
 pub enum Arrangement {
     /// Two gears.
     Pair,
-    /// A sun, the first gear, with so many planets.
+    /// A sun, the first gear, with its number of planets.
     SunAndPlanets(u32),
     /// A planet, the first gear, in a ring that does not swing.
     PlanetInRing,

@@ -54,9 +54,9 @@ pub struct Material {
     pub root_limit: Pressure,
     /// Brinell hardness of the flank, for `Z_W` of a soft gear in mesh with a hard one.
     pub hardness: Option<f64>,
-    /// The strength that the notch factor of the class asks for: yield strength `σ_S` of St, 0.2 % proof
-    /// stress `σ_0.2` of V, GTS and GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Not
-    /// needed of other classes.
+    /// Strength that the notch factor of the class needs: yield strength `σ_S` of St, 0.2 % proof stress
+    /// `σ_0.2` of V, GTS and GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Other classes
+    /// do not need it.
     pub strength: Option<Pressure>,
     /// Young's modulus `E`.
     pub youngs_modulus: Pressure,

@@ -75,7 +75,7 @@ pub fn classes() -> Result<[Class; 5], epicyclic_synthesis::Error> {
     ])
 }
 
-/// The atlas of some classes of at most three sets, unless `goes_on`, which is asked now and then, breaks.
+/// The atlas of some classes of at most three sets, unless `goes_on`, which is called now and then, breaks.
 ///
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can

@@ -66,7 +66,7 @@ pub enum Error {
         /// Number of shares of the other part.
         other_of: usize,
     },
-    /// A share that is there twice.
+    /// A share that is given twice.
     #[error("{one} and {other} are both share {share}; give one of them")]
     Double {
         /// The share.

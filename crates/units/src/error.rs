@@ -81,7 +81,7 @@ pub enum QuantityError {
         unit: String,
         /// The required dimension, if it is known.
         expected: Option<Dimension>,
-        /// The text with the unit most like it, if one is like it at all.
+        /// The text with the most similar unit, if there is a similar one.
         corrected: Option<String>,
     },
     /// A unit that means different things to different engineers.

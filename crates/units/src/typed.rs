@@ -89,7 +89,7 @@ impl<'de, T: Physical> de::Visitor<'de> for Visitor<T> {
 
 const TOKEN: &str = "$epicyclic::quantity::";
 
-/// The private name under which a quantity asks for its text.
+/// Private name under which a quantity requests its text.
 const fn token(dimension: Dimension) -> &'static str {
     macro_rules! tokens {
         ($($variant:ident)*) => {

@@ -10,7 +10,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 
-/// A drive as it is asked for.
+/// Specification of a drive.
 ///
 /// [`DriveSpec::new`] needs five quantities; every other field has a default, stated at the field.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,9 +65,9 @@ pub enum TeethSpec {
         /// Least gap between the tip circles of adjacent planets, in modules; a smaller one is warned of.
         tip_gap: f64,
     },
-    /// The set within the bounds whose ratio is nearest to the wanted one; of equally near ones the one
-    /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' rack is that
-    /// of the gear set, whatever they say.
+    /// The set within the bounds whose ratio is nearest to the target; of equally near ones the one with most
+    /// planets, then with the smallest ring, then with the smallest sun. The rack is always that of the gear
+    /// set, not that of the bounds.
     Within(Bounds),
 }
 

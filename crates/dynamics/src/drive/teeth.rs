@@ -26,7 +26,7 @@ pub(super) struct Geared {
     pub(super) geometry: GearSetGeometry,
 }
 
-/// The ratio asked for.
+/// Target ratio and its tolerance.
 #[derive(Clone, Copy)]
 pub(super) struct Wanted {
     pub(super) ratio: f64,

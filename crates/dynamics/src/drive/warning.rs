@@ -6,7 +6,7 @@ use super::part::{BoredGear, Shaft};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
-    /// A given shaft is thinner than the formula asks for.
+    /// A given shaft is thinner than the formula requires.
     ShaftTooThin {
         /// The shaft.
         shaft: Shaft,
@@ -69,11 +69,11 @@ pub enum Warning {
         /// The most equally spaced planets that clear each other.
         most_planets: u32,
     },
-    /// The tips of adjacent planets clear each other by less than was asked for.
+    /// The tips of adjacent planets clear each other by less than the required gap.
     TipGapBelowWanted {
         /// Gap between the tip circles, mm.
         gap_mm: f64,
-        /// The least gap wanted, mm.
+        /// The required gap, mm.
         wanted_mm: f64,
     },
     /// The planets do not assemble at equal angles, and unequal ones were not allowed.
@@ -85,9 +85,9 @@ pub enum Warning {
         /// Greatest deviation from equal spacing, degrees.
         deviation_deg: f64,
     },
-    /// The given tooth numbers miss the wanted ratio by more than its tolerance.
+    /// The given tooth numbers miss the target ratio by more than its tolerance.
     RatioDeparts {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The ratio they have.
         ratio: f64,

@@ -343,7 +343,7 @@ impl InvoluteGear {
         }
     }
 
-    /// Span over so many teeth, of an internal gear spaces, `W_k`, along the normal.
+    /// Span `W_k` over `k` teeth along the normal, for an internal gear over `k` spaces.
     ///
     /// ```text
     /// W_k = cos α_n·(π·(k − ½) + |z|·inv α_t) ± 2·x·sin α_n         − of an internal gear
@@ -361,7 +361,7 @@ impl InvoluteGear {
     pub fn spanned_teeth(&self) -> u32 {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
         let beta_b = self.profile.base_helix_rad();
-        // Half the span stands on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
+        // Half the span lies on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
         let span = 2.0 * self.curvature_radius(middle) / libm::cos(beta_b);
         let alpha_n = self.profile.rack.pressure_angle.si();
         let pitches = (span - self.sign() * 2.0 * self.shift * libm::sin(alpha_n)) / libm::cos(alpha_n)

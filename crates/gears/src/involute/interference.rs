@@ -153,7 +153,7 @@ mod tests {
             prop_assume!(pair.is_ok());
             let pair = pair.unwrap();
             let found = pair.interference().unwrap();
-            // The condition speaks of rings with involute tips; what only grazes falls between the steps.
+            // The condition holds for rings with involute tips; grazing contact falls between the steps.
             prop_assume!(second.tip_diameter() > second.base_diameter());
             prop_assume!(found.trochoidal.abs() > 2e-3 && pair.tip_clearances().iter().all(|gap| *gap > 0.0));
             // Below the base circle the pinion has no involute to be stepped through.

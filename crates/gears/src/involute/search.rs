@@ -192,7 +192,7 @@ impl ShiftedSearch {
         Ok(Ranked { found, first: held, left_out })
     }
 
-    /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close,
+    /// Sets of one sun whose ratio is accepted, by planet, ring and number of planets: those that close,
     /// ascending.
     ///
     /// ```
@@ -272,7 +272,7 @@ impl ShiftedSearch {
         mut each: impl FnMut([ToothCount; 3]) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let bounds = &self.bounds;
-        // An offset of o asks for planets of up to o/2 teeth more or fewer within the ranges of ring and k.
+        // An offset of o requires planets of up to o/2 teeth more or fewer within the ranges of ring and k.
         let slack = self.offsets.start().abs().max(self.offsets.end().abs()).unsigned_abs().div_ceil(2);
         let planets = bounds.planets_of(sun.get());
         let from = planets.start().saturating_sub(slack).max(*bounds.planet.start());
@@ -307,7 +307,7 @@ impl ShiftedSearch {
                 Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, Ok(choice)),
                 Err(Error::NoShifts { fault, .. }) => {
                     each(ToothNumbers { sun, planet, ring, planets }, Err(fault));
-                    // More planets stand closer: of equally spaced ones none of the following clears.
+                    // More planets are closer together: of equally spaced ones none of the following clears.
                     if fault.rule == Rule::PlanetGap && is_equal {
                         break;
                     }

@@ -64,7 +64,7 @@ pub struct PlanetSet {
 }
 
 impl PlanetSet {
-    /// Sun, planet and ring in mesh at a centre distance, so many planets at the assembly positions nearest
+    /// Sun, planet and ring in mesh at a centre distance, with the planets at the assembly positions nearest
     /// to equal angles.
     ///
     /// # Errors

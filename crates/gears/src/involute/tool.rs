@@ -61,7 +61,7 @@ const USUAL_CORNER: f64 = 0.3;
 const MOST_SHAPER_SHIFT: f64 = 1.0;
 
 impl Shaper {
-    /// A cutter of so many teeth as they are bought: without shift, tips rounded by 0.3 modules.
+    /// Usual cutter with this number of teeth: without shift, tips rounded by 0.3 modules.
     #[must_use]
     pub const fn of_teeth(teeth: ToothCount) -> Self {
         Self { teeth, shift: 0.0, addendum: None, tip_radius: USUAL_CORNER }

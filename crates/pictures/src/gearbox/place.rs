@@ -236,14 +236,14 @@ pub(super) fn beside(at: Point, words: &str, gap: f64) -> [Point; 2] {
     [Point::new(at.x + gap + half, at.y), Point::new(at.x - gap - half, at.y)]
 }
 
-/// Places near those wanted, ascending as they are, at least `pitch` apart: each run that is too close is
+/// Places near the desired ones, in ascending order, at least `pitch` apart: each run that is too close is
 /// spread about its middle.
 ///
 /// ```text
 /// wanted 0 1 9, pitch 3  →  −1 2 9
 /// ```
 pub(super) fn spread(wanted: &[f64], pitch: f64) -> Vec<f64> {
-    // Runs: (sum of wanted − place within the run, members).
+    // Runs: (sum of desired − place within the run, members).
     let mut runs: Vec<(f64, usize)> = vec![];
     let first = |&(sum, count): &(f64, usize)| sum / count as f64;
     for &place in wanted {

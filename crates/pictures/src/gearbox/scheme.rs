@@ -201,7 +201,7 @@ pub fn narrow(
     while along_mm < ALONG_MM {
         let options = bare(along_mm);
         let mut sheet = unnamed(gearbox, layout, show, &options)?;
-        // Names move nothing that stands: what overlaps without them does so with them.
+        // Names move no other part: an overlap without them remains with them.
         if overlaps(&sheet.scene).is_empty() {
             sheet.names();
             sheet.legend(&options);

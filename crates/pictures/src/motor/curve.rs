@@ -27,7 +27,7 @@ use crate::tolerance::CURVE;
 /// kilometre a ten-billionth of its length, which no coordinate holds better.
 pub const TOLERANCE_MM: f64 = 1e-4;
 
-/// Places of a piece at which its distance is looked at.
+/// Number of places of a piece at which its distance is evaluated.
 const PLACES: u32 = 9;
 
 /// Largest number of halvings of a piece.

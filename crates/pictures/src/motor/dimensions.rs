@@ -79,7 +79,7 @@ pub fn dimensions(
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
 
-    // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table
+    // Diameters below, the smallest nearest; one that leaves no room for its number is given in the table
     // alone.
     let curves = [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer]
         .map(Physical::mm);
@@ -170,7 +170,7 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     for x in [0.0, a] {
         sheet.line(layer, Point::new(x, 0.0), Point::new(x, y + 1.2 * unit));
     }
-    // Between narrow extension lines the arrows stand outside.
+    // Between narrow extension lines the arrows are outside.
     let wide = a > 8.0 * unit;
     let [low, high] = if wide { [0.0, a] } else { [-4.0 * unit, a + 4.0 * unit] };
     sheet.line(layer, Point::new(low, y), Point::new(high, y));
@@ -197,7 +197,7 @@ fn trough_distance(
 ) {
     let lobes = motor.numbers().stator_lobes();
     let unit = sheet.unit;
-    // Troughs stand at odd multiples of π/N.
+    // Troughs are at odd multiples of π/N.
     let (ray, is_beside) = match lobes % 4 {
         1 | 3 => (PI, true),
         2 => (FRAC_PI_2, true),

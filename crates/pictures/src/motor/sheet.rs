@@ -23,8 +23,8 @@ pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
 #[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) scene: Scene,
-    /// A hundredth of the stator's greatest diameter, or of a picture's width: sizes of text and lines are
-    /// so many.
+    /// Unit of the sizes of text and lines: a hundredth of the stator's greatest diameter, or of a picture's
+    /// width.
     pub(super) unit: f64,
     words: Option<LayerId>,
     pen: Point,
@@ -42,7 +42,7 @@ impl Sheet {
         Self { scene: Scene::new(title), unit, words: None, pen: Point::default() }
     }
 
-    /// A layer; its line is so many units wide.
+    /// Adds a layer; the width of its line is in units of the sheet.
     pub(super) fn layer(&mut self, name: &str, style: Style) -> Result<LayerId, Error> {
         let style = style.width(style.width_mm * self.unit);
         Ok(self.scene.layer(name, style)?)

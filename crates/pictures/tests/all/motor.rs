@@ -266,7 +266,8 @@ proptest! {
             let curve = motor.centrode(wheel);
             let point = curve.at(curve.length() * part).unwrap();
             let off = distance(&drawn.vertices, [point.x, point.y].map(|x| x.get::<millimeter>()));
-            // Between the nine places of a piece that were looked at it may be a little greater.
+            // The deviation may be a little greater between the nine places of a piece at which it is
+            // evaluated.
             let slack = 1e-10 * curve.length().get::<millimeter>();
             prop_assert!(off <= 1.1 * drawn.deviation_mm + slack, "{wheel:?} {off:e} {:e}", drawn.deviation_mm);
         }

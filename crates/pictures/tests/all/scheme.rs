@@ -111,7 +111,7 @@ fn no_label_of_a_gear_meets_anything() {
     }
 }
 
-/// For a page: drawn together to about the width asked for, all labels with their room.
+/// Checks schemes for a page: compressed to about the required width, with room for all labels.
 #[test]
 fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
     for gearbox in all() {

@@ -287,12 +287,12 @@ impl ToothSearch {
                 return Ok(found);
             }
         }
-        // The first design in the order that was left out. All before it are held, and what dominates a
-        // design stands before it; so entries before it are those of the front of all.
+        // The first design in the order that was left out. All designs before it are held, and a design that
+        // dominates another comes before it. Entries before it are therefore those of the whole front.
         let mut left_out: Option<Costs> = None;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             let first_out = held.first(self.most_held / 2, self.order);
-            // What was left out earlier may stand before what is left out now.
+            // Designs left out earlier may come before those left out now.
             if left_out.is_none_or(|before| self.order.compare(&first_out, &before).is_lt()) {
                 left_out = Some(first_out);
             }
@@ -420,8 +420,8 @@ impl ToothSearch {
     /// these together in the order of the pieces. Where more come together than are held, `reduce` leaves
     /// some out; what is not before the bound may be left out at any time.
     ///
-    /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a
-    /// batch and what is held.
+    /// Patches are tried one after another and in batches of pairs, so that memory holds no more than a batch
+    /// and the designs kept.
     fn each(
         &self,
         found: &mut Found,

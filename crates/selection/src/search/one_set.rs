@@ -76,7 +76,7 @@ pub struct OneSetFound {
 pub struct OneSetDesign {
     /// Links of sun, ring and carrier.
     pub set: SetRoles,
-    /// Ratio wanted.
+    /// Target ratio.
     pub wanted: f64,
     /// Ring-to-sun ratio.
     pub k: f64,
@@ -84,7 +84,7 @@ pub struct OneSetDesign {
     pub teeth: Vec<ToothNumbers>,
 }
 
-/// A way to use a set, with the ratio wanted of it.
+/// A way to use a set, with its target ratio.
 #[derive(Debug, Clone)]
 struct Way {
     set: SetRoles,
@@ -109,7 +109,7 @@ struct Measured {
     cube: Double,
 }
 
-/// Tooth numbers whose ratio is near a wanted one.
+/// Tooth numbers whose ratio is near the target.
 struct Nearby {
     /// Tooth numbers near the ratio whose gears can be cut and turned together.
     near: Vec<ToothNumbers>,
@@ -122,7 +122,7 @@ struct Nearby {
 /// Number of designs from which on those that others dominate are left out before all are known.
 const MANY: usize = 1 << 20;
 
-/// Sets of tooth numbers after which whoever watches a search is asked.
+/// Number of sets of tooth numbers between two reports of progress.
 const LEVELS: u32 = 256;
 
 impl OneSetSearch {
@@ -207,8 +207,8 @@ impl OneSetSearch {
         Ok(OneSetFound { entries, points, ways, levels, tooth_sets: near, left_out, counts, size, rating })
     }
 
-    /// Ways to use the set, with the ratio wanted of each; none that cannot be drawn, unless that does not
-    /// matter.
+    /// Ways to use the set, with the target ratio of each; without those that cannot be drawn, unless that
+    /// does not matter.
     fn ways(&self) -> Result<Vec<Way>, Error> {
         let limits = &self.requirements.limits;
         let mut found = vec![];
@@ -230,7 +230,7 @@ impl OneSetSearch {
         Ok(found)
     }
 
-    /// Tooth numbers whose ratio is near what is wanted of any way.
+    /// Tooth numbers whose ratio is near the target of any way.
     fn near(
         &self,
         ways: &[Way],

@@ -130,7 +130,7 @@ impl Patch {
                 strips.push([place as u32, from as u32, to as u32]);
             }
         }
-        // Signs of rolling powers are those of any pair whose ratios have the wanted signs.
+        // Signs of rolling powers are those of any pair whose ratios have the required signs.
         let witness = strips.iter().find_map(|&[one, from, to]| {
             let signs_fit = |&two: &u32| {
                 let k = [levels[one as usize].k, levels[two as usize].k];

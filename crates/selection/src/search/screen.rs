@@ -61,7 +61,7 @@ pub(super) struct Columns {
 
 impl Columns {
     pub(super) fn new(sides: &[Side], levels: &[Level]) -> Self {
-        // The last look may reach beyond the end; what it says of that is nobody's.
+        // The last look may reach beyond the end; its results there are not used.
         let padded = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
             values.chain(std::iter::repeat_n(0.0, AT_ONCE)).collect()
         };

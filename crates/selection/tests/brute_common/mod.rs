@@ -203,8 +203,8 @@ fn values(k: [f64; 2], requirements: &Requirements) -> Values {
     Values { ratios: k.map(ratio).into(), efficiencies: vec![requirements.eta0; 2] }
 }
 
-/// For each structure and assignment of ratios the point of a grid of ring-to-sun ratios, so many a side,
-/// whose ratios come nearest.
+/// Points of a grid of ring-to-sun ratios, `side` on each side, whose ratios come nearest: one for each
+/// structure and assignment of ratios.
 pub(crate) fn nearest_on_a_grid(
     requirements: &Requirements,
     structures: &[Structure],

@@ -103,7 +103,7 @@ pub fn deep_tooth_factor(virtual_contact_ratio: f64, accuracy_grade: u8) -> f64 
 /// `Y_δrelT`.
 ///
 /// # Errors
-/// [`Error::MissingFactor`] where the class asks for a strength that the material does not name.
+/// [`Error::MissingFactor`] where the class needs a strength that the material does not give.
 pub fn notch_sensitivity(material: &Material, notch_parameter: f64) -> Result<f64, Error> {
     let slip = slip_layer(material)?;
     let root = |gradient: f64| 1.0 + (slip * gradient).sqrt();

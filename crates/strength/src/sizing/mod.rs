@@ -103,7 +103,7 @@ pub struct Space {
     pub reach: f64,
     /// The greatest face width over the sun's reference diameter; `None` without bound.
     pub width_ratio: Option<f64>,
-    /// Bearings of the planets; none at all where planets have no bearing of a table.
+    /// Bearings of the planets; empty if planets have no bearing of a table.
     pub bearings: Vec<Bearing>,
 }
 
@@ -137,7 +137,7 @@ pub struct SetStep {
 /// The greatest torque of the life, and what is required against it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetOverload {
-    /// Torque on the sun, without losses; its sign does not matter. One of 0 asks for nothing.
+    /// Torque on the sun, without losses; its sign does not matter. A torque of 0 sets no requirement.
     pub sun_torque: Torque,
     /// Required static safety of the flanks.
     pub required_contact: f64,

@@ -24,7 +24,7 @@ use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
-/// The best `most` designs of the space, unless `goes_on`, which is asked now and then, breaks.
+/// The best `most` designs of the space, unless `goes_on`, which is called now and then, breaks.
 ///
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or

@@ -75,7 +75,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
         }
         is_better
     };
-    // What stands beside a lever does so on the left, so that mirror images differ.
+    // A clutch of one lever is drawn on its left, so that mirror images differ.
     let is_beside = |(_, links): &(usize, [LinkId; 2])| {
         let has = |lever: &Lever, link| lever.nodes.iter().any(|node| node.0 == link);
         levers.iter().any(|lever| links.iter().all(|&link| has(lever, link)))
@@ -195,8 +195,8 @@ fn heights(
         seen[one].push((at, other, there, weight));
         seen[other].push((there, one, at, weight));
     }
-    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2.
-    // What is left of the equals sign stays as the levers move.
+    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2. The
+    // left side does not change as the levers move.
     let [stiff, centred] = USUAL;
     let sums = seen.iter().map(|seen| {
         let mut sums = [centred, 0.5 * centred, 0.25 * centred + stiff];

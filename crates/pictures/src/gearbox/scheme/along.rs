@@ -31,7 +31,7 @@ impl Along {
         let marks = marks.chain(layout.clutches.iter().map(|mark| mark.lower.1.x));
         let marks: Vec<f64> = marks.chain(layout.take_offs.iter().map(|end| end.at.x)).collect();
         let has_sign = |x: f64| marks.contains(&x);
-        // 0 where columns are closest, 1 where they stand as usual.
+        // 0 where columns are closest, 1 at their usual distance.
         let ease = ((along_mm - LEAST_ALONG_MM) / (ALONG_MM - LEAST_ALONG_MM)).clamp(0.0, 1.0);
         let part = |least: f64| least + (1.0 - least) * ease;
         let forks = |x: f64| {
@@ -62,7 +62,7 @@ impl Along {
         at(column) + part * (at(column + 1.0) - at(column))
     }
 
-    /// The place of the layout at so many millimetres.
+    /// Position in the layout at a distance in millimetres.
     pub(super) fn x(&self, mm: f64) -> f64 {
         let column = self.places.partition_point(|place| *place <= mm).clamp(1, self.places.len().max(2) - 1);
         let [low, high] = [self.places[column - 1], self.places[column]];

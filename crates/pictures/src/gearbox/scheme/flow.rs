@@ -128,7 +128,7 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
     let of_set = |set: usize| load.and_then(|(gear, case)| gear.drawn_power(case, set));
     for stack in &layout.sets {
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
-            // What two halves of one set have in common hands on the power of the whole, at one of its two
+            // The common part of two halves of one set passes on the power of the whole, at one of its two
             // places.
             let of: Vec<usize> = match pairs.iter().find_map(|pair| pair.hands_on(stack.set, member)) {
                 Some(sets) => sets,

@@ -83,7 +83,7 @@ impl Sheet<'_> {
             let web = |from: f64, to: f64| {
                 [0.5, 0.35, 0.65, 0.2, 0.8].map(|part| Point::new(x, up(from) + part * (up(to) - up(from))))
             };
-            // Of planets beside each other the first stands on the left.
+            // Of planets side by side the first is on the left.
             let planet_x = match self.beside(&stack) {
                 Some(_) if self.pair_of(stack.set).is_none() => x - BESIDE_MM,
                 _ => x,

@@ -192,7 +192,7 @@ impl Sheet<'_> {
             let look = self.member_look(&second, 0, WEB_MM);
             self.line(self.layers.toothed_gears, look, seat, Point::new(xb, low - 2.0 * MESH_MM));
         }
-        // The second ring stands lower on its smaller step, or where it does to scale.
+        // The second ring is lower on its smaller step, or at its own height in a scheme to scale.
         let small = if self.is_to_scale(&second) {
             UP_MM * second.ring_mesh - MESH_MM
         } else {

@@ -112,7 +112,7 @@ impl Sheet<'_> {
                 [(Some(mark.link), self.at(mark.link_end)), (None, self.at(mark.housing))],
             );
             if mark.housing.y != self.layout.housing.from.y {
-                // A plate of its own on what stands out of the wall, hatched on its far side.
+                // A separate plate on the projection of the wall, hatched on its far side.
                 let (plate, away) = (self.at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
                 for i in -1..=1 {
                     let x = plate.x + 1.7 * f64::from(i) - 0.6;
@@ -152,7 +152,7 @@ impl Sheet<'_> {
             }
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let x = self.at(Place { x: stack.x, y: 0.0 }).x;
-            // Rims of stepped planets' gears stand on two sides, and those of planets beside each other.
+            // Rims of stepped planets' gears are on two sides, and so are those of planets side by side.
             let beside = self.beside(&stack);
             let aside = match beside {
                 Some(_) => BESIDE_MM,

@@ -96,7 +96,7 @@ impl SpeedDiagram {
         let members = drawn.links;
         let size = drawn.basic_ratio(gearbox).abs();
         let outside = drawn.kind == SetKind::ExternalPair;
-        // Central gear 1 inside a ring stands above the ring's axis.
+        // Central gear 1 inside a ring is above the ring's axis.
         let (first, second) =
             if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
         let contact = first + 1.0;
