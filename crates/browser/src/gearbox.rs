@@ -244,12 +244,12 @@ pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<Stri
     let mut changes: Vec<Change> =
         serde_json::from_str(changes).map_err(|error| refuse("changes", error.to_string()))?;
     for Change { number: AdjustableNumber { set, of, .. }, to } in &mut changes {
-        // What is no number would change how the file reads: `k: 2,94` is two entries.
+        // Text that is no number would change how the file is read: `k: 2,94` is two entries.
         let read: Result<Number, _> = to.parse();
         read.map_err(|error| refuse(error.name(), format!("set {set}, {}: {error}", of.name())))?;
         *to = to.trim().to_owned();
     }
-    // From the end of the file: those before keep their places.
+    // The last change of the file comes first, so that the others keep their positions.
     changes.sort_by_key(|Change { number, .. }| Reverse((number.line, number.column)));
     let mut new = file.to_owned();
     for Change { number, to } in &changes {

@@ -263,8 +263,7 @@ fn place(point: Point) -> String {
 /// Writes a number to a tenth of a micrometre, without trailing zeros.
 fn number(value: f64) -> String {
     let scaled = value.abs() * 1e4;
-    // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what
-    // is large.
+    // Integers round as the formatting of the library does; it handles values near a half and large values.
     let is_sure = scaled < 1e12 && (scaled.fract() - 0.5).abs() > 1e-3;
     if !is_sure {
         return formatted(value);

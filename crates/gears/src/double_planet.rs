@@ -302,7 +302,7 @@ impl<'a> Frame<'a> {
         let (least, most) = (*planets.start(), *planets.end());
         planets.flat_map(move |inner| {
             let from = least.max(self.together().saturating_sub(inner));
-            // Beyond the first that does not fit none does.
+            // After the first outer planet that does not fit no other fits.
             (from..=most).map_while(move |outer| self.with(inner, outer))
         })
     }
@@ -332,7 +332,7 @@ impl<'a> Frame<'a> {
             let alike = move |larger: u32| {
                 let outside = self.with(smaller, larger);
                 let inside = (larger != smaller).then(|| self.with(larger, smaller)).flatten();
-                // Beyond the first larger planet that fits on neither side none does.
+                // After the first larger planet that fits on neither side no other fits.
                 (outside.is_some() || inside.is_some()).then_some([outside, inside])
             };
             (from..=most).map_while(alike).flatten().flatten()

@@ -152,7 +152,7 @@ mod tests {
             let pitch_radius = rack.undercut_limit() / 2.0;
             let tangent_point = pitch_radius * libm::cos(alpha_deg.to_radians()).powi(2);
             prop_assert!((pitch_radius - addendum - tangent_point).abs() < 1e-12 * pitch_radius);
-            // What the rounding admits: at most sin²α/4 modules too deep.
+            // Rounding admits at most sin²α/4 modules too deep.
             let least = f64::from(rack.least_teeth_without_undercut());
             let depth = addendum - least / 2.0 * libm::sin(alpha_deg.to_radians()).powi(2);
             prop_assert!(depth <= libm::sin(alpha_deg.to_radians()).powi(2) / 4.0 + 1e-12, "{depth}");

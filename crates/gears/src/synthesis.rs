@@ -264,7 +264,7 @@ impl Bounds {
         // One tooth of slack against rounding; the test on k itself decides.
         let from_k = ((low_k - 1.0) / 2.0 * z_a).floor().max(0.0) as u32;
         let to_k = (((high_k - 1.0) / 2.0 * z_a).ceil()).min(f64::from(MOST_TEETH)) as u32;
-        // By equal centre distances a ring within its range leaves the planet only these.
+        // Equal centre distances and the range of the ring limit the planet to these teeth.
         let from_ring = self.ring.start().saturating_sub(sun).div_ceil(2);
         let to_ring = self.ring.end().saturating_sub(sun) / 2;
         (*self.planet.start()).max(from_k).max(from_ring)..=(*self.planet.end()).min(to_k).min(to_ring)

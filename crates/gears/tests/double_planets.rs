@@ -58,7 +58,7 @@ fn apart_by(of: &DoublePlanetNumbers, angles: &[f64], addendum: f64, gap: f64) -
     let [sun, inner, outer] = [a, g, f].map(|teeth| teeth / 2.0 + addendum);
     let ring = b / 2.0 - addendum;
     let axis = [0.0, 0.0];
-    // What only touches by more than rounding.
+    // Gears that only touch, by more than rounding.
     let gap = gap + 1e-9;
     let mut clear = true;
     for (place, [one, partner]) in centres.iter().enumerate() {

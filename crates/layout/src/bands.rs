@@ -58,7 +58,7 @@ impl Recorder for Draft<'_> {
     }
 
     fn ends(&mut self, side: Side, place: usize) {
-        // What lies outside of the line lies outside of what lay inside of it as long as both go on.
+        // Bars outside of the line stay outside of those inside of it as long as both go on.
         let stack = self.stack(side);
         stack.remove(place);
         if place > 0 && place < stack.len() {

@@ -39,8 +39,7 @@ pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Optio
     let Some(swept) = swept else { return thrown(scheme, gearbox, options) };
     let drawn = gearbox.drawn_sets();
     let is_whole = drawn.windows(2).all(|pair| pair[0].set != pair[1].set);
-    // Of few sets chance has drawn nearly everything: where it has found what the search passed by, that is
-    // taken.
+    // For few sets chance draws nearly every layout. A cheaper one that the search missed is taken.
     let by_chance = (is_whole && drawn.len() <= SMALL).then(|| thrown(scheme, gearbox, options)).flatten();
     let cost = |layout: &Layout| layout.cost(gearbox).total();
     std::iter::once(swept).chain(by_chance).min_by(|a, b| cost(a).total_cmp(&cost(b)))

@@ -141,7 +141,7 @@ fn possible(task: &Task, state: &State) -> Vec<Step> {
             let is_wall = side == Side::Above && place == 0;
             let same = |other: &&Line| other.net == line.net && other.part == line.part;
             let twice = state.below.lines().iter().chain(state.above.lines()).filter(same).count() > 1;
-            // It is in the way of what comes next, or of a shift element.
+            // The line blocks the next step, or a shift element.
             let is_last = place + 1 == lines.len();
             let between = place > 0
                 && lines.get(place + 1).is_some_and(|inner| {

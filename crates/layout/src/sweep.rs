@@ -504,7 +504,7 @@ impl<'a, R: Recorder> Taking<'a, R> {
         if right.level {
             self.state.level = level;
         } else {
-            // Nothing more reaches the carrier here: it has to go on somewhere, or to be whole.
+            // No other line reaches the carrier here: it has to go on elsewhere, or be complete.
             let (net, part) = level?;
             let goes_on = self.state.all_lines().any(|line| line.net == net && line.part == part);
             let others = self.state.all_lines().any(|line| line.net == net);

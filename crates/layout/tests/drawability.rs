@@ -39,7 +39,7 @@ fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
         lines.extend(shape.segments.iter().map(|s| (shape.link, *s)));
     }
     let drawn = lines.len();
-    // What must hang together with the lines.
+    // Parts that must be connected with the lines.
     assert_eq!(layout.sets.len(), gearbox.drawn_sets().len(), "{name}");
     for (place, (stack, set)) in layout.sets.iter().zip(gearbox.drawn_sets()).enumerate() {
         assert_eq!(stack.set, place, "{name}");

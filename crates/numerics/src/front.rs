@@ -46,7 +46,7 @@ use tree::Tree;
 #[inline]
 #[must_use]
 pub fn nowhere_worse<const N: usize>(one: &[f64; N], other: &[f64; N]) -> bool {
-    // All without a branch: mostly none decides alone.
+    // No branches, since a single cost seldom decides.
     let mut holds = true;
     for place in 0..N {
         holds &= one[place] <= other[place];

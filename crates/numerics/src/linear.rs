@@ -253,7 +253,7 @@ pub struct Independent {
 #[must_use]
 pub fn independent(rows: &[&[f64]], rounding: f64) -> Independent {
     let mut found = Independent::default();
-    // What is left of each kept row, its pivot, and how it is made of the kept rows themselves.
+    // Remainder of each kept row, its pivot, and its factors over the kept rows.
     let mut reduced: Vec<(Vec<f64>, usize, Vec<f64>)> = vec![];
     for (place, &row) in rows.iter().enumerate() {
         let size = largest_absolute(row);

@@ -233,7 +233,7 @@ mod tests {
                 let inside = bounds.left >= -1e-9 && bounds.right <= SIZE_MM[0] + 1e-9;
                 assert!(inside && bounds.bottom >= -1e-9 && bounds.top <= SIZE_MM[1], "{bounds:?}");
             }
-            // What is above all orders is left out, but for its sample below the field.
+            // Branches above all orders are left out, but for their sample below the field.
             let drawn = of_layer(&scene, "branches").filter(|shape| shape.bounds().bottom > 0.0).count();
             assert_eq!(drawn, branches, "{speeds:?}");
         }

@@ -134,7 +134,7 @@ impl Contours {
         for line in by_length {
             let whole = length(line);
             for number in 0..TRIED {
-                // From the middle outwards.
+                // Order from the middle outwards.
                 let step = f64::from(number.div_ceil(2)) / f64::from(TRIED);
                 let part = if number % 2 == 0 { 0.5 + step } else { 0.5 - step };
                 let label = Text::new(along(line, part * whole), LETTERS_MM, shown(value));
@@ -159,8 +159,8 @@ impl Contours {
     fn lines(&self, value: f64, [across, up]: [&Axis; 2]) -> Vec<Line> {
         let (columns, rows) = (self.columns.len(), self.rows.len());
         let at = |[x, y]: [usize; 2]| self.values.get(x * rows + y).copied().flatten();
-        // Of each corner's edge to the right, upwards and across: where the line crosses it, and the
-        // crossings beside that.
+        // Crossings of the line with three edges of each corner: to the right, upwards and diagonal. The
+        // second list holds the neighbouring crossings.
         let mut places = vec![[0.0; 2]; 3 * columns * rows];
         let mut beside: Vec<[Option<usize>; 2]> = vec![[None; 2]; places.len()];
         let mut order = vec![];

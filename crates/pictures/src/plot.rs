@@ -256,7 +256,7 @@ impl Axis {
         let (low, high) = values
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
-        // What does not change is shown in the middle of a span of its own size.
+        // A constant value is shown in the middle of a span of its own size.
         let slack = if high - low > MARK * low.abs().max(high.abs()) {
             0.0
         } else {

@@ -578,7 +578,7 @@ mod tests {
                 let gearbox = structure.gearbox([a, b], eta0, [Role::D, Role::B]).unwrap();
                 let ratio = |gear| gearbox.analyze(gear).unwrap().ratio();
                 let (Some(first), Some(second)) = (ratio("1"), ratio("2")) else { continue };
-                // Where the gears are nearly direct, or nearly at rest, rounding decides.
+                // If the gears are nearly direct, or nearly at rest, rounding decides.
                 if [first, second].iter().any(|i| (i - 1.0).abs() < 1e-3 || i.abs() > 1e3 || i.abs() < 1e-3) {
                     continue;
                 }

@@ -311,7 +311,7 @@ impl Candidate {
         let Limits { ring_to_sun, .. } = &requirements.limits;
         let limits = &requirements.limits;
         let within = |criterion, (value, evidence): (f64, Evidence), [least, greatest]: [f64; 2]| {
-            // What was chosen to lie at a limit may miss it by rounding.
+            // A value chosen to lie at a limit may miss it by rounding.
             let slack = SLACK * (1.0 + value.abs());
             let met = value >= least - slack && value <= greatest + slack;
             Verdict { criterion, value, limits: [least, greatest], met, required: true, evidence }

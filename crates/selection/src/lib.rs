@@ -127,7 +127,7 @@ pub fn select_with(
         Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
     for mechanism in space.mechanisms(requirements.series.braked().len()) {
         for (place, wanted) in targets.iter().enumerate() {
-            // Of a symmetric structure the other order is the same design.
+            // For a symmetric structure the other order is the same design.
             let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();
             if mechanism.is_symmetric() && targets[..place].contains(&mirrored) {
                 continue;
@@ -140,7 +140,7 @@ pub fn select_with(
                 mechanism::largest_error(&mechanism.ratios(k), wanted) <= requirements.tolerance
             };
             let exact = mechanism.ring_to_sun_ratios(wanted);
-            // Beyond the tolerance the exact ring-to-sun ratios tell more, if a simple set can have them.
+            // Beyond the tolerance the exact ring-to-sun ratios say more, if a simple set can have them.
             let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
             let Some(k) = nearest.filter(in_tolerance).or(simple) else {
                 let obstacle = obstacle(exact.as_deref());

@@ -95,7 +95,7 @@ fn bearing_or_solid(pin: &ShaftDesign, root: Length, warnings: &mut Vec<Warning>
             });
             Length::default()
         }
-        // That there is none has been said.
+        // The missing bearing already has a warning.
         None => Length::default(),
     }
 }

@@ -55,7 +55,7 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
         }
         TeethSpec::Within(bounds) => {
             let bounds = Bounds { rack, ..bounds.clone() };
-            // By error, then most planets, smallest ring, smallest sun. One is held at a time.
+            // Order: error, then most planets, smallest ring, smallest sun. Only one set is held at a time.
             let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
             let mut best: Option<Near> = None;
             bounds.each_for_ratio(

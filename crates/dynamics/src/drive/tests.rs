@@ -134,8 +134,9 @@ fn the_excavators_forces() {
     close(found.sun_nominal.si(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
     close(found.ring_nominal.si(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
-    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point,
-    // by η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
+    // The forces cross the line of centres at 80 mm and a little on the planet's side of the pitch point.
+    // This follows from η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 +
+    // δ/r₃)/(1 + δ/r₂).
     let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
     let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
     close(found.sun_mesh.si(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
@@ -364,7 +365,7 @@ fn undercut_follows_the_pressure_angle() {
     assert_eq!((at(20.0, 16), at(20.0, 17)), ((Some(17), 17), (None, 17)));
     assert_eq!((at(25.0, 10), at(25.0, 11)), ((Some(11), 11), (None, 11)));
 
-    // What was asked of the spacing holds for a given set too: 23 + 103 slots are no multiple of 4.
+    // The requirement on the spacing holds for a given set, too: 23 + 103 slots are no multiple of 4.
     let given = |placement, tip_gap| {
         let mut spec = excavator();
         spec.teeth = TeethSpec::Given { teeth: set(23, 40, 103, 4), placement, tip_gap };

@@ -283,7 +283,7 @@ mod tests {
                     };
                     let height = if ring { curve.root_radius() - from_axis } else { from_axis - curve.root_radius() };
                     if height > 1e-6 && (gear.sign() * (curve.joint_radius() - from_axis)) > 0.0 {
-                        // From the middle of the space to its edge.
+                        // Angle from the middle of the space to its edge.
                         let edge = PI / gear.teeth().as_f64() - curve.half_angle(from_axis);
                         nearest = nearest.min((edge - angle) * from_axis);
                     }

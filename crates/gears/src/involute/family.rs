@@ -483,7 +483,7 @@ mod tests {
         let [thicker, other, _] = limited.set.gears();
         assert!((thicker.tip_thickness() - limits.tip_thickness).abs() < 1e-6);
         assert!(thicker.shift() < sun.shift() && other.shift() > planet.shift());
-        // With tips that may be shortened there is no need to leave the balance of sliding far.
+        // Tips that may be shortened leave no need for a large departure from balanced sliding.
         let shortened = family.choose(Aim::LeastTipAlteration, &limits).unwrap();
         assert!(shortened.set.faults(&limits).is_empty());
     }
@@ -503,7 +503,7 @@ mod tests {
                 assert!(total(&set) <= total(&least) + 1e-9, "{shift}");
             }
         }
-        // Where clearance alone shortens them it is 2·k, and the ring is as it comes.
+        // If clearance alone shortens the tips, the sum is 2·k, and the ring is unaltered.
         let loose = family.choose(Aim::LeastTipAlteration, &Limits::default()).unwrap().set;
         assert!((total(&loose) - 2.0 * family.tip_alteration()).abs() < 1e-12);
     }

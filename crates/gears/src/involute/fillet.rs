@@ -136,7 +136,7 @@ impl Fillet {
         let flank_angle = pitch - flank.half_angle(shift, at_flank);
         let along = end + flank.sign() * radius;
         let centre_angle = flank_angle + flank.sign() * (libm::atan(end / base) - libm::atan(along / base));
-        // From the direction of the root, as seen from the axis, towards the flank.
+        // Angle from the direction of the root, as seen from the axis, towards the flank.
         let turned = flank_angle - centre_angle;
         let (sin, cos) = libm::sincos(turned);
         let end = libm::atan2(at_flank * sin, -flank.sign() * (at_flank * cos - centre_radius));
@@ -165,7 +165,8 @@ impl Fillet {
                 let (sin, cos) = libm::sincos(centre.angle + turned);
                 let x = centre.radius * cos + radius * libm::cos(direction);
                 let y = centre.radius * sin + radius * libm::sin(direction);
-                // From the axis of the gear, beyond the pitch point or, of a ring, behind the cutter.
+                // Distance from the axis of the gear, beyond the pitch point or, of a ring, behind the
+                // cutter.
                 let across = distance - x;
                 let (from_axis, angle) = (libm::hypot(across, y), libm::atan(y / across));
                 (from_axis, flank.sign() * angle - ratio * turned)

@@ -417,7 +417,7 @@ mod tests {
             // Tips of a ring within its base circle never meet the line of action.
             let second_has_involute_tip = !ring || second.tip_diameter() > second.base_diameter();
             let by_tips = contact_by_coordinates(&pair);
-            // Where fillets cut contact short there is less of it.
+            // Fillets that cut contact short reduce the contact ratio.
             prop_assert!(!second_has_involute_tip || pair.transverse_contact_ratio() <= by_tips.max(0.0) + 1e-9);
             if from == tips[0] && to == tips[1] && second_has_involute_tip {
                 prop_assert!((pair.transverse_contact_ratio() - by_tips.max(0.0)).abs() < 1e-9, "{by_tips}");

@@ -76,7 +76,7 @@ mod tests {
             let (sin, cos) = libm::sincos(turn);
             let (x, y) = (x * cos - y * sin + at[0] - centre[0], x * sin + y * cos + at[1] - centre[1]);
             let (radius, angle) = (libm::hypot(x, y), libm::atan2(y, x) - mates_turn);
-            // Beyond its tips there is nothing of the other.
+            // The other gear has no material beyond its tips.
             let is_within = within.gear().sign() * (within.tip_radius() - radius) > 0.0;
             let from_tooth = (angle - (angle / pitch).round() * pitch).abs();
             is_within.then(|| (within.half_angle(radius) - from_tooth) * radius)

@@ -70,7 +70,7 @@ impl Obstacles {
 
     /// Columns and rows of the cells that a box reaches into.
     fn reach(&self, of: Bounds) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
-        // From below 0 and from NaN the conversion gives 0.
+        // The conversion gives 0 for negative values and for NaN.
         let cell = |length: f64, count: usize| ((length / CELL_MM) as usize).min(count - 1);
         let column = |x: f64| cell(x - self.area.left, self.columns);
         let row = |y: f64| cell(y - self.area.bottom, self.rows);

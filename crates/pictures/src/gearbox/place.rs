@@ -152,7 +152,7 @@ impl Places {
                 }
             }
             if let Some((middle, at, end)) = found.or(crossing) {
-                // None to a label around its point.
+                // A label around its point needs no leader.
                 if at != end {
                     let leader = Shape::line(at, end);
                     scene.add_styled(layer, LEADER, leader.clone());
@@ -316,7 +316,7 @@ mod tests {
             let places = spread(&wanted, pitch);
             prop_assert_eq!(places.len(), wanted.len());
             prop_assert!(places.windows(2).all(|pair| pair[1] - pair[0] >= pitch - 1e-9));
-            // Nothing is moved without need, and the middle stays.
+            // Places move only as far as needed, and the middle stays.
             let middle = |all: &[f64]| all.iter().sum::<f64>();
             prop_assert!((middle(&places) - middle(&wanted)).abs() < 1e-6);
             if wanted.windows(2).all(|pair| pair[1] - pair[0] >= pitch) {

@@ -178,7 +178,7 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     arrow(sheet, layer, Point::new(a, y), if wide { 0.0 } else { PI });
     numbers.push((Point::new(high.max(a + unit), y), format!("a = {}", number(a))));
     trough_distance(sheet, layer, motor, l, outer, &mut numbers);
-    // Where there is no room, the table has them.
+    // Numbers without room are given in the table.
     for (at, words) in numbers {
         sheet.label(layer, at, &words);
     }
@@ -239,7 +239,7 @@ fn called(sheet: &mut Sheet, layer: LayerId, places: &[Point], radius: f64, word
                 _ => None,
             });
             let clear = 0.5 * sheet.letter();
-            // Its own leader comes from the drawing and must end before the words.
+            // The leader of the label comes from the drawing and must end before the words.
             if text::is_free(&sheet.scene, &label, clear)
                 && !text::line_meets(&line, label.bounds())
                 && !others.any(|other| text::line_meets(&line, other))

@@ -67,7 +67,7 @@ pub fn forces(
                 sheet.circle(marks, at, 0.3 * sheet.unit);
             }
         }
-        // Where the force of the pressure does not go.
+        // The side away from the force of the pressure.
         let side = if on_flank.push == Some(Push::Forward) { -0.5 } else { 0.5 };
         let beside =
             Point::polar(centre, 0.55 * r, libm::atan2(centre.y, centre.x) + side * std::f64::consts::PI);

@@ -77,7 +77,7 @@ fn halves_of_one_set_show_no_power_that_only_passes_between_them() {
         assert!((from.y, to.y) != (pin, pin), "the carrier passes no power: {from:?} {to:?}");
         widths.push(style.width_mm);
     }
-    // Nothing is wider than the input.
+    // No line is wider than the input's.
     let input = widths.iter().copied().fold(0.0, f64::max);
     assert!(widths.iter().all(|width| *width <= input) && (input - 2.2).abs() < 1e-9, "{widths:?}");
 }

@@ -138,7 +138,7 @@ impl Contenders {
     #[inline]
     pub(super) fn gather(&mut self, costs: Costs, point: Point) {
         if let Some(rival) = self.rivals.iter().position(|rival| dominates(rival, &costs)) {
-            // What dominated one is likely to dominate the next.
+            // A rival that dominated one design is likely to dominate the next.
             self.rivals[..=rival].rotate_right(1);
             return;
         }

@@ -79,7 +79,7 @@ pub(crate) fn levels(
     shift: Option<&ProfileShift>,
 ) -> Result<(Vec<Level>, Vec<ToothNumbers>), Error> {
     tooth_sets.retain(|teeth| limits.ring_to_sun.contains(&teeth.ring_to_sun_ratio()));
-    // By k and r as fractions: exact, and without a thought of rounding.
+    // Fractions compare k and r exactly, without rounding.
     let cross = |one: &ToothNumbers, other: &ToothNumbers| {
         let of = |gear: fn(&ToothNumbers) -> ToothCount| {
             let product =

@@ -247,7 +247,7 @@ impl ToothSearch {
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared(watch)?;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
-            // Nothing on the front of all is off the front of a part.
+            // A design on the front of all is also on the front of every part.
             held.keep(&non_dominated(&held.costs));
             let most = self.most_held / 4 * 3;
             if held.costs.len() > most {
@@ -337,7 +337,7 @@ impl ToothSearch {
         if bound.costs().is_some() && entries.len() < count {
             return Ok(false);
         }
-        // What else is held depends on how far the bound was, and that on the threads.
+        // The other designs held depend on the bound, and the bound on the threads.
         for member in entries.iter_mut().flat_map(|entry| &mut entry.members) {
             found.points.push(held.points[*member]);
             *member = found.points.len() - 1;

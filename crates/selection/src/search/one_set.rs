@@ -381,7 +381,7 @@ impl OneSetFound {
 
     fn design(&self, point: Point, entry: &Entry) -> Option<OneSetDesign> {
         let (way, level) = (&self.ways[point.way as usize], &self.levels[point.level as usize]);
-        // What met the criteria once meets them again.
+        // The criteria were met before, so they are met again.
         let measured = way.measure(level, &Allowed::ANY)?;
         let fits = |teeth: &&ToothNumbers| {
             let share = self.rating.share(teeth.planets);

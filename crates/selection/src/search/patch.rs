@@ -112,7 +112,7 @@ impl Patch {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        // By how much r is above (k − 1)/2: without offsets of the ring by nothing.
+        // Excess of r over (k − 1)/2: 0 without offsets of the ring.
         let above = |level: &Level| {
             let [sun, ring] = level.teeth;
             (2.0 * level.planet - (ring - sun)) / (2.0 * sun)
@@ -353,7 +353,7 @@ fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f6
     let x = [Role::T2.index(), Role::T1.index()][gear];
     let (one, two) = (&one.loaded[gear], &two.loaded[gear]);
     let [_, d] = fraction(one, two, gear);
-    // What enters set 1 and set 2 at each link, where 1 enters the gear at D.
+    // Power that enters set 1 and set 2 at each link, where 1 enters the gear at D.
     let enters =
         |role: usize| [one[role] * two[x], -two[role] * one[x]].map(|torque| torque / d * speeds[role]);
     let passes = |role: usize, from: usize| {

@@ -188,7 +188,7 @@ impl<'a> Screen<'a> {
             // The order of a search over teeth has circulation last.
             Objective::Size | Objective::Circulation => self.figures::<SIZE>(side, level, from),
         };
-        // What is not a number is open.
+        // A value that is not a number leaves the pair open.
         std::array::from_fn(|place| {
             if excess[place] > LOOK {
                 Verdict::Infeasible

@@ -120,7 +120,7 @@ pub(crate) fn section_of(
         profile.fillet
     };
     let (sin, cos, tan) = (libm::sin(alpha), libm::cos(alpha), libm::tan(alpha));
-    // What the protuberance leaves of undercut when the stock is taken off.
+    // Undercut that the protuberance leaves when the stock is taken off.
     let residual = if is_internal { 0.0 } else { (profile.protuberance - profile.stock).max(0.0) };
     let e = FRAC_PI_4 - depth * tan + residual / cos - (1.0 - sin) * fillet / cos;
     let g = fillet - depth + gear.shift();

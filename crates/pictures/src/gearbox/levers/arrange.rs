@@ -63,7 +63,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     };
     let mut turned = vec![false; levers.len()];
     let mut best = of(&usual, &turned);
-    // With what the order costs at least, whichever ends are up.
+    // `at_least` is the least cost of the order, whichever ends are up.
     let mut better = |order: &[usize], turned: &[bool], at_least: f64| {
         if at_least >= best.0 - LEVEL {
             return false;
@@ -86,7 +86,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
             let at_least = cost_of_order(levers, &order, clutches);
             for senses in 0..1_u32 << levers.len() {
                 let turned: Vec<bool> = (0..levers.len()).map(|lever| senses >> lever & 1 == 1).collect();
-                // Of mirror images one is enough where they cost the same.
+                // One of two mirror images is enough if they cost the same.
                 if (is_one_sided || order.first() <= order.last()) && !turned[0] {
                     better(&order, &turned, at_least);
                 }

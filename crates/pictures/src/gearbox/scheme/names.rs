@@ -166,7 +166,7 @@ impl Sheet<'_> {
             let name = self.gearbox.link_name(shape.link).to_owned();
             let (mut points, wishes): (Vec<Point>, Vec<Point>) =
                 wishes(shape, &name, |place| self.at(place)).into_iter().unzip();
-            // Of a carrier that lies within its planets' bearings the pins' ends are seen.
+            // If a carrier lies within its planets' bearings, the pins' ends are visible.
             let carried = self.layout.sets.iter().filter(|stack| stack.members[2] == shape.link);
             for stack in carried {
                 let pin = self.at(Place { x: stack.x, y: stack.planet });

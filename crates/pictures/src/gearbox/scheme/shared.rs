@@ -132,7 +132,7 @@ impl Sheet<'_> {
         let ring =
             if self.rests(double.members[1]) { super::RESTING } else { epicyclic_drawing::Color::BLACK };
         self.level([xd.min(xs) - RIM_MM, xd.max(xs) + RIM_MM], high, ring, SHAFT_MM);
-        // From the long planet to the short one.
+        // Direction from the long planet to the short one.
         let towards = (xd - xs).signum();
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(&double, 2, SHAFT_MM) };
         let pins = [short, long].map(|planet| UP_MM * planet.pin);

@@ -280,7 +280,7 @@ impl Sheet<'_> {
             self.line(self.layers.toothed_gears, look, Point::new(fork, ends[0]), Point::new(fork, ends[1]));
             for (place, pin) in pins.into_iter().enumerate() {
                 let own = if place == 0 { -1.0 } else { 1.0 };
-                // From a fork on either side each planet has the arm that is next to it.
+                // With a fork on either side each planet has the arm next to it.
                 if sides.len() > 1 && own != side {
                     continue;
                 }

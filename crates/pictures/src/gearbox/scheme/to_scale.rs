@@ -209,8 +209,7 @@ fn tie(gearbox: &Gearbox, pair: &Pair, all: &mut [Radii]) {
             let long = Planet { letter: "f", pin, contacts: [Some((1, sizes[0])), None], is_assumed: false };
             all[first].planets = vec![short, long];
         }
-        // Of i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f the pin of the first half leaves the second no
-        // choice.
+        // The pin of the first half fixes the second by i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f.
         Common::Stepped => {
             let Some(pin) = all[first].planets.first().map(|planet| planet.pin) else { return };
             let ratio = drawn[second].basic_ratio(gearbox).abs();
@@ -357,8 +356,7 @@ fn heights(set: &DrawnSet, radii: &Radii, pair: Option<&Pair>, unit: f64) -> (Se
     };
     let low = wheels.iter().map(|wheel| wheel.pin - wheel.radius).fold(sun_mesh, f64::min);
     let high = wheels.iter().map(|wheel| wheel.pin + wheel.radius).fold(ring_mesh, f64::max);
-    // Nothing can be seen of a planet that hardly orbits, as in an eccentric drive, beside a ring of that
-    // size.
+    // A planet that hardly orbits, as in an eccentric drive, would be invisible beside a ring of that size.
     if low.min(planet - sun_mesh).min(ring_mesh - planet) < LEAST_SHARE * high {
         return (SetRadii::Free, vec![]);
     }
