@@ -63,9 +63,9 @@ pub struct PlanetMass {
 /// ```
 ///
 /// # Errors
-/// [`Error::Gearbox`] for a gear that is not there; [`Error::UnknownPart`] for a link or set that is not
-/// there, or a number of planets that the set has not; [`Error::NoSpeed`] for a link whose speed does not
-/// follow from the input's in this gear.
+/// [`Error::Gearbox`] for an unknown gear; [`Error::UnknownPart`] for an unknown link or set, or a number of
+/// planets that the set does not have; [`Error::NoSpeed`] for a link whose speed does not follow from the
+/// input's in this gear.
 pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Vec<Link>, Error> {
     let analysis = gearbox.analyze(gear)?;
     let no_speed = |part: &str| Error::NoSpeed { part: part.into(), state: analysis.state().clone() };

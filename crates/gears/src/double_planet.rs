@@ -121,8 +121,8 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// The places of a pair between a sun and a ring by their teeth, sun, inner planet, outer planet, ring,
-    /// which need not be whole numbers; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
+    /// Positions of a pair between a sun and a ring by the teeth of sun, inner planet, outer planet and ring.
+    /// The teeth need not be whole numbers. `None` where no triangle has the sides `R_g`, `R_f` and `d`.
     #[must_use]
     pub fn of([sun, inner, outer, ring]: [f64; 4], rack: &BasicRack) -> Option<Self> {
         let circle = |mesh: Mesh, planet: f64| TipCircle {

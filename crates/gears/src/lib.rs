@@ -27,9 +27,9 @@
 //!
 //! # Sign convention
 //!
-//! One for the whole workspace. Speeds and torques are positive along the common axis. A torque is
-//! the one that acts *on* the member from outside the gear set, so a driving member has positive power
-//! `T·ω` and a driven one negative; the three torques of a simple set sum to zero.
+//! One convention holds for the whole workspace. Speeds and torques are positive along the common axis. A
+//! torque is the one that acts *on* the member from outside the gear set. A driving member therefore has
+//! positive power `T·ω`, a driven one negative power. The three torques of a simple set sum to zero.
 //!
 //! # Example
 //!

@@ -62,10 +62,10 @@ impl BasicRack {
     /// z_min = 2·h_a*/sin²α
     /// ```
     ///
-    /// For external teeth without profile shift. The rack that cuts them has straight flanks to `h_a*` below
-    /// its pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771); the rounding
-    /// below lies within the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at 14.5°, 20° and
-    /// 25° with `h_a*` = 1.
+    /// The formula is for external teeth without profile shift. The rack that cuts them has straight flanks
+    /// to `h_a*` below its pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771).
+    /// The rounding below lies within the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at
+    /// 14.5°, 20° and 25° with `h_a*` = 1.
     ///
     /// # Source
     /// ISO 21771, limit of undercut at `x` = 0.

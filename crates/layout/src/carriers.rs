@@ -1,11 +1,12 @@
 //! Carriers with several planets: which embeddings of the graph a carrier can be drawn for.
 //!
-//! The planet of a set is one vertex with its carrier, so around that vertex the two meshes of a set
-//! are the ends of a chord through the carrier: sun below, ring above. A carrier reaches both sides
-//! of its planet, so one chord may cut the vertex anywhere. Two chords must not cross: beyond its own
-//! chord a planet sees the whole of every other set of its carrier on one side. Where the embedding
-//! found has crossing chords, one of the sets is settled by trying on which side of it everything
-//! else of the carrier lies; each trial is again a question of planarity, and a trial that is not
+//! The planet of a set is one vertex with its carrier. Around that vertex the two meshes of a set are
+//! therefore the ends of a chord through the carrier: sun below, ring above. A carrier reaches both sides of
+//! its planet, so one chord may cut the vertex anywhere. Two chords must not cross: beyond its own chord a
+//! planet sees the whole of every other set of its carrier on one side.
+//!
+//! If the embedding found has crossing chords, one of the sets is decided by trying on which side of it
+//! everything else of the carrier lies. Each trial is again a question of planarity. A trial that is not
 //! planar with all other chords free is cut off.
 //!
 //! The trials are exponential in the number of connections of a carrier with two or more planets, and

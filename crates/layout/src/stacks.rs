@@ -291,8 +291,8 @@ impl Upward {
 
     /// Least height of an edge.
     ///
-    /// A central gear may sit on its shaft or in its drum itself, and the input's and output's shafts may lie
-    /// on the axis; of two on one side the input's lies around the output's.
+    /// A central gear may sit directly on its shaft or in its drum, and the input's and output's shafts may
+    /// lie on the axis. If both leave on one side, the input's shaft lies around the output's.
     pub(super) fn rise(&self, edge: usize, same_side: bool) -> u32 {
         let [low, high] = self.ends[edge];
         let none = match self.kinds[edge] {

@@ -61,8 +61,8 @@ pub fn dominates<const N: usize>(one: &[f64; N], other: &[f64; N]) -> bool {
     nowhere_worse(one, other) && one != other
 }
 
-/// The front in the order of their costs, the cost at the first place deciding, then that at the next; each
-/// entry with the places of the designs that share its costs, ascending.
+/// The front in the order of costs: the cost at the first place of `order` decides, then that at the next.
+/// Each entry has the places of the designs that share its costs, ascending.
 #[must_use]
 pub fn front<const N: usize>(costs: &[[f64; N]], order: [usize; N]) -> Vec<Vec<usize>> {
     let first = order.first().copied();

@@ -64,7 +64,7 @@ pub fn bracketed(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     high
 }
 
-/// Both ends of the interval in which a property ends, after `halvings` halvings: the first has the property,
+/// Ends of the interval in which a property ends, after `halvings` halvings: the first has the property,
 /// the second has not.
 ///
 /// The property is not evaluated at the given ends, and the first end may be the greater.

@@ -308,8 +308,8 @@ impl ThreeSpeed {
 
     /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
     ///
-    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
-    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
+    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2.
+    /// Examples: for II-3 `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
     ///
     /// # Errors
     /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.

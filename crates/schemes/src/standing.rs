@@ -3,6 +3,7 @@
 //! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and set 2
 //! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)). It lists
 //! eleven of them and gives no reason for leaving out the other 25. Standing of all 111 structures:
+//!
 //! | standing | how many | why |
 //! |---|---|---|
 //! | [`Listed`](Standing::Listed) | 11 | |

@@ -350,8 +350,8 @@ fn invalid_requirements_are_refused() {
     assert!(none.front().unwrap().entries().is_empty());
 }
 
-/// In both gears the efficiency and in gear 1 all else comes from set 1 alone; that of k = 20/9 lies half-way
-/// between two points of the grid of objectives, where the last bit of a double decides.
+/// In both gears the efficiency and in gear 1 all else comes from set 1 alone. The efficiency of k = 20/9
+/// lies half-way between two points of the grid of objectives, where the last bit of a double decides.
 #[test]
 fn what_set_2_does_not_change_is_equal_beside_every_set_2() {
     let mut requirements = Requirements::new(

@@ -97,9 +97,8 @@ impl Part {
     /// Reads a part from Parquet.
     ///
     /// # Errors
-    /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before
-    /// anything of it is read; [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with
-    /// such a checksum.
+    /// [`Error::Unsealed`] and [`Error::Damaged`] for bytes that are no part or were changed, before anything
+    /// is read. [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with such a checksum.
     pub fn from_parquet(bytes: Vec<u8>) -> Result<Self, Error> {
         // The checksum comes first: a damaged table might still be read as another search.
         seal::check(&bytes)?;

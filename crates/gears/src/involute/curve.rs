@@ -12,9 +12,9 @@
 //! Fillets are in [`tool`](super::tool) by their kind: by a hob, a shaper or a form tool.
 //!
 //! # Undercut
-//! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the
-//! involute and crosses it further out; there the outline goes over. Otherwise both have a tangent in common
-//! where the flank of the tool ends.
+//! If the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the
+//! involute. It crosses the involute further out, where the outline continues on it. Otherwise both have a
+//! common tangent where the flank of the tool ends.
 //!
 //! Left out: chamfers, the feed of the tool.
 

@@ -19,8 +19,8 @@
 //! protuberance `p_r` moves it beyond the flank of the tool, a stock `q` moves the whole tool outwards.
 //!
 //! # By a shaper
-//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute;
-//! its centre has the radius `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal
+//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute.
+//! Its centre has the radius `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal
 //! of the arc in the direction `δ` passes through the pitch point when the cutter has turned by `γ`:
 //!
 //! ```text
@@ -70,9 +70,11 @@ pub(super) struct Fillet {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Corner {
-    /// Rounded corner of a rack: its centre in the normal section (`η` from the reference line of the gear)
-    /// and its radius; the last angle of the curve; the parameter where the corner ends at the flank of the
-    /// tool.
+    /// Rounded corner of a rack.
+    ///
+    /// `xi`, `eta` and `radius` are its centre in the normal section (`η` from the reference line of the
+    /// gear) and its radius. `end` is the last angle of the curve, `corner` the parameter where the corner
+    /// ends at the flank of the tool.
     Rack { xi: f64, eta: f64, radius: f64, end: f64, corner: f64 },
     /// Corner of a cutter.
     Shaper(Cutter),

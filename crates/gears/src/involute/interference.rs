@@ -36,11 +36,11 @@ pub struct Interference {
     /// Radius `base` less the radius of curvature at which the involute of the pinion ends and its fillet
     /// begins, modules.
     pub fillet: f64,
-    /// Angle of the ring, rad, by which the tips miss each other outside the mesh; −∞ where the tip circle of
-    /// the pinion encloses that of the ring, +∞ where the tip circles do not meet.
+    /// Angle of the ring, rad, by which the tips miss each other outside the mesh. It is −∞ where the tip
+    /// circle of the pinion encloses that of the ring, +∞ where the tip circles do not meet.
     pub trochoidal: f64,
-    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially; −∞
-    /// where the ring's tips reach within its base circle, +∞ where they never meet.
+    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially. It is
+    /// −∞ where the ring's tips reach within its base circle, +∞ where they never meet.
     pub trimming: f64,
 }
 

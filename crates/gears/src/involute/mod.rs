@@ -2,7 +2,7 @@
 //! interference.
 //!
 //! Names and signs are those of ISO 21771. All lengths are in normal modules `m_n`; multiply by the module
-//! for millimetres. Diameters and centre distances are given as positive numbers, of internal gears too; in
+//! for millimetres. Diameters and centre distances are given as positive numbers, also for internal gears. In
 //! formulas the teeth `z` of an internal gear, its diameters, and the centre distance of its mesh are
 //! negative.
 //!

@@ -32,8 +32,8 @@
 //! Left out: play and deflection of bearings, pins, shafts and carrier, unequal planets; `c_γ` is given.
 //!
 //! # Gears in a train
-//! By virtual work a set on whose member the torque is `τ` times that at the output of the whole adds `|τ|·φ`
-//! to the play there and `τ²/k` to the compliance: [`at_output`].
+//! Let the torque on a member of a set be `τ` times that at the output of the whole train. By virtual work
+//! the set then adds `|τ|·φ` to the play at the output and `τ²/k` to the compliance: [`at_output`].
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; derived from the involute.

@@ -52,8 +52,8 @@ impl Tips {
         theta1 / self.ratio() + self.inv_w - inv2 - theta2
     }
 
-    /// Angle of the external gear, rad, by which the tips miss each other when it is moved radially; −∞ where
-    /// the tips of the ring reach within its base circle, +∞ where they never meet.
+    /// Angle of the external gear, rad, by which the tips miss each other when it is moved radially. It is −∞
+    /// where the tips of the ring reach within its base circle, +∞ where they never meet.
     pub(super) fn trimming(&self) -> f64 {
         if self.tips[1] < self.bases[1] {
             return f64::NEG_INFINITY;

@@ -69,10 +69,11 @@ impl Shaper {
 }
 
 impl Tool {
-    /// The tool of a gear whose own is not known: a hob for external gears; for rings a shaper with 30 teeth,
-    /// or with 18 less than the ring where that is fewer; for rings of fewer than 42 teeth, whose tips such a
-    /// shaper would cut away, a form tool. Corners are rounded by 0.3, or by what the cutter of a steep rack
-    /// has room for.
+    /// Usual tool of a gear whose own tool is not known.
+    ///
+    /// External gears have a hob. Rings have a shaper with 30 teeth, or with 18 less than the ring if that is
+    /// fewer. Rings of fewer than 42 teeth have a form tool, since such a shaper would cut away their tips.
+    /// Corners are rounded by 0.3, or by the radius that the cutter of a steep rack has room for.
     #[must_use]
     pub fn usual(kind: GearKind, teeth: ToothCount) -> Self {
         if kind == GearKind::External {

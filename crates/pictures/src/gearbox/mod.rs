@@ -8,8 +8,8 @@
 //! | [`ladder`] | ratios of all gears on a logarithmic scale, with their steps |
 //!
 //! Sizes are those of a drawing on paper: letters of 2.5 mm, shafts of 0.7 mm. No label meets another or a
-//! line, and no leader runs through a sign; the tests hold every picture of the catalogue, of five gearboxes
-//! in service, of the examples and of the cases to that.
+//! line, and no leader runs through a sign. The tests check this for every picture of the catalogue, of five
+//! gearboxes in service, of the examples and of the cases.
 
 pub mod ladder;
 pub mod levers;

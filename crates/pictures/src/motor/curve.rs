@@ -23,8 +23,8 @@ use uom::si::f64::Length;
 use crate::Error;
 use crate::tolerance::CURVE;
 
-/// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a
-/// kilometre a ten-billionth of its length, which no coordinate holds better.
+/// The greatest distance between a curve that is no arc and the arcs drawn for it. For a curve longer than a
+/// kilometre it is a ten-billionth of its length, the precision of coordinates.
 pub const TOLERANCE_MM: f64 = 1e-4;
 
 /// Number of places of a piece at which its distance is evaluated.

@@ -247,17 +247,17 @@ impl Patch {
         {
             return None;
         }
-        // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products
-        // make eight times the rounding of the terms, and five more operations follow.
+        // A loaded k is rounded twice, 1 + k once more. A product of two such and a difference of products
+        // make eight times the rounding of the terms. Five more operations follow.
         let doubt = ROUNDING * (9.0 * cancelled + 6.0);
         Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques, doubt })
     }
 
     /// Costs of a measured pair of levels with the shares `K_γ/N` of its sets.
     ///
-    /// Each on the point of its grid where the exact value belongs: of ratios and speeds by construction; of
-    /// efficiency and size by the double, unless rounding may have carried that over half the way to the next
-    /// point, and then by twice the digits.
+    /// Each cost is on the point of its grid where the exact value belongs. For ratios and speeds this holds
+    /// by construction. For efficiency and size the double decides, unless rounding may have carried it over
+    /// half the way to the next point; then twice the digits decide.
     #[inline]
     pub(crate) fn costs(&self, measured: &Measured, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
         let cube = measured.cube(0, levels[0], shares[0]).max(measured.cube(1, levels[1], shares[1]));
@@ -280,7 +280,7 @@ impl Patch {
     }
 
     /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its
-    /// free link; a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
+    /// free link. A set's coefficients are times the teeth of its sun, and times `η₀` where it divides.
     fn exact_parts(&self, levels: [&Level; 2], gear: usize) -> ([Double; 2], [Double; 2]) {
         let eta0 = self.eta0;
         let x = [Role::T2.index(), Role::T1.index()][gear];

@@ -23,9 +23,9 @@
 //! ```
 //!
 //! With `z_n` below 0 the fillet radius of a ring is that of the fillet which the virtual rack makes. A
-//! commercial program prints a larger one (0.418 instead of 0.380 for the ring of the NREL reference
-//! gearbox), which follows with `|z_n|`; a shaper's true fillet is sharper still (0.370). The radius enters
-//! `Y_S` alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
+//! commercial program prints a larger one, which follows with `|z_n|`: 0.418 instead of 0.380 for the ring of
+//! the NREL reference gearbox. A shaper's true fillet is sharper still (0.370). The radius enters `Y_S`
+//! alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
 //!
 //! Left out: notches from grinding (`Y_Sg`), which stock without as much protuberance leaves.
 //!

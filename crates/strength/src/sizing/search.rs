@@ -28,10 +28,10 @@ const THICK_RIM: f64 = 1.2;
 ///
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or
-/// centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
-/// [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard
-/// holds for, which are left out and counted; those of
-/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
+/// centre distances; [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
+/// [`Error::OutOfRange`] for a quantity of it; those of
+/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance). Also those of
+/// [`rate_duty`], except for teeth outside the range of the standard, which are left out and counted.
 pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
     check(task)?;
     let modules_mm = sorted(&task.space.modules);
