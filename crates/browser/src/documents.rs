@@ -23,8 +23,10 @@ pub(crate) fn of(name: &str, file: &str) -> Result<Rc<Document>, Failure> {
     })
 }
 
-/// What was read of a text is taken over for the text with other numbers, from the last to the first, where
-/// that is all that changes.
+/// Reuses the parsed document for a text in which only numbers have changed.
+///
+/// `numbers` gives the position and the new text of each, from the last in the file to the first. If one of
+/// them cannot be replaced, the next question parses the text anew.
 pub(crate) fn take_over(name: &str, file: &str, changed: &str, numbers: &[(Position, &str)]) {
     LAST.with_borrow_mut(|last| {
         // Half changed it would be of no text: then the next question reads it anew.

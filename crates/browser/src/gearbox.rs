@@ -1,4 +1,4 @@
-//! A gearbox looked at: answers, tables and pictures of a file and a gear.
+//! Answers, tables and pictures of a gearbox file and a gear.
 
 use crate::reply::{Failure, json, object, refuse, refused, text, told};
 use crate::{documents, layouts};
@@ -23,10 +23,10 @@ use serde::Deserialize;
 use std::cmp::Reverse;
 use uom::si::f64::Ratio;
 
-/// What messages call the file.
+/// Name of the file in messages.
 const NAME: &str = "gearbox.yaml";
 
-/// What is asked of a file.
+/// Question about a file, as the app sends it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Question {
@@ -104,7 +104,8 @@ fn typed<Q: Physical>(field: &str, text: Option<&str>) -> Result<Option<Q>, Fail
     text.map(read).transpose()
 }
 
-/// What the file says of the gearbox that is meant: done with it, or a list of transmissions.
+/// Reads the selected gearbox of the file and answers with `done`, or a list of its transmissions with
+/// `several`.
 fn with<T>(
     file: &str,
     question: &Question,
@@ -172,7 +173,7 @@ fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
     read(subject.document, &Choice::default()).map_err(refused)
 }
 
-/// A picture as SVG, or in words why there is none.
+/// Picture as SVG in JSON; where it cannot be drawn, the message that gives the reason.
 fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> String {
     let scene =
         scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));
@@ -233,7 +234,7 @@ pub(crate) fn front(file: &str, question: &str) -> Result<String, Failure> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Change {
-    /// As `adjust` has named it of this file.
+    /// Position of a number that `adjust` has named in this file.
     number: AdjustableNumber,
     to: String,
 }
@@ -243,12 +244,12 @@ pub(crate) fn adjusted(file: &str, question: &str, changes: &str) -> Result<Stri
     let mut changes: Vec<Change> =
         serde_json::from_str(changes).map_err(|error| refuse("changes", error.to_string()))?;
     for Change { number: AdjustableNumber { set, of, .. }, to } in &mut changes {
-        // What is no number would change how the file reads: `k: 2,94` is two entries.
+        // Text that is no number would change how the file is read: `k: 2,94` is two entries.
         let read: Result<Number, _> = to.parse();
         read.map_err(|error| refuse(error.name(), format!("set {set}, {}: {error}", of.name())))?;
         *to = to.trim().to_owned();
     }
-    // From the end of the file: those before keep their places.
+    // The last change of the file comes first, so that the others keep their positions.
     changes.sort_by_key(|Change { number, .. }| Reverse((number.line, number.column)));
     let mut new = file.to_owned();
     for Change { number, to } in &changes {

@@ -29,7 +29,7 @@ pub(crate) fn of(gearbox: &Gearbox) -> Rc<Verdict> {
     })
 }
 
-/// All that a layout depends on.
+/// Text of everything that a layout depends on: gearboxes of equal text have equal layouts.
 fn structure(gearbox: &Gearbox) -> String {
     let members: Vec<&[LinkId]> = gearbox.sets().iter().map(epicyclic_train::PlanetSet::members).collect();
     let ends: Vec<[LinkId; 2]> = gearbox.gears().iter().map(|gear| [gear.input(), gear.output()]).collect();

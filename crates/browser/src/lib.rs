@@ -1,14 +1,14 @@
-//! What the app in a browser asks of the libraries.
+//! Interface between the app in a browser and the libraries.
 //!
 //! | module | answers |
 //! |---|---|
-//! | `documents` | the file that was read last |
-//! | `gearbox` | a gearbox looked at: answers, tables and pictures of a file and a gear |
-//! | `layouts` | layouts of schemes, found once for each structure |
-//! | `motor` | a hydromotor looked at, and as it turns |
-//! | `reply` | what goes back: JSON of answers, or why there is none |
+//! | `documents` | the parsed file of the last question |
+//! | `gearbox` | answers, tables and pictures of a gearbox file and a gear |
+//! | `layouts` | layouts of schemes, computed once for each structure |
+//! | `motor` | a hydromotor, at rest and as it turns |
+//! | `reply` | the reply: JSON of answers, or the error |
 //!
-//! A question and its reply are texts in JSON. The answers within are those of the program, key by key.
+//! Questions and replies are texts in JSON. The answers within are those of the program, key by key.
 
 mod documents;
 mod gearbox;
@@ -34,7 +34,7 @@ pub fn front(file: &str, question: &str) -> String {
     reply::told(gearbox::front(file, question))
 }
 
-/// The same with other numbers at places that `look` has named, and the text of the file with them.
+/// Answers of [`look`] with other numbers at places that it has named, and the text of the changed file.
 #[wasm_bindgen]
 #[must_use]
 pub fn adjusted(file: &str, question: &str, changes: &str) -> String {
@@ -55,7 +55,7 @@ pub fn motor(file: &str) -> String {
     reply::told(motor::look(file))
 }
 
-/// The same as it turns, in so many frames over a lobe of its rotor.
+/// Hydromotor of a file as it turns: `frames` pictures over one lobe of its rotor.
 #[wasm_bindgen]
 #[must_use]
 pub fn moving(file: &str, frames: u32) -> String {

@@ -1,4 +1,4 @@
-//! A hydromotor looked at, and as it turns.
+//! Answers of a hydromotor file, at rest and as the motor turns.
 
 use crate::documents;
 use crate::reply::{Failure, json, object, refused, text};

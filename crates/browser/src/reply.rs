@@ -1,11 +1,11 @@
-//! What goes back: JSON of answers, or why there is none.
+//! Replies to the app: JSON of answers, or of the error.
 
 use epicyclic_commands::answer::Answer;
 use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
 use epicyclic_commands::refused::{Place, Refused};
 
-/// Why there is no answer.
+/// Error returned instead of an answer.
 pub(crate) type Failure = Box<Refused>;
 
 /// The reply, or the refusal as the program writes it.

@@ -69,7 +69,7 @@ impl Desk for Page {
     }
 }
 
-/// What a call leaves behind.
+/// Result of a call: exit code, standard output, messages and written files.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Called {
@@ -88,28 +88,28 @@ impl Called {
         self.code
     }
 
-    /// What the program writes to its standard output.
+    /// Text that the program writes to standard output.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn answer(&self) -> String {
         self.answer.clone()
     }
 
-    /// What it says beside the answer.
+    /// Messages of the program apart from the answer.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn messages(&self) -> String {
         self.messages.clone()
     }
 
-    /// Names of the files that it wrote.
+    /// Names of the files that the program wrote.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn written(&self) -> Vec<String> {
         self.written.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// The content of one of them.
+    /// Content of a written file, by its index in [`written`](Self::written).
     #[must_use]
     pub fn file(&self, place: usize) -> Option<Vec<u8>> {
         self.written.get(place).map(|(_, content)| content.clone())

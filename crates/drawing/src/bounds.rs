@@ -3,20 +3,20 @@
 /// A point in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point {
-    /// To the right.
+    /// Coordinate to the right.
     pub x: f64,
-    /// Up.
+    /// Coordinate upwards.
     pub y: f64,
 }
 
 impl Point {
-    /// From its coordinates.
+    /// Point from its coordinates.
     #[must_use]
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// At a distance and an angle from a centre.
+    /// Point at a distance and an angle from a centre.
     #[must_use]
     pub fn polar(centre: Self, radius: f64, angle_rad: f64) -> Self {
         Self::new(centre.x + radius * libm::cos(angle_rad), centre.y + radius * libm::sin(angle_rad))
@@ -89,7 +89,7 @@ impl Bounds {
         self.top - self.bottom
     }
 
-    /// Whether it holds nothing.
+    /// Whether the box is empty.
     #[must_use]
     pub fn is_empty(self) -> bool {
         self.left > self.right || self.bottom > self.top

@@ -352,8 +352,8 @@ impl Writer {
     }
 }
 
-/// What is outside ASCII as `\U+XXXX`, beyond the first plane as `?`: the code page of the file is not the
-/// reader's.
+/// Text in ASCII: other characters as `\U+XXXX`, those beyond the first plane as `?`. The reader does not
+/// know the code page of the file.
 fn encoded(text: &str) -> String {
     let mut out = String::new();
     for c in one_line(text).chars() {

@@ -1,8 +1,8 @@
-//! What cannot be drawn.
+//! Errors of drawings.
 
 use thiserror::Error;
 
-/// What cannot be drawn.
+/// A scene that cannot be drawn or written.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -12,7 +12,7 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// Two layers of one name; CAD programs tell no capitals apart.
+    /// Two layers of one name; CAD programs do not distinguish capitals.
     #[error("layer `{name}` is there already")]
     LayerTwice {
         /// The name.
@@ -41,14 +41,14 @@ pub enum Error {
         "the drawing is {width_mm:.0} × {height_mm:.0} mm; a PDF page has at most {most_mm:.0} mm each way"
     )]
     PageSize {
-        /// Its width.
+        /// Width of the drawing.
         width_mm: f64,
-        /// Its height.
+        /// Height of the drawing.
         height_mm: f64,
-        /// The most that a page has.
+        /// Largest width and height of a page.
         most_mm: f64,
     },
-    /// A resolution that is none, or too many pixels.
+    /// A resolution outside its range, or too many pixels.
     #[error(
         "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; from {least_dpi} to {most_dpi} an inch and at most {most:.0} in all are allowed"
     )]
@@ -61,7 +61,7 @@ pub enum Error {
         height: f64,
         /// The least resolution.
         least_dpi: f64,
-        /// The greatest.
+        /// The greatest resolution.
         most_dpi: f64,
         /// The most pixels.
         most: f64,
@@ -71,7 +71,7 @@ pub enum Error {
     TooFewPoints {
         /// The layer.
         layer: String,
-        /// How many it has.
+        /// Number of points of the polyline.
         points: usize,
     },
 }

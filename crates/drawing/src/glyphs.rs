@@ -1,15 +1,14 @@
 //! Text as outlines of Noto Sans, for formats that show it without a font of the system.
 //!
-//! The widths of labels are those of Helvetica; a line that is wider in this font is drawn together to its
-//! width, so that labels keep clear of each other. Subscript digits, which the font lacks, are small digits;
-//! any other character that it lacks is an empty box.
+//! The widths of labels are those of Helvetica. A line that is wider in this font is compressed to its width,
+//! so that labels keep clear of each other. The font lacks subscript digits, which are drawn as small digits;
+//! any other missing character is an empty box.
 
 use crate::bounds::Point;
 use crate::label::{Align, Text, one_line};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// Size of subscript digits over that of digits, and how far they stand below the line, over the size of the
-/// font.
+/// Size of subscript digits over that of digits, and their distance below the line over the size of the font.
 const SUBSCRIPT: [f64; 2] = [0.62, 0.14];
 
 /// A step of an outline, in millimetres of the scene.
@@ -22,7 +21,7 @@ pub(crate) enum Step {
     Close,
 }
 
-/// The outlines of a text's letters where they stand.
+/// Outlines of a text's letters at their positions.
 pub(crate) fn outline(text: &Text) -> Vec<Step> {
     let Ok(face) = Face::parse(ttf_noto_sans::REGULAR, 0) else { return vec![] };
     // Each glyph with its size and its height above the line, over the size of the font.
@@ -68,7 +67,7 @@ pub(crate) fn outline(text: &Text) -> Vec<Step> {
 /// Collects the outlines of glyphs.
 struct Pen {
     steps: Vec<Step>,
-    /// In units of the font.
+    /// Position of the pen in units of the font.
     at: Point,
     start: Point,
     place: Box<dyn Fn(Point) -> Point>,

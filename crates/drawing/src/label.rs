@@ -5,7 +5,7 @@
 
 use crate::bounds::{Bounds, Point};
 
-/// The fonts that a picture asks for, all of one width.
+/// Fonts of the pictures, all of one width.
 pub const FONTS: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
 /// Height of capitals over the size of the font.
@@ -13,10 +13,10 @@ pub(crate) const CAP_HEIGHT: f64 = 0.716;
 /// Letters of a line that no font makes much longer.
 const LONG: usize = 4;
 
-/// What reaches below the base line, over the size of the font.
+/// Height of the parts below the base line, over the size of the font.
 const DESCENT: f64 = 0.21;
 
-/// Where a text stands about its point.
+/// Alignment of a text to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Align {
     /// The point is its left end.
@@ -35,9 +35,9 @@ pub struct Text {
     pub at: Point,
     /// Height of its capitals.
     pub height_mm: f64,
-    /// What it says.
+    /// The characters of the line.
     pub content: String,
-    /// Where it stands about the point.
+    /// Alignment to the point.
     pub align: Align,
     /// Angle of its line about the point.
     pub rotation_rad: f64,
@@ -50,13 +50,13 @@ impl Text {
         Self { at: at.into(), height_mm, content: content.into(), align: Align::Middle, rotation_rad: 0.0 }
     }
 
-    /// The same with its point elsewhere.
+    /// Text with another alignment to its point.
     #[must_use]
     pub fn align(self, align: Align) -> Self {
         Self { align, ..self }
     }
 
-    /// The same, turned about its point.
+    /// Text turned about its point.
     #[must_use]
     pub fn turned(self, rotation_rad: f64) -> Self {
         Self { rotation_rad, ..self }
@@ -110,7 +110,7 @@ fn width(c: char) -> f64 {
     f64::from(known(c).unwrap_or(1000))
 }
 
-/// The same of a character in the table of Helvetica, or of one whose width is much the same in its fonts.
+/// Advance of a character in the table of Helvetica, or of one whose width is much the same in its fonts.
 fn known(c: char) -> Option<u16> {
     Some(match c {
         'i' | 'j' | 'l' | '\'' | '|' => 222,

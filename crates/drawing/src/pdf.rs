@@ -74,7 +74,7 @@ pub fn write(scene: &Scene) -> Result<Vec<u8>, Error> {
     Ok(pdf.finish())
 }
 
-/// As numbers of a content stream, which have single precision.
+/// Number with the single precision of a content stream.
 #[allow(clippy::cast_possible_truncation)] // within ±1e5, checked
 fn single(value: f64) -> f32 {
     value as f32
@@ -212,7 +212,7 @@ mod tests {
         assert!(matches!(write(&large), Err(Error::PageSize { .. })));
     }
 
-    /// The curves of a quarter keep the radius within what is said of them.
+    /// Checks the radius of the curves of a quarter circle against the stated deviation.
     #[test]
     fn the_curves_of_an_arc_are_round() {
         let reach = 4.0 / 3.0 * libm::tan(0.25 * FRAC_PI_2);

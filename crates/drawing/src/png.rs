@@ -42,7 +42,7 @@ pub fn write(scene: &Scene, dpi: f64) -> Result<Vec<u8>, Error> {
     drawn.fill(Color::WHITE);
     let scale = (dpi / INCH[1]) as f32;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut drawn.as_mut());
-    // Nothing shows through: the paper is white.
+    // The paper is white and opaque, so the alpha channel is dropped.
     let colors: Vec<u8> = drawn.data().chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();
     let mut out = vec![];
     let mut encoder = Encoder::new(&mut out, width as u32, height as u32);

@@ -14,20 +14,20 @@ pub const LIMIT_MM: f64 = 1e5;
 /// A vertex of a polyline and the way on from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
-    /// Where it is.
+    /// Position of the vertex.
     pub at: Point,
     /// The side to the next vertex: 0 a straight line, else an arc with `tan(sweep/4)`, positive
     /// counter-clockwise.
     pub bulge: f64,
 }
 
-/// What is drawn.
+/// Shape that is drawn.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
     /// A straight line.
     Line {
-        /// One end.
+        /// First end.
         from: Point,
         /// The other.
         to: Point,
@@ -168,9 +168,9 @@ pub struct LayerId(pub(crate) usize);
 /// A named layer and how its shapes are drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
-    /// Its name.
+    /// Name of the layer.
     pub name: String,
-    /// How its shapes are drawn.
+    /// Style of its shapes.
     pub style: Style,
 }
 
@@ -252,7 +252,7 @@ impl Scene {
         &self.items
     }
 
-    /// How a shape is drawn.
+    /// Style of a shape: its own, or that of its layer.
     #[must_use]
     pub fn style(&self, item: &Item) -> Style {
         item.style.unwrap_or(self.layers[item.layer.0].style)

@@ -19,13 +19,13 @@ impl Color {
     /// Grey of auxiliary lines.
     pub const GREY: Self = Self::new(128, 128, 128);
 
-    /// From its parts.
+    /// Colour from its channels.
     #[must_use]
     pub const fn new(red: u8, green: u8, blue: u8) -> Self {
         Self { red, green, blue }
     }
 
-    /// The colour at `part` of the way from this to another, each channel by itself; `part` outside 0…1 means
+    /// Colour at `part` of the way from this to another, each channel separately; `part` outside 0…1 means
     /// the nearer end.
     #[must_use]
     pub fn towards(self, other: Self, part: f64) -> Self {
@@ -35,17 +35,17 @@ impl Color {
         Self::new(mix(self.red, other.red), mix(self.green, other.green), mix(self.blue, other.blue))
     }
 
-    /// As SVG and CSS write it, `#rrggbb`.
+    /// Colour as SVG and CSS write it, `#rrggbb`.
     #[must_use]
     pub fn hex(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.red, self.green, self.blue)
     }
 }
 
-/// How a line is broken.
+/// Dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Dash {
-    /// Not at all.
+    /// Without breaks.
     #[default]
     Solid,
     /// Dashes: hidden or removed.
@@ -69,14 +69,14 @@ impl Dash {
     }
 }
 
-/// How a shape is drawn.
+/// Style of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
     /// Colour of lines and text.
     pub color: Color,
     /// Width of lines in millimetres; 0 draws no line.
     pub width_mm: f64,
-    /// How lines are broken.
+    /// Dashes of the line.
     pub dash: Dash,
     /// Colour that a closed shape is filled with. SVG only: in DXF a fill is its outline.
     pub fill: Option<Color>,
@@ -101,25 +101,25 @@ impl Style {
         Self { color, width_mm: 0.0, dash: Dash::Solid, fill: Some(color) }
     }
 
-    /// The same in another colour.
+    /// Style in another colour.
     #[must_use]
     pub const fn color(self, color: Color) -> Self {
         Self { color, ..self }
     }
 
-    /// The same with another width.
+    /// Style with another line width.
     #[must_use]
     pub const fn width(self, width_mm: f64) -> Self {
         Self { width_mm, ..self }
     }
 
-    /// The same with other dashes.
+    /// Style with other dashes.
     #[must_use]
     pub const fn dash(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
 
-    /// The same with a fill.
+    /// Style with a fill.
     #[must_use]
     pub const fn fill(self, fill: Color) -> Self {
         Self { fill: Some(fill), ..self }

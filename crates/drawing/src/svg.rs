@@ -1,9 +1,8 @@
 //! The scene as an SVG image, one user unit a millimetre.
 //!
 //! A layer is a group with the layer's name as its `id` and `class`, so that a page can restyle or hide it.
-//! Shapes keep their order across layers: a layer whose shapes are drawn in several goes appears as several
-//! groups, of which the first has the `id`. Shapes that follow each other in one style of their own share a
-//! group.
+//! Shapes keep their order across layers: if other layers are drawn between shapes of a layer, it appears as
+//! several groups, and the first has the `id`. Consecutive shapes with one style of their own share a group.
 
 use quick_xml::Writer;
 use quick_xml::escape::partial_escape;
@@ -26,7 +25,7 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
     image(scene, true, &letters)
 }
 
-/// The same to stand among others in one page: its groups have no `id`, and the page sets its size.
+/// SVG image for a page with others: its groups have no `id`, and the page sets its size.
 ///
 /// # Errors
 /// As [`Scene::check`].
@@ -34,7 +33,7 @@ pub fn embed(scene: &Scene) -> Result<String, Error> {
     image(scene, false, &letters)
 }
 
-/// The same with text as outlines, for which no font is needed.
+/// SVG image with text as outlines, for which no font is needed.
 ///
 /// # Errors
 /// As [`Scene::check`].
@@ -205,7 +204,7 @@ fn letters(image: &mut Image, text: &Text, style: Style) {
     let [lower, size] = [0.5 * text.height_mm, text.font_size_mm()].map(number);
     let fill = style.color.hex();
     let mut attributes = vec![("dy", &*lower), ("fill", &fill), ("font-size", &size)];
-    // Where none of the fonts is there, another is drawn together to the width that was counted on.
+    // If none of the fonts is installed, another is compressed to the calculated width.
     let width = text.fixed_width_mm().map(number);
     if width.is_some() {
         attributes.push(("lengthAdjust", "spacingAndGlyphs"));
@@ -261,11 +260,10 @@ fn place(point: Point) -> String {
     format!("{} {}", number(point.x), number(-point.y))
 }
 
-/// To a tenth of a micrometre, without trailing zeros.
+/// Writes a number to a tenth of a micrometre, without trailing zeros.
 fn number(value: f64) -> String {
     let scaled = value.abs() * 1e4;
-    // As the formatting of the library rounds, in whole numbers; what is almost half is left to it, and what
-    // is large.
+    // Integers round as the formatting of the library does; it handles values near a half and large values.
     let is_sure = scaled < 1e12 && (scaled.fract() - 0.5).abs() > 1e-3;
     if !is_sure {
         return formatted(value);

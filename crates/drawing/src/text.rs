@@ -3,7 +3,7 @@
 pub use crate::label::{Align, FONTS, Text};
 use crate::scene::{Bounds, Point, Scene, Shape, arc_of_side, sides};
 
-/// What stands in a label's way.
+/// Overlap of a label with another label or a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Overlap {
     /// Place of the label among [`Scene::items`].
@@ -26,6 +26,7 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
         for (other, item) in items.iter().enumerate() {
             let met = match label(other) {
                 Some(next) => other > at && bounds.overlaps(next),
+                // Two labels find each other twice: only the pair with the later one counts.
                 None => scene.style(item).width_mm > 0.0 && line_meets(&item.shape, bounds),
             };
             if met {
@@ -81,14 +82,15 @@ pub fn distance(from: Point, to: Point, shape: &Shape) -> f64 {
     least.sqrt()
 }
 
-/// The square of the distance of two straight lines: 0 where they cross, else that of an end from the other
-/// line.
+/// Square of the distance of two straight lines: 0 where they cross, else that of an end from the other line.
+/// Only the least of all distances needs a root.
 fn square_apart(one: [Point; 2], other: [Point; 2]) -> f64 {
     let aside = |[a, b]: [Point; 2], p: Point| (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     let parted = |line: [Point; 2], ends: [Point; 2]| aside(line, ends[0]) * aside(line, ends[1]) < 0.0;
     if parted(one, other) && parted(other, one) {
         return 0.0;
     }
+    // Two lines that do not cross are nearest at an end of one of them.
     let to_line = |[a, b]: [Point; 2], p: Point| {
         let (dx, dy) = (b.x - a.x, b.y - a.y);
         let square = dx * dx + dy * dy;

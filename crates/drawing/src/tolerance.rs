@@ -1,8 +1,7 @@
-//! What counts as nothing in a drawing.
+//! Tolerances of this crate: differences that count as zero.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `STRAIGHT` | a bulge, `tan(sweep/4)` | the centre lies `c/(4·b)` off the chord `c`: beyond, it has no exact place |
+//! - `STRAIGHT`: a bulge, `tan(sweep/4)`. The centre lies `c/(4·b)` off the chord `c`: below this bulge it
+//!   has no exact place.
 
-/// A bulge below it is a straight line: the arc is `b·c/2` high, and the centre would be too far to be exact.
+/// Bulge below which a side is a straight line: the arc is `b·c/2` high, and the centre too far to be exact.
 pub(crate) const STRAIGHT: f64 = 1e-10;

@@ -1,4 +1,4 @@
-//! How long a drive takes to start under half its load.
+//! Starting time of a drive under half its load.
 
 use epicyclic_dynamics::drive::{DriveSpec, design};
 use uom::si::angular_velocity::revolution_per_minute;

@@ -1,26 +1,26 @@
-//! The design of a planetary drive from power, speed and ratio to the time it takes to start.
+//! Design of a planetary drive from power, speed and ratio to its starting time.
 //!
-//! Driven at the sun, ring at rest, load on the carrier. One pure function, [`design`], takes a
-//! [`DriveSpec`] through
+//! The sun drives, the ring is at rest, the load acts on the carrier. One pure function, [`design`], takes a
+//! [`DriveSpec`] through these stages:
 //!
 //! ```text
 //! ratio → teeth, geometry → efficiency, speeds, torques → diameters, shafts, bearings → masses, inertias
 //!       → forces → J_pr, T → accelerations → starting time
 //! ```
 //!
-//! Each arrow is a value that the next stage takes, beside the part of the specification that concerns it;
-//! the solver of gearboxes is asked once, for the speeds.
+//! Each arrow is a value that the next stage takes, together with the part of the specification that concerns
+//! it. The solver of gearboxes is called once, for the speeds.
 //!
-//! What stops the calculation is an [`Error`]; what deserves a second look is a [`Warning`].
+//! An [`Error`] stops the calculation. A [`Warning`] marks a result to be checked.
 //!
 //! # Source
-//! excavator-dynamics, from end to end. Departures from it: the planet speed is that on the turning
-//! carrier, inertias are those of the shapes described, `J_pr` has `(z_1 + z_3)²` in every term, and a
-//! default sun sits on its shaft rather than on a bearing.
+//! excavator-dynamics, from end to end. Departures from it: the planet speed is that on the turning carrier;
+//! inertias are those of the shapes described; `J_pr` has `(z_1 + z_3)²` in every term; a default sun sits on
+//! its shaft rather than on a bearing.
 //!
 //! # Left out
-//! Strength of the teeth, bending of shafts and planet pins, life of the bearings, losses outside the meshes,
-//! a mesh load factor above 1 (planets that share the load unequally).
+//! Strength of the teeth, bending of shafts and planet pins, life of the bearings, and losses outside the
+//! meshes. Also left out is a mesh load factor above 1 (planets that share the load unequally).
 //!
 //! # Example
 //!
@@ -85,9 +85,10 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 ///
 /// # Errors
 /// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no set of tooth
-/// numbers reaches, gears without root, holes outside their arms, shafts beyond the standard diameters;
-/// [`Error::UnequalCentreDistances`], [`Error::BoreTooLarge`], [`Error::Impossible`], [`Error::NotFinite`],
-/// [`Error::NoInertia`], [`Error::SelfLocking`], and [`Error::Overflow`] where a result is beyond numbers.
+/// numbers reaches, or gears without root; also for holes outside their arms, or shafts beyond the standard
+/// diameters. [`Error::UnequalCentreDistances`], [`Error::BoreTooLarge`], [`Error::Impossible`],
+/// [`Error::NotFinite`], [`Error::NoInertia`], [`Error::SelfLocking`]; [`Error::Overflow`] for a result
+/// beyond the range of numbers.
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     check(spec)?;
     let wanted = Wanted { ratio: spec.ratio, tolerance: spec.ratio_tolerance };

@@ -30,7 +30,7 @@ impl MovingBody {
         Self { inertia, speed, mass: Mass::default(), centre_speed: Velocity::default() }
     }
 
-    /// Its kinetic energy, `½·J·ω² + ½·m·v²` (König).
+    /// Kinetic energy, `½·J·ω² + ½·m·v²` (König).
     #[must_use]
     pub fn kinetic_energy(&self) -> Energy {
         let v_m_s = self.centre_speed.si();

@@ -9,7 +9,7 @@
 //! | `n` | [`Link::count`] | how many alike | 1 |
 //! | `J` | [`Link::inertia`] | inertia about the link's own axis | kg·m² |
 //! | `u` | [`Link::speed_ratio`] | absolute speed of the link over that of the driving shaft | 1 |
-//! | `m`, `r` | [`Orbit::mass`], [`Orbit::radius`] | mass whose centre circles the main axis, and at what radius | kg, m |
+//! | `m`, `r` | [`Orbit::mass`], [`Orbit::radius`] | mass that circles the main axis, its radius | kg, m |
 //! | `u_H` | [`Orbit::speed_ratio`] | speed of that circling over that of the driving shaft | 1 |
 //!
 //! The ratios are constant, so `J_pr` is: gears without backlash, rigid links.
@@ -25,9 +25,9 @@ use uom::si::f64::{Length, Mass, MomentOfInertia};
 /// A moving link, or several alike.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
-    /// What it is called.
+    /// Name of the link.
     pub name: LinkName,
-    /// How many alike.
+    /// Number of equal links.
     pub count: u32,
     /// Inertia of one about its own axis.
     pub inertia: MomentOfInertia,
@@ -55,7 +55,7 @@ impl Link {
         Self { name: name.into(), count: 1, inertia, speed_ratio, orbit: None }
     }
 
-    /// Its share of the equivalent inertia, all alike together.
+    /// Share of the link in the equivalent inertia, of all equal links together.
     ///
     /// # Errors
     /// [`Error::Impossible`] for a negative or non-finite mass, inertia or radius,

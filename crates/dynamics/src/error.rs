@@ -1,4 +1,4 @@
-//! What this crate refuses.
+//! Errors of this crate.
 
 use crate::drive::{BoredGear, Computed, Given};
 use crate::link_name::{LinkName, Property};
@@ -14,9 +14,9 @@ pub enum Error {
     Impossible {
         /// The link concerned.
         link: LinkName,
-        /// Which property.
+        /// The property.
         what: Property,
-        /// Its value in SI units.
+        /// Value in SI units.
         value: f64,
     },
     /// A speed ratio, torque or speed that is not a number.
@@ -24,9 +24,9 @@ pub enum Error {
     NotFinite {
         /// The link concerned.
         link: LinkName,
-        /// Which property.
+        /// The property.
         what: Property,
-        /// Its value.
+        /// Value of the property.
         value: f64,
     },
     /// A load that is not a number.
@@ -38,7 +38,7 @@ pub enum Error {
     /// A quantity of the drive that must be finite and above 0.
     #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
     NotPositive {
-        /// Which.
+        /// The quantity.
         quantity: Given,
         /// The value given, in `unit`.
         value: f64,
@@ -89,15 +89,15 @@ pub enum Error {
     /// A result beyond what a number holds.
     #[error("{what} is {value}: the given quantities are too large or too small to calculate with")]
     Overflow {
-        /// Which result.
+        /// The result.
         what: Computed,
-        /// Its value in SI units.
+        /// Value in SI units.
         value: f64,
     },
     /// A link, set or planet that the gearbox has not.
     #[error("the gearbox {gearbox} has no {part}")]
     UnknownPart {
-        /// What was asked for.
+        /// The missing link, set or planet.
         part: String,
         /// The gearbox.
         gearbox: String,

@@ -1,14 +1,14 @@
 //! The moving links of any planetary gearbox in a gear, from which the equivalent inertia follows.
 //!
-//! Speeds come from the solver of [`epicyclic_train`], whatever the structure; this module adds
-//! the masses to them. Gears of an ordinary pair turn as the links they stand on.
+//! Speeds come from the solver of [`epicyclic_train`], whatever the structure; this module adds the masses.
+//! Gears of an ordinary pair turn with the links that carry them.
 
 use crate::Error;
 use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use epicyclic_train::Gearbox;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
-/// What moves in a gearbox.
+/// Moving masses of a gearbox.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Masses {
     /// Inertia of each link about the main axis, by the link's name; planets not included.
@@ -20,7 +20,7 @@ pub struct Masses {
 /// The planets of a set: one entry for each planet on its own axis (two of a double planet).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanetMasses {
-    /// How many stand around the axis.
+    /// Number of planets, or of pairs, around the axis.
     pub count: u32,
     /// The planet, or the planets of a pair in the order of the set's gears.
     pub each: Vec<PlanetMass>,
@@ -29,7 +29,7 @@ pub struct PlanetMasses {
 /// One planet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanetMass {
-    /// Its mass.
+    /// Mass of the planet.
     pub mass: Mass,
     /// Inertia about its own axis.
     pub inertia: MomentOfInertia,
@@ -63,9 +63,9 @@ pub struct PlanetMass {
 /// ```
 ///
 /// # Errors
-/// [`Error::Gearbox`] for a gear that is not there; [`Error::UnknownPart`] for a link or set that is not
-/// there, or a number of planets that the set has not; [`Error::NoSpeed`] for a link whose speed does not
-/// follow from the input's in this gear.
+/// [`Error::Gearbox`] for an unknown gear; [`Error::UnknownPart`] for an unknown link or set, or a number of
+/// planets that the set does not have; [`Error::NoSpeed`] for a link whose speed does not follow from the
+/// input's in this gear.
 pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Vec<Link>, Error> {
     let analysis = gearbox.analyze(gear)?;
     let no_speed = |part: &str| Error::NoSpeed { part: part.into(), state: analysis.state().clone() };

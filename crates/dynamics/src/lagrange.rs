@@ -56,8 +56,8 @@ pub fn link_acceleration(driving: AngularAcceleration, speed_ratio: f64) -> Angu
 
 /// Time from rest to `speed` under a constant acceleration, `t = ω/ε`.
 ///
-/// Both torques are taken as constant over the start, which a hydraulic motor at constant pressure
-/// is near to; for a motor with a falling characteristic it is a lower bound.
+/// Both torques are taken as constant over the start. A hydraulic motor at constant pressure is near to this;
+/// for a motor with a falling characteristic the result is a lower bound.
 ///
 /// # Errors
 /// [`Error::DoesNotStart`] unless the drive accelerates towards `speed`.

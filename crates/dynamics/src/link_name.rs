@@ -1,8 +1,8 @@
-//! Names of the links of a drive, and of what an error says of them.
+//! Names of the links of a drive and of their properties, as errors give them.
 
 use std::fmt;
 
-/// What a link is called.
+/// Name of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LinkName {
@@ -16,7 +16,7 @@ pub enum LinkName {
     Carrier,
     /// The driven machine.
     Machine,
-    /// A shaft by itself.
+    /// A single shaft.
     Shaft,
     /// A link of a gearbox, by its name.
     Named(String),
@@ -45,7 +45,7 @@ impl fmt::Display for LinkName {
     }
 }
 
-/// A property of a link that an error speaks of.
+/// A property of a link that an error names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Property {
     /// Mass.

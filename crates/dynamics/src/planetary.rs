@@ -1,9 +1,9 @@
-//! A simple planetary drive: driven at the sun, ring at rest, load on the carrier.
+//! A simple planetary drive: the sun drives, the ring is at rest, the load acts on the carrier.
 //!
 //! # With mesh losses
 //!
-//! Losses act in the motion relative to the carrier, and the inertia of the planets stands between
-//! the two meshes, so the meshes carry different powers while the drive accelerates:
+//! Losses act in the motion relative to the carrier. The inertia of the planets lies between the two meshes,
+//! so the meshes carry different powers while the drive accelerates:
 //!
 //! ```text
 //! sun      T_1 = M_1 − J_1·ε_1                                into the mesh sun–planet
@@ -12,9 +12,9 @@
 //! whole    M_1 − M_H + R = J_1·ε_1 + N·J_2·ε_2 + (N·m·r² + J_H)·ε_H
 //! ```
 //!
-//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse. Turning
-//! forward, power flows so where the mesh's torque (`T_1`, `T_2`) is above 0, turning backward where it is
-//! below. In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
+//! `e` is the efficiency of the mesh if power flows from the sun towards the ring, else its inverse. In
+//! forward rotation power flows this way if the torque of the mesh (`T_1`, `T_2`) is above 0, in backward
+//! rotation if it is below 0. In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
 //!
 //! ```text
 //! J_η·ε_1 = M_1 − M_H/(1 + η_0·k)
@@ -24,9 +24,9 @@
 //! # From rest
 //!
 //! At rest friction has no direction of its own: it opposes the motion that the torques would begin. Forward
-//! motion begins if the force with the losses of forward motion is above 0, backward motion if that with the
-//! losses of backward motion is below 0. With `M_1` ≥ 0 the first has `η_0` in place of `e_12·e_23`, the
-//! second `1/η_0`; hence
+//! motion begins if the force with the losses of forward motion is above 0. Backward motion begins if the
+//! force with the losses of backward motion is below 0. With `M_1` ≥ 0 the first force has `η_0` in place of
+//! `e_12·e_23`, the second `1/η_0`. This gives
 //!
 //! ```text
 //! M_H < M_1·(1 + η_0·k)        starts forward
@@ -34,13 +34,13 @@
 //! between, ends included       held by the friction of the meshes, ε = 0
 //! ```
 //!
-//! With `M_1` < 0 the two bounds change places. At each bound the acceleration on its side is 0 too, so it is
-//! continuous in the load, and never rises with it.
+//! With `M_1` < 0 the two bounds are exchanged. At each bound the acceleration on its side is 0 too. The
+//! acceleration is therefore continuous in the load, and never rises with it.
 //!
 //! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the equivalent inertia.
 //!
-//! excavator-dynamics refers the load to the sun without its losses; what remains as its driving force is
-//! the power that the meshes take.
+//! excavator-dynamics refers the load to the sun without its losses. The remaining driving force is then the
+//! power that the meshes take.
 
 use crate::Error;
 use crate::energy::MovingBody;
@@ -56,7 +56,7 @@ use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
 };
 
-/// The gear set of a drive with its speeds: the solver is asked once, here, and nowhere else.
+/// Gear set of a drive with its speeds, for which the solver is called once, here only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GearSet {
     teeth: ToothNumbers,
@@ -121,7 +121,7 @@ fn gearbox(teeth: &ToothNumbers) -> Result<Gearbox, Error> {
 /// A simple planetary gear with its masses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanetaryDrive {
-    /// Its gear set.
+    /// Gear set of the drive.
     pub set: GearSet,
     /// Inertia of the driving shaft with the sun, `J_1`.
     pub sun_inertia: MomentOfInertia,
@@ -146,7 +146,7 @@ pub struct Accelerations {
     pub carrier: AngularAcceleration,
 }
 
-/// In which direction a drive turns.
+/// Direction of rotation of a drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turning {
     /// The sun turns in the positive direction.
@@ -155,15 +155,15 @@ pub enum Turning {
     Backward,
 }
 
-/// What a drive at rest does under constant torques, losses included.
+/// Motion of a drive from rest under constant torques, losses included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FromRest {
-    /// It starts forward, so.
+    /// The drive starts forward with this motion.
     Forward(LossyMotion),
-    /// The friction of the meshes holds it: nothing accelerates. How it parts between the meshes is
-    /// indeterminate.
+    /// The friction of the meshes holds the drive: nothing accelerates. The division of the friction between
+    /// the meshes is indeterminate.
     Held,
-    /// The load turns it backward, so; accelerations are below 0.
+    /// The load turns the drive backward with this motion; accelerations are below 0.
     Backward(LossyMotion),
 }
 
@@ -283,11 +283,11 @@ impl PlanetaryDrive {
         if forward <= backward { [forward, backward] } else { [backward, forward] }
     }
 
-    /// What the drive does from rest: starts forward, is held by the friction of its meshes, or runs
+    /// Motion of the drive from rest: it starts forward, is held by the friction of its meshes, or runs
     /// backward.
     ///
     /// # Errors
-    /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
+    /// [`Error::NoInertia`], [`Error::SelfLocking`], and those of [`Link::equivalent_inertia`].
     pub fn from_rest(
         &self,
         driving: Torque,
@@ -311,11 +311,11 @@ impl PlanetaryDrive {
         }
     }
 
-    /// The same with the losses of the meshes, for a drive that turns in a direction. One that turns against
-    /// its acceleration slows down; what it does at rest says [`from_rest`](Self::from_rest).
+    /// Motion with the losses of the meshes, for a drive that turns in a given direction. A drive that turns
+    /// against its acceleration slows down. [`from_rest`](Self::from_rest) gives the motion at rest.
     ///
     /// # Errors
-    /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
+    /// [`Error::NoInertia`], [`Error::SelfLocking`], and those of [`Link::equivalent_inertia`].
     pub fn motion_with_losses(
         &self,
         driving: Torque,

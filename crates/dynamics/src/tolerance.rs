@@ -1,12 +1,12 @@
-//! What counts as nothing in this crate.
+//! Tolerances of this crate: differences that count as zero.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `GAP` | a shortfall of a gap between planets, over the gap wanted | the rounding of a sine and a difference of lengths |
-//! | `BALANCE` | a surplus of torque, over the driving torque | the rounding of the reduced load, which is a product of ratios |
-//! | `DIAMETER` | a shortfall of a diameter, over it | the rounding of a cube root |
+//! - `GAP`: a shortfall of a gap between planets, over the required gap; the rounding of a sine and a
+//!   difference of lengths.
+//! - `BALANCE`: a surplus of torque, over the driving torque. The load referred to the driving shaft is a
+//!   product of ratios, which is rounded.
+//! - `DIAMETER`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
 
-/// A gap is as wide as wanted where it falls short by less than this fraction.
+/// Fraction by which a gap between planets may fall short of the required one through rounding.
 pub(crate) const GAP: f64 = 1e-9;
 
 /// A surplus below this part of the driving torque is none.

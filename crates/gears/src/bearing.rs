@@ -53,7 +53,7 @@ impl fmt::Display for Series {
 /// Whether a row of the table was found in a catalogue; which one, the table's header says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verification {
-    /// Stands in a catalogue of deep-groove ball bearings.
+    /// Listed in a catalogue of deep-groove ball bearings.
     Confirmed,
     /// Follows from the boundary plan, but no such bearing was found in a catalogue.
     Unverified,
@@ -128,7 +128,7 @@ pub fn all() -> &'static [Bearing] {
 /// The bearing of a designation: `310`, or `6310` as international catalogues write it.
 ///
 /// # Errors
-/// [`Error::UnknownBearing`], which lists what there is for the bore that the last two figures name.
+/// [`Error::UnknownBearing`], which lists the designations with the bore that the last two figures name.
 ///
 /// # Example
 /// ```
@@ -143,6 +143,8 @@ pub fn all() -> &'static [Bearing] {
 /// ```
 pub fn by_designation(designation: &str) -> Result<&'static Bearing, Error> {
     let wanted = designation.trim();
+    // International catalogues put a 6 before the GOST designation. Only three more digits make it such a
+    // prefix.
     let gost = match wanted.strip_prefix('6') {
         Some(rest) if rest.len() == 3 => rest,
         _ => wanted,
@@ -171,6 +173,7 @@ pub fn by_designation(designation: &str) -> Result<&'static Bearing, Error> {
 /// ```
 pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> {
     let bore_m = positive_length(Quantity::Bore, bore)?;
+    // Millimetres are not exact in binary, so equal bores may differ by rounding.
     of_series(series).find(|bearing| (bearing.bore.si() - bore_m).abs() < SAME_M).ok_or_else(|| {
         let below = of_series(series).rfind(|bearing| bearing.bore.si() < bore_m);
         let above = of_series(series).find(|bearing| bearing.bore.si() > bore_m);

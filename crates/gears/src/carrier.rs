@@ -74,8 +74,8 @@ pub struct Hub {
 /// whole: m = N·m_a + m_h    J = N·J_a + J_h
 /// ```
 ///
-/// `N` is the number of arms; the other symbols stand at the fields of [`Arm`], [`Hole`] and [`Hub`]. The
-/// inner end of an arm is at the hub's outside radius `R`. Inertias are about the gearbox axis, by the
+/// `N` is the number of arms; the other symbols are explained at the fields of [`Arm`], [`Hole`] and [`Hub`].
+/// The inner end of an arm is at the hub's outside radius `R`. Inertias are about the gearbox axis, by the
 /// parallel-axis theorem, holes included.
 ///
 /// # Source
@@ -113,7 +113,7 @@ pub struct Carrier {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct PublishedInertia {
-    /// All arms, `N·(m_a·L²/12 + m_a·x²)`.
+    /// Inertia of all arms, `N·(m_a·L²/12 + m_a·x²)`.
     pub arms: MomentOfInertia,
     /// The hub, `¼·m_h·(R² − r²)`.
     pub hub: MomentOfInertia,
@@ -132,8 +132,11 @@ impl Carrier {
     ///
     /// # Errors
     /// [`Error::TooFew`] for no arms; [`Error::NotPositive`] for a dimension or the density;
-    /// [`Error::OutOfRange`] when a hole breaks out of its arm, the hub's inside radius is not below its
-    /// outside one, or three or more arms are wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
+    /// [`Error::OutOfRange`] in three cases:
+    ///
+    /// - a hole breaks out of its arm;
+    /// - the hub's inside radius is not below its outside radius;
+    /// - three or more arms are wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
     pub fn new(arms: u32, arm: Arm, hub: Hub, density: MassDensity) -> Result<Self, Error> {
         if arms == 0 {
             return Err(Error::TooFew { what: Counted::Arms, count: arms, at_least: 1 });
@@ -179,7 +182,7 @@ impl Carrier {
         )
     }
 
-    /// All arms about the gearbox axis.
+    /// Mass properties of all arms about the gearbox axis.
     #[must_use]
     pub fn arms(&self) -> MassProperties {
         self.arm() * f64::from(self.arms)

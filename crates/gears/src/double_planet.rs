@@ -1,5 +1,6 @@
-//! Tooth numbers of a double-planet set: sun, ring, and pairs of planets in mesh with each other, the *inner*
-//! planet of a pair in mesh with the sun, the *outer* one with the ring, both on one carrier.
+//! Tooth numbers of a double-planet set: sun, ring, and pairs of planets that mesh with each other.
+//!
+//! The *inner* planet of a pair meshes with the sun, the *outer* one with the ring. One carrier holds both.
 //!
 //! ```text
 //! centres          R_g = (z_a + z_g)/2    R_f = (z_b − z_f)/2    d = (z_g + z_f)/2
@@ -22,33 +23,34 @@
 //! | `ψ` | angle from the inner planet of a pair to its outer one, about the main axis | rad |
 //! | `N`, `γ` | number of pairs, the smallest angle between neighbouring pairs | 1, rad |
 //! | `h_a*` | addendum coefficient | modules |
-//! | `s` | least gap wanted between tip circles of gears that do not mesh | modules |
+//! | `s` | required gap between tip circles of gears that do not mesh | modules |
 //!
-//! All gears have one module and no profile shift. The two planets are free where a simple set has none: sun
-//! and ring leave `z_b = z_a + 2·z_g` of it, and here an inequality. `i₀ = +z_b/z_a` does not depend on them.
+//! All gears have one module and no profile shift. In a simple set sun and ring fix the planet by
+//! `z_b = z_a + 2·z_g`; here they only limit both planets by an inequality. `i₀ = +z_b/z_a` does not depend
+//! on the planets.
 //!
 //! # Assembly
-//! Carried on by an angle `α` about the axis, the inner planet finds the sun turned back by `z_a·α/2π` teeth,
-//! the outer planet the ring by `z_b·α/2π` teeth. Turned until it is in mesh with the sun, the inner planet
-//! turns the outer one by the same number of teeth, and, against it, with the same sense as the ring: so the
-//! pair fits again where the difference `(z_b − z_a)·α/2π` is whole, at `z_b − z_a` angles a turn. Equal
-//! spacing needs `(z_b − z_a)/N` to be an integer.
+//! Move a pair by an angle `α` about the axis. From the pair, the sun then appears turned back by `z_a·α/2π`
+//! teeth and the ring by `z_b·α/2π` teeth. To mesh with the sun again the inner planet turns by `z_a·α/2π`
+//! teeth. The outer planet turns by the same number of teeth in the opposite direction, which is the
+//! direction of the ring. The pair therefore fits again where the difference `(z_b − z_a)·α/2π` is an
+//! integer: at `z_b − z_a` angles per turn. Equal spacing needs `(z_b − z_a)/N` to be an integer.
 //!
 //! # Fewer teeth clear better
-//! Where a pair fits, one with fewer teeth on either planet fits, too, as long as the triangle closes. The
-//! conditions of one planet alone show it at once. Both planets have fewer than `(z_b − z_a)/2` teeth by the
-//! clearances to ring and sun, so that `R_f > R_g`, and `ψ < γ/2` by the last clearance, since planets of a
-//! pair are nearer than those of neighbours. There, for the distance `e` of the last clearance:
+//! If a pair fits, a pair with fewer teeth on either planet fits too, as long as the triangle closes. For the
+//! conditions on one planet alone this is obvious. By the clearances to ring and sun both planets have fewer
+//! than `(z_b − z_a)/2` teeth, so `R_f > R_g`. By the last clearance `ψ < γ/2`, since the planets of one pair
+//! are nearer to each other than those of neighbouring pairs. Let `e` be the distance in the last clearance:
 //!
-//! - fewer teeth on the outer planet move its centre on the ellipse `R_f + d = const` about the axis and the
-//!   inner planet, away from the next inner planet, which stands on the axis' side of the line through the
-//!   pair: `e − d` rises;
-//! - fewer teeth on the inner planet move its centre on the hyperbola `R_g − d = const` along the bisector of
-//!   the directions from the axis and from the outer planet; the previous outer planet stands outside the
-//!   angle between them: `e − d` rises.
+//! - Fewer teeth on the outer planet move its centre on the ellipse `R_f + d = const` about the axis and the
+//!   inner planet. It moves away from the next inner planet, which lies on the axis' side of the line through
+//!   the pair: `e − d` rises.
+//! - Fewer teeth on the inner planet move its centre on the hyperbola `R_g − d = const`. The direction is
+//!   that of the bisector of the directions from the axis and from the outer planet. The previous outer
+//!   planet lies outside the angle between them: `e − d` rises.
 //!
-//! So the pairs that fit a sun, a ring and a number of pairs are found without trying those beyond the first
-//! that does not.
+//! The search for pairs that fit a sun, a ring and a number of pairs may therefore stop at the first that
+//! does not fit.
 //!
 //! # Source
 //! None of the documents: derived here. The tests place every gear by coordinates and turn every tooth.
@@ -97,7 +99,7 @@ pub struct DoublePlanetNumbers {
     pub pairs: u32,
 }
 
-/// Rings of one sun after which whoever watches a search is asked.
+/// Number of rings of one sun between two reports of progress.
 const RINGS: u32 = 64;
 
 /// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
@@ -107,7 +109,7 @@ impl fmt::Display for DoublePlanetNumbers {
     }
 }
 
-/// Where the planets of a pair stand, in modules.
+/// Positions of the planets of a pair, in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     /// The inner planet, at `R_g`.
@@ -119,8 +121,8 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// The places of a pair between a sun and a ring by their teeth, sun, inner planet, outer planet, ring,
-    /// which need not be whole numbers; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
+    /// Positions of a pair between a sun and a ring by the teeth of sun, inner planet, outer planet and ring.
+    /// The teeth need not be whole numbers. `None` where no triangle has the sides `R_g`, `R_f` and `d`.
     #[must_use]
     pub fn of([sun, inner, outer, ring]: [f64; 4], rack: &BasicRack) -> Option<Self> {
         let circle = |mesh: Mesh, planet: f64| TipCircle {
@@ -139,7 +141,7 @@ impl Pair {
         })
     }
 
-    /// Whether so many pairs at equal angles are clear of a sun and a ring with these teeth, and of each
+    /// Whether `pairs` pairs at equal angles are clear of a sun and a ring with these teeth, and of each
     /// other, by more than `gap` modules.
     #[must_use]
     pub fn fits(&self, sun_and_ring: [f64; 2], pairs: u32, rack: &BasicRack, gap: f64) -> bool {
@@ -199,7 +201,7 @@ impl DoublePlanetNumbers {
         Pair::of([self.sun, self.inner, self.outer, self.ring].map(ToothCount::as_f64), rack)
     }
 
-    /// Where the pairs stand: as near to equal angles as they assemble; `None` where the ring has no more
+    /// Spacing of the pairs, as near to equal angles as assembly allows; `None` where the ring has no more
     /// teeth than the sun.
     #[must_use]
     pub fn spacing(&self) -> Option<PlanetSpacing> {
@@ -221,19 +223,19 @@ impl DoublePlanetNumbers {
     }
 }
 
-/// A double-planet set that meets a wanted ratio, and what there is to know of it.
+/// A double-planet set that meets a target ratio, with its ratio, ratio error and number of choices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DoublePlanetCandidate {
     /// The teeth and the number of pairs.
     pub teeth: DoublePlanetNumbers,
     /// The ratio it has.
     pub ratio: f64,
-    /// The same as a fraction.
+    /// The ratio as a fraction.
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs close, assemble and clear each other
-    /// between this sun and ring within the bounds, this one among them; their teeth are not checked.
+    /// Number of choices of both planets and of the number of pairs for this sun and ring within the bounds,
+    /// this one included. The choices close, assemble and clear each other; their teeth are not checked.
     pub choices: u64,
     /// Whether a rack would undercut the sun.
     pub undercut_sun: bool,
@@ -241,7 +243,7 @@ pub struct DoublePlanetCandidate {
     pub undercut_inner: bool,
     /// Whether a rack would undercut the outer planets.
     pub undercut_outer: bool,
-    /// Where the pairs sit.
+    /// Spacing of the pairs.
     pub spacing: PlanetSpacing,
 }
 
@@ -270,7 +272,7 @@ struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// None where the pairs do not assemble.
+    /// Frame of the bounds; `None` where the pairs do not assemble.
     fn new(bounds: &'a Bounds, sun: ToothCount, ring: ToothCount, pairs: u32) -> Option<Self> {
         let spacing = PlanetSpacing::of_pairs(sun, ring, pairs)?;
         let is_placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
@@ -294,18 +296,18 @@ impl<'a> Frame<'a> {
         set.clears(&self.bounds.rack, self.bounds.tip_gap, &self.angle).then_some(set)
     }
 
-    /// All planets that fit, ascending by the inner and the outer one.
+    /// Sets of all planets that fit, ascending by the inner and the outer planet.
     fn all(&self) -> impl Iterator<Item = DoublePlanetNumbers> + '_ {
         let planets = self.planets();
         let (least, most) = (*planets.start(), *planets.end());
         planets.flat_map(move |inner| {
             let from = least.max(self.together().saturating_sub(inner));
-            // Beyond the first that does not fit none does.
+            // After the first outer planet that does not fit no other fits.
             (from..=most).map_while(move |outer| self.with(inner, outer))
         })
     }
 
-    /// How many planets fit, by halving: beyond the first that does not fit none does.
+    /// Number of planets that fit, by halving: after the first that does not fit no other fits.
     fn count(&self) -> u64 {
         let planets = self.planets();
         let (least, most) = (*planets.start(), *planets.end());
@@ -330,7 +332,7 @@ impl<'a> Frame<'a> {
             let alike = move |larger: u32| {
                 let outside = self.with(smaller, larger);
                 let inside = (larger != smaller).then(|| self.with(larger, smaller)).flatten();
-                // Beyond the first larger planet that fits on neither side none does.
+                // After the first larger planet that fits on neither side no other fits.
                 (outside.is_some() || inside.is_some()).then_some([outside, inside])
             };
             (from..=most).map_while(alike).flatten().flatten()
@@ -340,8 +342,10 @@ impl<'a> Frame<'a> {
 
 impl Bounds {
     /// Every double-planet set within the bounds, ascending by sun, ring, number of pairs, inner and outer
-    /// planet. The bounds of planets are those of each of the two, the number of planets is that of the
-    /// pairs, and `tip_gap` is between the tip circles of any gears that do not mesh.
+    /// planet.
+    ///
+    /// The bounds of the planet apply to both planets, and the number of planets is that of the pairs.
+    /// `tip_gap` is the gap between the tip circles of any gears that do not mesh.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -363,11 +367,13 @@ impl Bounds {
         Ok(found)
     }
 
-    /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since
-    /// the ratio does not depend on them: the most pairs; of those the most teeth on the smaller planet, so
-    /// that the planets turn as slowly as they can; of those the fewest on the larger; of two such the
-    /// larger outside; and of these the first whose teeth can be cut and turned together. Pairs of sun and
-    /// ring without such planets are left out, and counted.
+    /// One choice of planets for each sun and ring within the bounds that some pairs of planets fit; the
+    /// ratio does not depend on the planets.
+    ///
+    /// The choice has the most pairs, then the most teeth on the smaller planet, so that the planets turn as
+    /// slowly as possible, then the fewest on the larger. Of two such choices the larger planet is outside.
+    /// Of these the first whose teeth can be cut and turned together is taken. Pairs of sun and ring without
+    /// such planets are left out, and counted.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -392,22 +398,25 @@ impl Bounds {
         Ok((found, left_out))
     }
 
-    /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first
-    /// `most` of them, each with the planets of [`double_planet_choices`](Self::double_planet_choices): the
-    /// most exact first, equally exact ones by ring and sun. `done` is told, from 0 to 1, how much of the
-    /// bounds has been gone through; a break ends the search.
+    /// Number of pairs of sun and ring with the target ratio that some planets fit, and the first `most` of
+    /// them.
+    ///
+    /// Each has the planets of [`double_planet_choices`](Self::double_planet_choices). The most exact come
+    /// first, equally exact ones by ring and sun. `done` receives the completed share of the bounds, from 0
+    /// to 1; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
     /// use epicyclic_gears::simple_set::{Member, Mode};
     /// let ring_to_carrier = Mode::new(Member::Ring, Member::Carrier)?;
-    /// let found = Bounds::default().double_planets_for_ratio(0.625, ring_to_carrier, 0.0, 1, |_| std::ops::ControlFlow::Continue(()))?;
+    /// let found = Bounds::default().double_planets_for_ratio(0.625, ring_to_carrier, 0.0, 1, |_|
+    ///     std::ops::ControlFlow::Continue(()))?;
     /// assert_eq!(found.first[0].teeth.to_string(), "18/12+12/48 ×3");
     /// # Ok::<(), epicyclic_gears::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
+    /// Errors of [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn double_planets_for_ratio(
         &self,
         wanted: f64,
@@ -435,7 +444,7 @@ impl Bounds {
                 }
             }
             let Ok(ratio) = BasicRatio::double_planet(sun, ring).ratio(mode) else { return Ok(()) };
-            // Of what is farther off than the nearest known nothing is asked.
+            // A ratio that is farther off than the nearest known one needs no planets.
             if !search.is_near(ratio) && !search.is_nearer(ratio) {
                 return Ok(());
             }
@@ -505,7 +514,7 @@ impl Bounds {
         Ok(Err(first))
     }
 
-    /// How many choices of planets and of pairs fit a sun and a ring.
+    /// Number of choices of planets and of pairs that fit a sun and a ring.
     fn count_of_planets(&self, sun: ToothCount, ring: ToothCount) -> u64 {
         let frames = self.planets.clone().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
         frames.map(|frame| frame.count()).sum()

@@ -1,4 +1,4 @@
-//! What this crate refuses.
+//! Errors of this crate.
 
 use crate::gear_kind::GearKind;
 use crate::involute::check::Check;
@@ -13,7 +13,7 @@ use crate::tolerance;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A search that whoever watches it ended.
+    /// A search that the caller cancelled.
     #[error("the search was cancelled")]
     Cancelled,
     /// A gear without teeth.
@@ -114,13 +114,13 @@ pub enum Error {
         fewer_planets.map(|planets| format!("; with {planets} planets there are such sets: more stand too close or do not assemble")).unwrap_or_default()
     )]
     NoToothNumbers {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The mode of the gear set.
         mode: Mode,
         /// The relative tolerance.
         tolerance: f64,
-        /// The nearest ratio within the bounds, where there is any set of tooth numbers.
+        /// The nearest ratio within the bounds; `None` if they hold no set of tooth numbers.
         nearest: Option<f64>,
         /// The sets of this ratio that a check leaves out.
         left_out: Option<Box<LeftOut>>,
@@ -141,13 +141,13 @@ pub enum Error {
             })
     )]
     NoDoublePlanetSet {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The mode of the gear set.
         mode: Mode,
         /// The relative tolerance.
         tolerance: f64,
-        /// The nearest ratio that was met, where there is any set of tooth numbers.
+        /// The nearest ratio found; `None` if the bounds hold no set of tooth numbers.
         nearest: Option<f64>,
         /// The pairs of sun and ring of this ratio whose planets a check leaves out.
         left_out: Option<Box<LeftOut>>,
@@ -155,7 +155,7 @@ pub enum Error {
     /// A count below its least value.
     #[error("{count} {what}: at least {at_least} needed")]
     TooFew {
-        /// What is counted.
+        /// The parts counted.
         what: Counted,
         /// The count given.
         count: u32,
@@ -207,7 +207,7 @@ pub enum Error {
         quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
-        /// What it must exceed, in `unit`.
+        /// Value that it must exceed, in `unit`.
         low: f64,
         /// Unit of both numbers.
         unit: &'static str,
@@ -278,11 +278,11 @@ pub enum Error {
         teeth: u32,
         /// External or internal.
         kind: GearKind,
-        /// Its profile shift, modules.
+        /// Profile shift of the gear, modules.
         shift: f64,
-        /// Its tip alteration, modules.
+        /// Tip alteration of the gear, modules.
         tip_alteration: f64,
-        /// What is wrong.
+        /// The reason why no tooth is left.
         fault: ShiftFault,
     },
 
@@ -294,7 +294,7 @@ pub enum Error {
     ShiftSumOutOfRange {
         /// Sum of both shifts, modules.
         sum: f64,
-        /// What it must be above, of an internal pair below.
+        /// Limit that the sum must exceed; the sum of an internal pair must be below it.
         limit: f64,
     },
 
@@ -305,7 +305,7 @@ pub enum Error {
         teeth: u32,
         /// External or internal.
         kind: GearKind,
-        /// Why.
+        /// The reason, if it is known.
         fault: Option<ToolFault>,
     },
 
@@ -322,7 +322,7 @@ pub enum Error {
         ring: u32,
         /// Centre distance, modules.
         centre_distance: f64,
-        /// What the set nearest to the aim lacks.
+        /// The check that fails in the set nearest to the aim.
         fault: Check,
     },
 
@@ -340,7 +340,7 @@ pub enum Error {
     /// Limits of a deviation that are no numbers or in the wrong order.
     #[error("{quantity} from {} to {} modules: two finite numbers are needed, the smaller first", shown(*lower), shown(*upper))]
     Deviation {
-        /// What deviates.
+        /// The deviating quantity.
         quantity: Quantity,
         /// Lower limit given, modules.
         lower: f64,
@@ -373,7 +373,7 @@ pub enum Error {
     /// A shaft thicker than the largest diameter of the series.
     #[error("a shaft of {} mm is needed; the largest standard diameter listed is {largest_mm} mm", shown(*needed_mm))]
     NoStandardDiameter {
-        /// Diameter that the formula asks for, mm.
+        /// Diameter that the formula requires, mm.
         needed_mm: f64,
         /// The largest listed, mm.
         largest_mm: f64,
@@ -384,16 +384,16 @@ pub enum Error {
     UnknownBearing {
         /// The designation given.
         designation: String,
-        /// What the table has for the bore that the designation names; empty when it names none.
+        /// Designations in the table with the bore that the given one names; empty if it names no bore.
         same_bore: Vec<&'static str>,
     },
 
     /// A series without a bearing of this very bore.
     #[error("no bearing of series {series} with a bore of {bore_mm} mm; neighbouring bores are {}", list_mm(.neighbours_mm))]
     NoSuchBore {
-        /// Series asked for: 200, 300 or 400.
+        /// Series of the search: 200, 300 or 400.
         series: u16,
-        /// Bore asked for, mm.
+        /// Bore of the search, mm.
         bore_mm: f64,
         /// The next bores of the series below and above, mm.
         neighbours_mm: Vec<f64>,
@@ -405,7 +405,7 @@ pub enum Error {
         shown(*shaft_mm)
     )]
     NoBearingForShaft {
-        /// Series asked for: 200, 300 or 400.
+        /// Series of the search: 200, 300 or 400.
         series: u16,
         /// Shaft diameter, mm.
         shaft_mm: f64,
@@ -468,6 +468,7 @@ fn shift_fault(fault: ShiftFault, shift: f64) -> String {
         ShiftFault::NoCircle => "no root or tip circle is left: take a shift nearer to 0".to_owned(),
         ShiftFault::NoTooth => "its tips lie at or below its roots: shorten them less".to_owned(),
         ShiftFault::Pointed { tip_thickness } => {
+            // A smaller shift helps only where the shift itself has made the teeth pointed.
             let remedy =
                 if shift > 0.0 { "take a smaller shift or a shorter tooth" } else { "take a shorter tooth" };
             format!(

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// On which side of the pitch circle the teeth stand.
+/// Side of the pitch circle on which the teeth are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum GearKind {
     /// Teeth point away from the axis: sun, planet.

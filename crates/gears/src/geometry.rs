@@ -145,7 +145,7 @@ impl ToothedGear {
         self.pitch_diameter() * libm::cos(self.rack.pressure_angle.si())
     }
 
-    /// Its circles, in modules.
+    /// Circles of the gear, in modules.
     #[must_use]
     pub fn circles(&self) -> Gear {
         Gear::new(self.kind, self.teeth.as_f64())
@@ -222,7 +222,7 @@ fn same(first: f64, second: f64) -> bool {
 
 /// The first whole number of teeth above `modules`.
 fn first_above(modules: f64) -> u32 {
-    // A float cast to an integer saturates, so an absurd coefficient asks for u32::MAX teeth.
+    // A float cast to an integer saturates, so an absurd coefficient gives u32::MAX teeth.
     (modules.floor() as u32).saturating_add(1)
 }
 

@@ -9,14 +9,14 @@
 //! | [`willis`] | speeds of sun, ring, carrier and planet from any two |
 //! | [`efficiency`] | torques and efficiency of a gear set from the losses of its meshes |
 //! | [`synthesis`] | *every* set of tooth numbers of a simple set within bounds |
-//! | [`double_planet`] | the same of a set with two planets in mesh between sun and ring |
+//! | [`double_planet`] | *every* set of tooth numbers with two planets in mesh between sun and ring |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
 //! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
-//! | [`involute`] | gears with profile shift: circles, thickness, the mesh of a pair, measures, interference |
+//! | [`involute`] | gears with profile shift: circles, thickness, mesh of a pair, measures, interference |
 //! | [`geometry`] | diameters of a gear, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and gears |
-//! | [`carrier`] | the same of a planet carrier |
+//! | [`carrier`] | volume, mass and polar inertia of a planet carrier |
 //! | [`planet_bearing`] | forces on the bearings and the pin of a planet |
 //! | [`shaft`] | shaft diameter by a low allowable torsional stress, standard diameters |
 //! | [`life`] | how long a rolling bearing lasts |
@@ -27,9 +27,9 @@
 //!
 //! # Sign convention
 //!
-//! One for the whole workspace. Speeds and torques are positive along the common axis. A torque is
-//! the one that acts *on* the member from outside the gear set, so a driving member has positive power
-//! `T·ω` and a driven one negative; the three torques of a simple set sum to zero.
+//! One convention holds for the whole workspace. Speeds and torques are positive along the common axis. A
+//! torque is the one that acts *on* the member from outside the gear set. A driving member therefore has
+//! positive power `T·ω`, a driven one negative power. The three torques of a simple set sum to zero.
 //!
 //! # Example
 //!

@@ -24,7 +24,7 @@ use uom::si::f64::{AngularVelocity, Force, Time};
 use crate::checks::{not_negative, positive};
 use crate::{Error, Quantity};
 
-/// What rolls in a bearing.
+/// Rolling elements of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Rolling {
     /// Balls, `p = 3`.

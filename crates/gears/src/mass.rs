@@ -29,7 +29,8 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// From the integrals over the volume `V` and the second polar moment `∫ r²·dV` of a body of one density.
+    /// Mass properties from the integrals over the volume `V` and the second polar moment `∫ r²·dV` of a body
+    /// of one density.
     pub(crate) fn from_volume_integrals(volume_m3: f64, r2_volume_m5: f64, density_kg_m3: f64) -> Self {
         Self {
             volume: Volume::from_si(volume_m3),
@@ -105,7 +106,7 @@ pub fn ring(
     Ok(ring_of(outside_m, bore_m, width_m, 1.0, positive_density(density)?))
 }
 
-/// A ring of which only the fraction `fill` is material, evenly at every radius.
+/// Mass properties of a ring in which only the fraction `fill` is material, evenly at every radius.
 fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: f64) -> MassProperties {
     let (outer, inner) = (outside_m / 2.0, bore_m / 2.0);
     let area = PI * (outer.powi(2) - inner.powi(2));
@@ -246,9 +247,9 @@ pub enum FormulaEight {
 /// | `m` | `gear_mass` | mass of the gear itself, bore already taken out | kg |
 /// | `2r₁`, `2r₂`, `2r₃` | `tip_diameter`, `root_diameter`, `bore_diameter` | diameters | mm |
 ///
-/// The mean of `J₁` and `J₂` takes the whole mass for a solid disc. Taking `½·m·r₃²` off for the bore then
-/// counts the bore twice over: the mass `m` lacks it already, and for one mass a bore moves material
-/// outwards, so that `J/m` of a ring is `½·(R² + r²)`, more than a disc's, not less. It is kept because the
+/// The mean of `J₁` and `J₂` takes the whole mass for a solid disc. Subtracting `½·m·r₃²` for the bore then
+/// counts the bore twice, because the mass `m` already lacks it. At equal mass a bore moves material
+/// outwards: `J/m` of a ring is `½·(R² + r²)`, more than that of a disc. The formula is kept because the
 /// document's downstream figures come from it. The print gives kg·m⁴; the unit is kg·m².
 ///
 /// # Errors

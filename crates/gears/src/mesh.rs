@@ -1,4 +1,4 @@
-//! What teeth say of a mesh and of planets beside each other: pitch, tip and root circles, centre distance,
+//! Meshes and neighbouring planets from tooth numbers: pitch, tip and root circles, centre distance,
 //! clearance.
 //!
 //! ```text
@@ -15,10 +15,10 @@
 //! | `r`, `r_a`, `r_f`, `a` | radii and centre distance | modules |
 //! | `h_a*`, `c*` | [`BasicRack`] | modules |
 //! | `γ` | angle between two planets about the main axis | rad |
-//! | `s` | least gap wanted between their tip circles | modules |
+//! | `s` | required gap between the tip circles of two planets | modules |
 //!
-//! Gears without profile shift. The synthesis of tooth numbers, the drive, the gearbox and its tooth checks
-//! all ask here, so that a shift of the profiles has one place to enter.
+//! Gears have no profile shift. The synthesis of tooth numbers, the drive, the gearbox and its tooth checks
+//! all use this module, so that a profile shift would be introduced in one place.
 
 use crate::gear_kind::GearKind;
 use crate::rack::BasicRack;
@@ -36,7 +36,10 @@ pub const USUAL_PLANET_GAP: f64 = 0.5;
 /// ```
 /// use epicyclic_gears::{mesh::Gear, rack::BasicRack};
 /// let rack = BasicRack::default();
-/// assert_eq!((Gear::external(20.0).tip_radius(&rack), Gear::internal(100.0).tip_radius(&rack)), (11.0, 49.0));
+/// assert_eq!(
+///     (Gear::external(20.0).tip_radius(&rack), Gear::internal(100.0).tip_radius(&rack)),
+///     (11.0, 49.0),
+/// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gear {
@@ -45,7 +48,7 @@ pub struct Gear {
 }
 
 impl Gear {
-    /// A gear of so many teeth.
+    /// Gear with this number of teeth.
     #[must_use]
     pub const fn new(kind: GearKind, teeth: f64) -> Self {
         Self { kind, teeth }
@@ -104,7 +107,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Two external gears of so many teeth.
+    /// External pair with these tooth numbers.
     #[must_use]
     pub const fn external(first: f64, second: f64) -> Self {
         Self { first: Gear::external(first), second: Gear::external(second) }
@@ -132,14 +135,14 @@ impl Mesh {
     }
 }
 
-/// Teeth of the ring that stands as far from the planets as the sun, `z_b = z_a + 2·z_g`.
+/// Teeth of the ring whose planet centre distance equals that of the sun, `z_b = z_a + 2·z_g`.
 #[must_use]
 pub const fn coaxial_ring(sun: u32, planet: u32) -> u32 {
     sun + 2 * planet
 }
 
-/// Teeth of the planet that stands as far from the sun as from the ring, `z_g = (z_b − z_a)/2`: whole or not,
-/// and not above 0 where the ring has no more teeth than the sun.
+/// Teeth of the planet with equal centre distances to sun and ring, `z_g = (z_b − z_a)/2`. The value need not
+/// be whole, and is not above 0 where the ring has no more teeth than the sun.
 #[must_use]
 pub fn coaxial_planet(sun: ToothCount, ring: ToothCount) -> f64 {
     (ring.as_f64() - sun.as_f64()) / 2.0

@@ -41,7 +41,7 @@ impl fmt::Display for Member {
     }
 }
 
-/// One of the six ways to use a gear set with one member at rest: who drives and who is driven.
+/// Mode of a gear set with one member at rest: which member drives and which is driven; one of six.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Mode {
     input: Member,

@@ -10,7 +10,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
 }
 
-/// A search for a ratio: what is wanted, and what came nearest.
+/// A search for a ratio: the target, and the nearest ratio found.
 pub(crate) struct Search {
     wanted: f64,
     tolerance: f64,
@@ -31,13 +31,13 @@ impl Search {
         ratio / self.wanted - 1.0
     }
 
-    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is
+    /// Whether a ratio is within tolerance. A ratio that is off by the tolerance itself, but for rounding, is
     /// within.
     pub(crate) fn is_near(&self, ratio: f64) -> bool {
         self.error(ratio).abs() <= self.tolerance + 4.0 * f64::EPSILON
     }
 
-    /// Whether it is nearer than all that were taken.
+    /// Whether a ratio is nearer than all those taken before.
     pub(crate) fn is_nearer(&self, ratio: f64) -> bool {
         self.nearest.is_none_or(|(_, least)| self.error(ratio).abs() < least)
     }

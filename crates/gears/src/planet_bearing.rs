@@ -1,7 +1,7 @@
 //! Forces on the bearings and the pin of a planet: from the meshes and from its mass.
 //!
-//! The planet pins hand the carrier its torque, so the tangential force follows from the carrier's statics
-//! alone, with losses or without:
+//! The planet pins transmit the carrier torque, so the tangential force follows from the statics of the
+//! carrier alone, with or without losses:
 //!
 //! ```text
 //! F_t = |T_H|/(n·r_w)
@@ -27,15 +27,18 @@
 //! F = |T_1 + T_2|/(n·a)        T_1, T_2 torques on both gears from outside the mesh, a centre distance
 //! ```
 //!
-//! since the moments of one force about two axes differ by the force times their distance. The forces of a
-//! planet's meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is
-//! calculated from, lays the whole torque on the pitch circle: it leaves out the torque of friction on the
-//! planet, and its sum over both meshes is larger than `F_t` by a part of the order of the loss.
+//! This holds because the moments of one force about two axes differ by the force times their distance. The
+//! forces of a planet's meshes then add to `F_t` exactly.
 //!
-//! A planet with two meshes, as in a simple set, hands on the torque `T_g` that it takes, so both forces
-//! follow from the torques on the central gears and from how the loss is shared between the meshes
-//! ([`two_mesh_forces`]); `F_r` is then of these. Where a planet has more meshes, what each loses does not
-//! follow from the torques on the central gears, and `F_r` above is of the nominal forces.
+//! Strength is calculated from the nominal tooth force `T_i/(n·r_i)`, which applies the whole torque at the
+//! pitch circle. It leaves out the torque of friction on the planet. Its sum over both meshes exceeds `F_t`
+//! by a part of the order of the loss.
+//!
+//! A planet with two meshes, as in a simple set, passes on the torque `T_g` that it receives. Both forces
+//! then follow from the torques on the central gears and from the division of the loss between the meshes
+//! ([`two_mesh_forces`]); `F_r` is calculated from these forces. If a planet has more meshes, the loss of
+//! each does not follow from the torques on the central gears, and `F_r` above is calculated from the nominal
+//! forces.
 //!
 //! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to
 //! `2·F`, and the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets
@@ -142,7 +145,7 @@ pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Resu
 /// Tangential forces of the two meshes of each planet with central gears, friction of the teeth included.
 ///
 /// ```text
-/// ρ   = (|T_2|·r_g2/r_2)/(|T_1|·r_g1/r_1)        η_1·η_2 where power flows from gear 1 to gear 2, its inverse the other way
+/// ρ   = (|T_2|·r_g2/r_2)/(|T_1|·r_g1/r_1)        η_1·η_2 if power flows from gear 1 to gear 2, else inverse
 /// T_g = |T_1|·(r_g1/r_1)·ρ^s                      torque that the planets take and hand on
 /// F_1 = (|T_1| ± T_g)/(n·r_w)                     + external, − internal
 /// F_2 = (|T_2| ± T_g)/(n·r_w)
@@ -234,7 +237,8 @@ pub fn radial_force_of(meshes: &[(GearKind, Force, Angle)]) -> Result<Force, Err
 /// use uom::si::{force::newton, length::millimeter, mass::kilogram};
 ///
 /// let (mass, radius) = (Mass::new::<kilogram>(0.5), Length::new::<millimeter>(60.0));
-/// let force = planet_bearing::centrifugal_force(mass, radius, AngularVelocity::new::<radian_per_second>(100.0))?;
+/// let force =
+///     planet_bearing::centrifugal_force(mass, radius, AngularVelocity::new::<radian_per_second>(100.0))?;
 /// assert!((force.get::<newton>() - 300.0).abs() < 1e-9);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -249,7 +253,7 @@ pub fn centrifugal_force(
     Ok(Force::from_si(mass_kg * radius_m * omega_rad_s.powi(2)))
 }
 
-/// What the bearing carries: the tangential force and all radial ones together.
+/// Load of the bearing: the resultant of the tangential force and the sum of the radial forces.
 #[must_use]
 pub fn resultant(tangential: Force, radial: Force) -> Force {
     Force::from_si(libm::hypot(tangential.si(), radial.si()))

@@ -1,4 +1,4 @@
-//! What a value is of that an error refuses.
+//! Quantities that errors name.
 
 use crate::words;
 use std::fmt;
@@ -96,7 +96,7 @@ impl fmt::Display for SimpleGear {
     }
 }
 
-/// What is counted.
+/// Kind of parts that are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Counted {
     /// Arms of a carrier.

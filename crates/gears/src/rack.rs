@@ -62,10 +62,10 @@ impl BasicRack {
     /// z_min = 2·h_a*/sin²α
     /// ```
     ///
-    /// For external teeth without profile shift. The rack that cuts them has straight flanks to `h_a*` below
-    /// its pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771); the rounding
-    /// below lies within the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at 14.5°, 20° and
-    /// 25° with `h_a*` = 1.
+    /// The formula is for external teeth without profile shift. The rack that cuts them has straight flanks
+    /// to `h_a*` below its pitch line, where the tooth it cuts has its form dedendum (`h_FfP` of ISO 21771).
+    /// The rounding below lies within the clearance `c*` and cuts no involute. 31.9, 17.1 and 11.2 teeth at
+    /// 14.5°, 20° and 25° with `h_a*` = 1.
     ///
     /// # Source
     /// ISO 21771, limit of undercut at `x` = 0.
@@ -83,11 +83,11 @@ impl BasicRack {
     /// gives 32, 17 and 11.
     #[must_use]
     pub fn least_teeth_without_undercut(&self) -> u32 {
-        // A float cast to an integer saturates, so an absurd coefficient asks for u32::MAX teeth.
+        // A float cast to an integer saturates, so an absurd coefficient gives u32::MAX teeth.
         self.undercut_limit().round() as u32
     }
 
-    /// Whether the rack undercuts an external gear of so many teeth without profile shift, by
+    /// Whether the rack undercuts an external gear with this number of teeth and no profile shift, by
     /// [`least_teeth_without_undercut`](Self::least_teeth_without_undercut).
     #[must_use]
     pub fn undercuts(&self, teeth: ToothCount) -> bool {
@@ -142,8 +142,8 @@ mod tests {
     }
 
     proptest! {
-        /// By the geometry of the cut: the rack's tip line stands `r − h_a*·m` from the axis, the tangent
-        /// point of the line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
+        /// Geometry of the cut: the rack's tip line is `r − h_a*·m` from the axis, the tangent point of the
+        /// line of action `r·cos²α`. Undercut begins where the tip line is nearer to the axis.
         #[test]
         fn the_limit_is_where_the_tip_line_meets_the_tangent_point(
             addendum in 0.3..1.5_f64, alpha_deg in 10.0..35.0_f64,
@@ -152,7 +152,7 @@ mod tests {
             let pitch_radius = rack.undercut_limit() / 2.0;
             let tangent_point = pitch_radius * libm::cos(alpha_deg.to_radians()).powi(2);
             prop_assert!((pitch_radius - addendum - tangent_point).abs() < 1e-12 * pitch_radius);
-            // What the rounding admits: at most sin²α/4 modules too deep.
+            // Rounding admits at most sin²α/4 modules too deep.
             let least = f64::from(rack.least_teeth_without_undercut());
             let depth = addendum - least / 2.0 * libm::sin(alpha_deg.to_radians()).powi(2);
             prop_assert!(depth <= libm::sin(alpha_deg.to_radians()).powi(2) / 4.0 + 1e-12, "{depth}");

@@ -109,7 +109,8 @@ pub fn hollow_diameter(torque: Torque, allowable_stress: Pressure, bore_ratio: f
 /// use epicyclic_gears::shaft;
 /// use uom::si::{f64::{Length, Torque}, length::millimeter, pressure::megapascal, torque::newton_meter};
 ///
-/// let stress = shaft::torsional_stress(Torque::new::<newton_meter>(521.8), Length::new::<millimeter>(50.0))?;
+/// let stress =
+///     shaft::torsional_stress(Torque::new::<newton_meter>(521.8), Length::new::<millimeter>(50.0))?;
 /// assert!(stress.get::<megapascal>() > *shaft::USUAL_ALLOWABLE_STRESS_MPA.end());
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -135,7 +136,8 @@ pub fn torsional_stress(torque: Torque, diameter: Length) -> Result<Pressure, Er
 ///
 /// let mm = Length::new::<millimeter>;
 /// let torque = Torque::new::<newton_meter>(521.8);
-/// let ratio = shaft::hollow_torsional_stress(torque, mm(60.0), mm(30.0))? / shaft::torsional_stress(torque, mm(60.0))?;
+/// let ratio = shaft::hollow_torsional_stress(torque, mm(60.0), mm(30.0))?
+///     / shaft::torsional_stress(torque, mm(60.0))?;
 /// assert!((ratio.value - 16.0 / 15.0).abs() < 1e-12);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -157,7 +159,9 @@ pub fn hollow_torsional_stress(torque: Torque, outside: Length, inside: Length) 
 /// # Example
 /// ```
 /// use epicyclic_gears::shaft;
-/// use uom::si::{f64::{Length, Pressure, Torque}, length::millimeter, pressure::megapascal, torque::newton_meter};
+/// use uom::si::{
+///     f64::{Length, Pressure, Torque}, length::millimeter, pressure::megapascal, torque::newton_meter,
+/// };
 ///
 /// let needed = shaft::diameter(Torque::new::<newton_meter>(521.8), Pressure::new::<megapascal>(20.0))?;
 /// assert_eq!(shaft::standard_diameter(needed)?, Length::new::<millimeter>(53.0));

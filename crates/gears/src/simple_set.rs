@@ -76,7 +76,7 @@ impl From<RingToSunRatio> for BasicRatio {
 /// | simple | [`simple`](Self::simple) | `−z_b/z_a` |
 /// | double planet | [`double_planet`](Self::double_planet) | `+z_b/z_a` |
 /// | stepped planet, sun and ring | [`stepped_sun_ring`](Self::stepped_sun_ring) | `−(z_g/z_a)·(z_b/z_f)` |
-/// | stepped planet, two suns or two rings | [`stepped_alike`](Self::stepped_alike) | `+(z_g/z_1)·(z_2/z_f)` |
+/// | stepped planet, two suns or rings | [`stepped_alike`](Self::stepped_alike) | `+(z_g/z_1)·(z_2/z_f)` |
 /// | two suns of meshing planets, external pair, bevel | [`external`](Self::external) | `−z_2/z_1` |
 /// | internal pair | [`internal`](Self::internal) | `+z_2/z_1` |
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,7 +142,7 @@ impl BasicRatio {
         Self(ring.as_f64() / sun.as_f64())
     }
 
-    /// Stepped planet: `z_g` meshes with the sun `z_a`, `z_f` beside it with the ring `z_b`.
+    /// Stepped planet: `z_g` meshes with the sun `z_a`, `z_f` on the same pin with the ring `z_b`.
     #[must_use]
     pub fn stepped_sun_ring(sun: ToothCount, g: ToothCount, f: ToothCount, ring: ToothCount) -> Self {
         Self(-(g.as_f64() / sun.as_f64()) * (ring.as_f64() / f.as_f64()))
@@ -206,7 +206,8 @@ impl BasicRatio {
 /// use epicyclic_gears::simple_set::{exact_ratio, Fraction, Member, Mode};
 /// use epicyclic_gears::teeth::ToothCount;
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
-/// let ratio = exact_ratio(ToothCount::new(24)?, ToothCount::new(57)?, Mode::new(Member::Sun, Member::Carrier)?);
+/// let ratio =
+///     exact_ratio(ToothCount::new(24)?, ToothCount::new(57)?, Mode::new(Member::Sun, Member::Carrier)?);
 /// assert_eq!(ratio, Fraction::new(27, 8));
 /// # Ok(())
 /// # }

@@ -1,9 +1,9 @@
-//! Where the planets sit.
+//! Positions of planets that cannot be spaced equally.
 //!
-//! Between a sun and a ring that both mesh with it, a planet fits at `z_a + z_b` angles a turn and
-//! nowhere between: moving it on by one of these slots turns the sun's and the ring's teeth
-//! together by whole teeth. Equal spacing therefore needs `(z_a + z_b)/N` to be an integer; without
-//! it the planets go to the slots nearest to equal spacing.
+//! Between a sun and a ring that both mesh with it, a planet fits at `z_a + z_b` angles per turn and nowhere
+//! between. When the planet moves on by one of these slots, the teeth of sun and ring turn together by whole
+//! teeth. Equal spacing therefore needs `(z_a + z_b)/N` to be an integer. If it is not, the planets take the
+//! slots nearest to equal spacing.
 //!
 //! # Source
 //! excavator-dynamics, condition of assembly.
@@ -16,7 +16,7 @@ use uom::si::f64::Angle;
 /// Slots that the planets of a set occupy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetSpacing {
-    /// Two counts of 32 bits have a sum of 33.
+    /// Number of slots; the sum of two counts of 32 bits has 33.
     slots: u64,
     planets: u32,
 }
@@ -28,19 +28,20 @@ impl PlanetSpacing {
     /// p_j = ⌊j·(z_a + z_b)/N⌋,  j = 0 … N − 1
     /// ```
     ///
-    /// Up to a rotation of the whole this is the only spacing with the least greatest deviation:
-    /// the `p_j − j·(z_a + z_b)/N` fall into `q = N/gcd(N, z_a + z_b)` classes modulo 1 that lie
-    /// `1/q` apart, so they spread over at least `(q − 1)/q` slots, and here they spread over just
-    /// that.
+    /// Apart from a rotation of the whole set this is the only spacing with the smallest greatest deviation.
+    /// The values `p_j − j·(z_a + z_b)/N` fall into `q = N/gcd(N, z_a + z_b)` classes modulo 1 that lie `1/q`
+    /// apart. They therefore spread over at least `(q − 1)/q` slots, and this spacing spreads them over
+    /// exactly that.
     ///
-    /// Right for any counts of teeth and planets; with more planets than slots several share one.
+    /// The result is valid for any counts of teeth and planets; with more planets than slots several share
+    /// one.
     #[must_use]
     pub fn least_unequal(sun: ToothCount, ring: ToothCount, planets: u32) -> Self {
         Self { slots: u64::from(sun.get()) + u64::from(ring.get()), planets }
     }
 
-    /// The same for pairs of planets in mesh with each other, between a sun and a ring that mesh with one of
-    /// them each: such a pair fits at `z_b − z_a` angles a turn
+    /// Spacing of pairs of planets that departs least from an equal one; the planets of a pair mesh with each
+    /// other, one with the sun and one with the ring. Such a pair fits at `z_b − z_a` angles per turn
     /// ([`double_planet`](crate::double_planet#assembly)). `None` where the ring has no more teeth than the
     /// sun.
     #[must_use]
@@ -49,7 +50,7 @@ impl PlanetSpacing {
         (slots > 0).then_some(Self { slots, planets: pairs })
     }
 
-    /// The same on a given number of angles a turn at which a planet fits.
+    /// Least unequal spacing on a given number of angles per turn at which a planet fits.
     #[must_use]
     pub fn of_positions(positions: u64, planets: u32) -> Self {
         Self { slots: positions, planets }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! equal centre distances      z_a + z_g = z_b − z_g
-//! clearance between planets   (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s        γ smallest angle between planets
+//! clearance between planets   (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s      γ least angle between planets
 //! assembly                    (z_a + z_b)/N integer, for equal spacing γ = 2π/N
 //! ```
 //!
@@ -11,15 +11,15 @@
 //! | `z_a`, `z_g`, `z_b` | teeth of sun, planet, ring | 1 |
 //! | `N` | number of planets | 1 |
 //! | `h_a*` | addendum coefficient | modules |
-//! | `s` | least gap wanted between the tip circles of adjacent planets | modules |
+//! | `s` | required gap between the tip circles of adjacent planets | modules |
 //!
-//! Gears without profile shift: sets that depart from `z_b = z_a + 2·z_g` by some teeth and close by it are
-//! those of [`ShiftedSearch`](crate::involute::search::ShiftedSearch).
+//! Gears have no profile shift. [`ShiftedSearch`](crate::involute::search::ShiftedSearch) finds the sets that
+//! deviate from `z_b = z_a + 2·z_g` by some teeth and close by profile shift.
 //!
 //! # Source
-//! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
-//! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
-//! and the factor is an integer that shares no divisor with `N`.
+//! excavator-dynamics (1) and the conditions after it. Its condition of assembly is that `z_1·U/N·(1 + N·n)`
+//! is an integer for some integer `n`. It is the condition above: `z_1·U = z_a + z_b`, and the factor is an
+//! integer without a common divisor with `N`.
 
 use crate::checks::not_negative;
 use crate::involute::check::Check;
@@ -66,7 +66,7 @@ impl ToothNumbers {
         self.ring.as_f64() / self.sun.as_f64()
     }
 
-    /// By how much the ring departs from equal centre distances without profile shift, `z_b − z_a − 2·z_g`.
+    /// Offset of the ring from equal centre distances without profile shift, `z_b − z_a − 2·z_g`.
     #[must_use]
     pub fn ring_offset(&self) -> i32 {
         let coaxial = i64::from(coaxial_ring(self.sun.get(), self.planet.get()));
@@ -95,20 +95,21 @@ impl ToothNumbers {
     }
 }
 
-/// How the planets may be placed.
+/// Placement of the planets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Placement {
-    /// At equal angles only.
+    /// Equal angles only.
     #[default]
     Equal,
-    /// At equal angles, or, where those do not assemble, as near to them as they do.
+    /// Equal angles, or, if the planets do not assemble at them, the nearest at which they do.
     LeastUnequal,
 }
 
-/// The bounds within which sets of tooth numbers are sought.
+/// Bounds of the search for sets of tooth numbers.
 ///
-/// All ranges include their ends. The default is 12 teeth and more on sun and planet, a ring up to
-/// 200, `k` from 1.3 to 10, 3 to 8 equally spaced planets, standard addendum, tips that just clear.
+/// All ranges include their ends. By default sun and planet have 12 teeth and more, the ring up to 200, and
+/// `k` is from 1.3 to 10. There are 3 to 8 equally spaced planets, the standard addendum, and tips that just
+/// clear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
     /// Teeth of the sun.
@@ -126,7 +127,7 @@ pub struct Bounds {
     pub rack: BasicRack,
     /// Least gap between the tip circles of adjacent planets, in modules.
     pub tip_gap: f64,
-    /// How the planets may be placed.
+    /// Permissible placement of the planets.
     pub placement: Placement,
 }
 
@@ -206,7 +207,7 @@ impl Bounds {
         Ok(found)
     }
 
-    /// How many sets of tooth numbers there are within the bounds, without holding them.
+    /// Number of sets of tooth numbers within the bounds, without storing them.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers).
@@ -216,12 +217,12 @@ impl Bounds {
         Ok(count)
     }
 
-    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets;
-    /// nothing is held. `done` is told, from 0 to 1, how much of the bounds has been gone through; a break
+    /// Passes each set of tooth numbers within the bounds to `each`, ascending by sun, planet and number of
+    /// planets, without storing them. `done` receives the completed share of the bounds, from 0 to 1; a break
     /// ends the search.
     ///
     /// # Errors
-    /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
+    /// Errors of [`tooth_numbers`](Self::tooth_numbers); [`Error::Cancelled`].
     pub fn each(
         &self,
         done: impl FnMut(f64) -> ControlFlow<()>,
@@ -263,13 +264,13 @@ impl Bounds {
         // One tooth of slack against rounding; the test on k itself decides.
         let from_k = ((low_k - 1.0) / 2.0 * z_a).floor().max(0.0) as u32;
         let to_k = (((high_k - 1.0) / 2.0 * z_a).ceil()).min(f64::from(MOST_TEETH)) as u32;
-        // By equal centre distances a ring within its range leaves the planet only these.
+        // Equal centre distances and the range of the ring limit the planet to these teeth.
         let from_ring = self.ring.start().saturating_sub(sun).div_ceil(2);
         let to_ring = self.ring.end().saturating_sub(sun) / 2;
         (*self.planet.start()).max(from_k).max(from_ring)..=(*self.planet.end()).min(to_k).min(to_ring)
     }
 
-    /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.
+    /// Passes each set of tooth numbers to `each`, and after each sun the share of completed suns to `done`.
     fn visit(
         &self,
         mut done: impl FnMut(f64) -> ControlFlow<()>,
@@ -300,7 +301,7 @@ impl Bounds {
                 };
                 let circle = TipCircle::of_planet(sun, planet, &self.rack);
                 for &(planets, sine) in &half_gap_sines {
-                    // More planets stand closer: none of the following fits either.
+                    // More planets are closer together: none of the following numbers fits either.
                     if !circle.clears_alike(sine, self.tip_gap) {
                         break;
                     }
@@ -320,8 +321,8 @@ impl Bounds {
         Ok(())
     }
 
-    /// Every set of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the
-    /// most exact first; equally exact ones by ring, sun and number of planets.
+    /// Sets of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`: every one,
+    /// the most exact first; equally exact ones by ring, sun and number of planets.
     ///
     /// # Errors
     /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Tolerance`]; [`Error::NoToothNumbers`], with the
@@ -330,11 +331,11 @@ impl Bounds {
         self.for_ratio_watched(wanted, mode, tolerance, |_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
-    /// search.
+    /// Sets of tooth numbers as by [`for_ratio`](Self::for_ratio), with progress: `done` receives the
+    /// completed share of the bounds, from 0 to 1; a break ends the search.
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
+    /// Errors of [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn for_ratio_watched(
         &self,
         wanted: f64,
@@ -345,8 +346,9 @@ impl Bounds {
         Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
     }
 
-    /// How many sets of tooth numbers there are for a ratio, and the first `most` of them in the order of
-    /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
+    /// Number of sets of tooth numbers for a ratio, and the first `most` of them in the order of
+    /// [`for_ratio`](Self::for_ratio). Memory holds no more than twice these. `done` is used as in
+    /// [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
     /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
@@ -379,12 +381,13 @@ impl Bounds {
         })
     }
 
-    /// Each set of tooth numbers for a ratio in turn, in no order that matters, how many there were, and
-    /// those that a check of their teeth leaves out; nothing is held. `done` as in
+    /// Passes each set of tooth numbers for a ratio to `each`, in no particular order, without storing them.
+    ///
+    /// Returns the number of sets and those that a check of their teeth leaves out. `done` is used as in
     /// [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
-    /// As [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
+    /// Errors of [`for_ratio`](Self::for_ratio); [`Error::Cancelled`].
     pub fn each_for_ratio(
         &self,
         wanted: f64,
@@ -445,8 +448,8 @@ impl Bounds {
         found.ok().and(most)
     }
 
-    /// How many combinations of sun, planet and number of planets are gone through, before their clearances
-    /// and assembly are looked at; of double-planet sets of sun, ring and number of pairs.
+    /// Number of combinations of sun, planet and number of planets to be checked, before clearances and
+    /// assembly; of double-planet sets those of sun, ring and number of pairs.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
@@ -480,7 +483,7 @@ impl Bounds {
     }
 }
 
-/// A set of tooth numbers whose ratio is near a wanted one.
+/// A set of tooth numbers whose ratio is near the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
     /// The teeth and the number of planets.
@@ -495,7 +498,7 @@ pub struct Near {
 /// first of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranked<Set = Candidate> {
-    /// How many there are.
+    /// Number of sets found.
     pub found: u64,
     /// The first, the most exact before the others.
     pub first: Vec<Set>,
@@ -503,14 +506,14 @@ pub struct Ranked<Set = Candidate> {
     pub left_out: Option<Box<LeftOut>>,
 }
 
-/// A set of tooth numbers that meets a wanted ratio, and what there is to know of it.
+/// A set of tooth numbers that meets a target ratio, with its ratio and ratio error.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// The teeth and the number of planets.
     pub teeth: ToothNumbers,
     /// The ratio it has.
     pub ratio: f64,
-    /// The same as a fraction.
+    /// The ratio as a fraction.
     pub exact_ratio: Fraction,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
@@ -520,7 +523,7 @@ pub struct Candidate {
     pub undercut_sun: bool,
     /// Whether a rack would undercut the planet.
     pub undercut_planet: bool,
-    /// Where the planets sit.
+    /// Positions of the planets.
     pub spacing: PlanetSpacing,
 }
 

@@ -1,14 +1,14 @@
-//! What counts as nothing in this crate, and what is too small to be taken.
+//! Tolerances of this crate: differences that count as zero, and the smallest values accepted.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `SAME_M` | a difference of two bores, m | a millionth of a millimetre: millimetres in binary are not exact |
-//! | `SAME` | a difference of two modules or pressure angles, over the larger | two spellings of one number in different units differ by a few units in the last place |
-//! | `ROUNDING` | a shortfall of a diameter, over it | the rounding of a cube root |
-//! | `LEAST_EFFICIENCY` | an efficiency of a mesh | far below any gear |
-//! | `TOUCH` | a gap between two circles, in modules | rounding of a sine or cosine times a centre distance |
-//! | `PRESSED` | a backlash, in modules | shifts that leave none are sums of rounded involutes |
-//! | `PLAIN` | a number in a message | below, its zeros would hide it |
+//! - `SAME_M`: a difference of two bores, m. It is a millionth of a millimetre, because millimetres in binary
+//!   are not exact.
+//! - `SAME`: a difference of two modules or pressure angles, over the larger. Two spellings of one number in
+//!   different units differ by a few units in the last place.
+//! - `ROUNDING`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
+//! - `LEAST_EFFICIENCY`: an efficiency of a mesh, far below any gear.
+//! - `TOUCH`: a gap between two circles, in modules; rounding of a sine or cosine times a centre distance.
+//! - `PRESSED`: a backlash, in modules; shifts that leave none are sums of rounded involutes.
+//! - `PLAIN`: a number in a message; as a plain decimal its zeros would hide a smaller one.
 
 /// Bores that differ by less are the same.
 pub(crate) const SAME_M: f64 = 1e-9;
@@ -20,7 +20,7 @@ pub(crate) const SAME: f64 = 1e-12;
 /// be exactly 50 mm must not become 53 mm by the rounding of a cube root.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// The least efficiency that is taken: products and reciprocals over all sets of a gearbox stay numbers.
+/// The least efficiency accepted: products and reciprocals over all sets of a gearbox stay finite.
 pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
 
 /// Circles with a gap below this many modules only touch.

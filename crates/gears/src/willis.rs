@@ -57,7 +57,7 @@ pub fn carrier_speed(
     Ok(ring + (sun - ring) / (1.0 - i0))
 }
 
-/// All three speeds from any two of them.
+/// Speeds of all three members from any two of them.
 ///
 /// ```
 /// use epicyclic_gears::simple_set::BasicRatio;
@@ -72,9 +72,8 @@ pub fn carrier_speed(
 /// # }
 /// ```
 ///
-/// # Errors
-/// [`Error::KnownSpeeds`] unless exactly two are given; [`Error::CarrierUndetermined`] where the
-/// carrier is asked of a set with `i₀ = 1`.
+/// [`Error::KnownSpeeds`] unless exactly two are given; [`Error::CarrierUndetermined`] if the carrier speed
+/// of a set with `i₀ = 1` is required.
 pub fn speeds(
     set: BasicRatio,
     sun: Option<AngularVelocity>,
@@ -96,8 +95,7 @@ pub fn speeds(
     }
 }
 
-/// What the speeds leave of Willis' equation, `ω_a − i₀·ω_b − (1 − i₀)·ω_H`: zero for a set that
-/// holds together.
+/// Residual of Willis' equation, `ω_a − i₀·ω_b − (1 − i₀)·ω_H`: zero for consistent speeds.
 #[must_use]
 pub fn residual(set: BasicRatio, speeds: &SetSpeeds) -> AngularVelocity {
     (speeds.sun - speeds.carrier) - (speeds.ring - speeds.carrier) * set.get()

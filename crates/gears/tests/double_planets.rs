@@ -58,7 +58,7 @@ fn apart_by(of: &DoublePlanetNumbers, angles: &[f64], addendum: f64, gap: f64) -
     let [sun, inner, outer] = [a, g, f].map(|teeth| teeth / 2.0 + addendum);
     let ring = b / 2.0 - addendum;
     let axis = [0.0, 0.0];
-    // What only touches by more than rounding.
+    // Gears that only touch, by more than rounding.
     let gap = gap + 1e-9;
     let mut clear = true;
     for (place, [one, partner]) in centres.iter().enumerate() {
@@ -71,13 +71,12 @@ fn apart_by(of: &DoublePlanetNumbers, angles: &[f64], addendum: f64, gap: f64) -
     clear
 }
 
-/// Teeth between a direction and the tooth of a gear that stands at its phase.
+/// Teeth between a direction and the tooth at the phase of a gear.
 fn teeth_to(teeth: f64, phase: f64, direction: f64) -> f64 {
     teeth * (direction - phase) / TAU
 }
 
-/// Phase of a gear in mesh with another: a tooth of the one stands in a space of the other on the line of
-/// their centres.
+/// Phase of a gear in mesh with another: a tooth of one lies in a space of the other on the line of centres.
 fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
     let direction = libm::atan2(its[1] - at[1], its[0] - at[0]);
     let behind = direction + PI;
@@ -85,10 +84,10 @@ fn meshing(of: (f64, f64), at: Point, teeth: f64, its: Point) -> f64 {
     behind - (0.5 - teeth_to(of.0, of.1, direction)) / teeth * TAU
 }
 
-/// Phase of the ring in teeth, that a planet in mesh with it asks for.
+/// Phase of the ring in teeth that a planet in mesh with it requires.
 fn ring_phase(planet: (f64, f64), at: Point, ring: f64) -> f64 {
     let direction = libm::atan2(at[1], at[0]);
-    // Inside each other the two count alike: u − v = 1/2; a ring's tooth stands where v is whole.
+    // Inside each other the two count alike: u − v = 1/2; a ring's tooth is where v is whole.
     let v = teeth_to(planet.0, planet.1, direction) - 0.5;
     (ring * direction / TAU - v).rem_euclid(1.0)
 }
@@ -116,7 +115,7 @@ fn equal(pairs: u32) -> Vec<f64> {
     (0..pairs).map(|pair| TAU * f64::from(pair) / f64::from(pairs)).collect()
 }
 
-/// What is preferred: the least comes first.
+/// Order of preference: the least comes first.
 fn preference(set: &DoublePlanetNumbers) -> impl Ord + use<> {
     let (inner, outer) = (set.inner, set.outer);
     (Reverse(set.pairs), Reverse(inner.min(outer)), inner.max(outer), Reverse(outer))
@@ -304,7 +303,7 @@ fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
     assert!(matches!(refused, Err(Error::ToothRange { .. })) && empty.space(true).is_err());
 }
 
-/// By going through them.
+/// Counts the space by visiting every combination.
 #[test]
 fn the_space_is_what_is_gone_through() {
     let bounds = Bounds { sun: 12..=40, planet: 12..=30, ring: 30..=70, planets: 3..=5, ..Bounds::default() };

@@ -60,7 +60,7 @@ fn sum(first: [f64; 2], second: [f64; 2]) -> [f64; 2] {
     [first[0] + second[0], first[1] + second[1]]
 }
 
-/// Both sides are exact but for rounding; thin rings lose a few digits in differences of powers.
+/// Compares two exact results but for rounding; thin rings lose a few digits in differences of powers.
 fn agree(found: MassProperties, integrated: [f64; 2]) -> Result<(), TestCaseError> {
     for (found, integrated) in in_si(found).into_iter().zip(integrated) {
         prop_assert!((found / integrated - 1.0).abs() < 1e-9, "{found} against {integrated}");

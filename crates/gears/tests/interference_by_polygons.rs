@@ -21,7 +21,7 @@ const ROUNDING: f64 = 1e-6;
 /// Misses of a check by less may lie between the positions and points that are tried.
 const GRAZE: f64 = 0.03;
 
-/// The deepest that a point of planet or ring stands in a tooth of the other, as an arc in modules.
+/// Greatest depth of a point of planet or ring inside a tooth of the other, as an arc in modules.
 fn deepest(set: &PlanetSet) -> Option<f64> {
     let [_, planet, ring] = set.gears();
     let planet = ToothCurve::new(*planet).ok()?;
@@ -112,8 +112,8 @@ fn set(teeth: [u32; 3], shift: f64, ring: Tool) -> Option<PlanetSet> {
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases / 8, ..ProptestConfig::default() })]
-    /// With tips as they come and with shortened ones: clear where the outlines say so, and not where they
-    /// overlap.
+    /// Compares the verdicts for usual and for shortened tips: clear if the outlines are clear, and not if
+    /// they overlap.
     #[test]
     fn verdicts_are_those_of_the_outlines(
         sun in 12..50_u32, planet in 14..50_u32, shift in -0.5..0.5_f64, cutter in 18..40_u32, radius in 0.1..0.38_f64, shortened: bool,
@@ -128,7 +128,7 @@ proptest! {
         }
     }
 
-    /// What a search offers.
+    /// Sets that a search offers.
     #[test]
     fn sets_that_close_do_not_collide(sun in 12..40_u32, planet in 14..45_u32, offset in -4..=4_i32) {
         let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! What is said of tooth numbers, held against the geometry written out.
+//! Results on tooth numbers, compared with the geometry written out.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -28,7 +28,8 @@ fn circle(sun: u32, planet: u32) -> TipCircle {
     TipCircle::of_planet(teeth(sun), teeth(planet), &BasicRack::default())
 }
 
-/// Distance of the centres of two neighbours, in modules, where they stand at an angle.
+/// Distance between the centres of two neighbouring planets with the angle `angle_rad` between them, in
+/// modules.
 fn apart(sun: u32, planet: u32, angle_rad: f64) -> f64 {
     f64::from(sun + planet) * libm::sin(angle_rad / 2.0)
 }

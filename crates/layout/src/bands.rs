@@ -58,7 +58,7 @@ impl Recorder for Draft<'_> {
     }
 
     fn ends(&mut self, side: Side, place: usize) {
-        // What lies outside of the line lies outside of what lay inside of it as long as both go on.
+        // Bars outside of the line stay outside of those inside of it as long as both go on.
         let stack = self.stack(side);
         stack.remove(place);
         if place > 0 && place < stack.len() {
@@ -95,13 +95,13 @@ impl Recorder for Draft<'_> {
 
 /// Heights and places.
 struct Grid {
-    /// Of each bar.
+    /// Height of each bar.
     heights: Vec<i32>,
-    /// Of each column.
+    /// Place of each column along the axis.
     places: Vec<i32>,
     planet: i32,
     wall: i32,
-    /// Of the shaft ends.
+    /// Places of the left and the right shaft end.
     left: i32,
     right: i32,
 }
@@ -194,7 +194,7 @@ impl<'a> Draft<'a> {
         grid
     }
 
-    /// Nets and heights of what stands upright in a column, doubled so that they are whole.
+    /// Nets and heights of the upright lines in a column, doubled so that they are integers.
     fn spans(&self, column: usize, grid: &Grid) -> Vec<(Net, [i32; 2])> {
         let height = |bar: usize| 2 * grid.heights[bar];
         let pin = 2 * grid.planet;
@@ -228,7 +228,7 @@ impl<'a> Draft<'a> {
         })
     }
 
-    /// Each column as far left as can be, then those moved right that make the lines shorter there.
+    /// Places the columns as far left as possible, then moves right those that make the lines shorter there.
     fn places(&self, grid: &mut Grid) {
         let count = self.columns.len();
         let spans: Vec<_> = (0..count).map(|column| self.spans(column, grid)).collect();
@@ -263,7 +263,7 @@ impl<'a> Draft<'a> {
         (grid.left, grid.right) = (-1, last + 1);
     }
 
-    /// By how much the lines get longer if a column moves.
+    /// Growth of the lines' length if a column moves.
     fn pull(&self, grid: &Grid, column: usize, to: i32) -> i32 {
         let length = |bar: usize, moved: bool| {
             let Bar { net, columns, side, .. } = &self.bars[bar];

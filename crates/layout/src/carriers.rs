@@ -1,11 +1,12 @@
 //! Carriers with several planets: which embeddings of the graph a carrier can be drawn for.
 //!
-//! The planet of a set is one vertex with its carrier, so around that vertex the two meshes of a set
-//! are the ends of a chord through the carrier: sun below, ring above. A carrier reaches both sides
-//! of its planet, so one chord may cut the vertex anywhere. Two chords must not cross: beyond its own
-//! chord a planet sees the whole of every other set of its carrier on one side. Where the embedding
-//! found has crossing chords, one of the sets is settled by trying on which side of it everything
-//! else of the carrier lies; each trial is again a question of planarity, and a trial that is not
+//! The planet of a set is one vertex with its carrier. Around that vertex the two meshes of a set are
+//! therefore the ends of a chord through the carrier: sun below, ring above. A carrier reaches both sides of
+//! its planet, so one chord may cut the vertex anywhere. Two chords must not cross: beyond its own chord a
+//! planet sees the whole of every other set of its carrier on one side.
+//!
+//! If the embedding found has crossing chords, one of the sets is decided by trying on which side of it
+//! everything else of the carrier lies. Each trial is again a question of planarity. A trial that is not
 //! planar with all other chords free is cut off.
 //!
 //! The trials are exponential in the number of connections of a carrier with two or more planets, and
@@ -34,7 +35,7 @@ pub(super) fn arrange(graph: &Graph, variant: usize) -> Option<Vec<Vec<usize>>> 
     })
 }
 
-/// How many other chords each planet's chord crosses.
+/// Number of other chords that each planet's chord crosses.
 fn crossings(graph: &Graph, rotation: &[Vec<usize>]) -> Vec<usize> {
     let chords: Vec<[usize; 2]> = graph
         .planets
@@ -123,7 +124,7 @@ fn units(graph: &Graph, planet: usize) -> Vec<Vec<usize>> {
     units
 }
 
-/// The same graph with one planet a vertex of its own between two webs of its carrier.
+/// Graph in which one planet is a separate vertex between two webs of its carrier.
 fn split<'a>(graph: &Graph, planet: usize, beyond: impl Iterator<Item = &'a usize>) -> Graph {
     let mut split = graph.clone();
     let Planet { set, carrier, sun, ring } = split.planets.remove(planet);
@@ -308,7 +309,7 @@ mod tests {
                         split.ends[..edges].iter().map(|ends| ends.map(back)).collect();
                     assert_eq!(shrunk, graph.ends);
                     assert_eq!(split.ends[edges..], [[planet.carrier, hub], [hub, web]]);
-                    // The planet has its own two meshes and the arms, its second web what was asked for.
+                    // The planet has its own two meshes and the arms, its second web the edges in `beyond`.
                     let at = |vertex: usize| -> Vec<usize> {
                         (0..edges).filter(|&edge| split.ends[edge].contains(&vertex)).collect()
                     };

@@ -1,4 +1,4 @@
-//! What a drawing costs to look at.
+//! Cost of a drawing: a measure of how hard it is to read.
 
 use super::layout::{Layout, Point, SetStack};
 use super::scheme::Scheme;
@@ -13,24 +13,24 @@ pub(super) const BACKWARDS: f64 = 1.5;
 /// A further band of sets costs more than all else.
 const BAND: f64 = 1e4;
 
-/// What a drawing costs to look at; see [`Layout::cost`].
+/// Cost of a drawing by its bends, walls, length and order; see [`Layout::cost`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
-    /// Different heights at which planets stand.
+    /// Number of different heights of planets.
     pub bands: usize,
-    /// Ends of level lines of links, without shaft ends and planet pins: there the link turns.
+    /// Ends of level lines of links where the link turns: all but shaft ends and planet pins.
     pub bends: usize,
     /// Upright walls of the housing.
     pub walls: usize,
     /// Length of all lines of links, in grid units.
     pub length: f64,
-    /// Pairs of sets of which the one nearer to the output stands on the left.
+    /// Pairs of sets in which the one nearer to the output is on the left.
     pub backwards: usize,
 }
 
 impl Cost {
-    /// All as one number: a band more than the first 10⁴, a corner 6, a wall 24, a unit of length 1, a pair
-    /// of sets against the order of the power 1.5.
+    /// Weighted sum of the costs: 10⁴ for each band more than the first, 6 for a corner, 24 for a wall, 1 for
+    /// a unit of length. A pair of sets against the order of the power counts 1.5.
     #[must_use]
     pub fn total(&self) -> f64 {
         let many = |count: usize, each: f64| count as f64 * each;
@@ -43,16 +43,14 @@ impl Cost {
 }
 
 impl Layout {
-    /// What the drawing costs to look at: that of the fewest bands is drawn, and of these the one with the
-    /// least
+    /// Cost of the drawing. [`draw`](super::draw) searches for the fewest bands and then for the least
     ///
     /// ```text
     /// 6·bends + 24·walls + length + 1.5·backwards
     /// ```
     ///
-    /// which [`draw`](super::draw) searches for; a crossing is not allowed at any price. A set is nearer to
-    /// the output than another if its links are fewer sets and shift elements away from the output and more
-    /// from the input.
+    /// A crossing is never allowed. A set is nearer to the output than another if fewer sets and shift
+    /// elements lie between its links and the output, and more between its links and the input.
     #[must_use]
     pub fn cost(&self, gearbox: &Gearbox) -> Cost {
         let mut heights: Vec<f64> = self.sets.iter().map(|stack| stack.planet).collect();

@@ -3,7 +3,7 @@
 use super::layout::{Layout, Point, Segment};
 use epicyclic_train::LinkId;
 
-/// What a line of a layout belongs to.
+/// Piece to which a line of a layout belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Line {
     /// A shaft, drum or web of a link.
@@ -12,7 +12,7 @@ pub enum Line {
     Gear {
         /// Place of the set in the gearbox.
         set: usize,
-        /// Which of its members.
+        /// Index of the gear or planet in the set.
         member: usize,
     },
     /// The axis, crossed by a line below it or by a link on it that is no shaft end.

@@ -19,12 +19,12 @@ const VARIANTS: usize = 4;
 const FIRST: [(u32, usize); 2] = [(30, 20_000), (80, 20_000)];
 /// Haste of the searches for cheaper sweeps.
 const CALMER: [u32; 4] = [20, 15, 12, 10];
-/// So many sets are few.
+/// Largest number of sets for which drawings by chance are made in addition to the search.
 const SMALL: usize = 2;
 /// States for each attempt that [`Options`](super::Options) allow.
 const STATES: usize = 40;
 
-/// The most pleasing of some drawings; `None` where there is none at all.
+/// Cheapest of several drawings; `None` if the scheme cannot be drawn.
 pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Options) -> Option<Layout> {
     let graph = scheme.graph(&[]);
     carriers::arrange(&graph, 0)?;
@@ -39,8 +39,7 @@ pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Optio
     let Some(swept) = swept else { return thrown(scheme, gearbox, options) };
     let drawn = gearbox.drawn_sets();
     let is_whole = drawn.windows(2).all(|pair| pair[0].set != pair[1].set);
-    // Of few sets chance has drawn nearly everything: where it has found what the search passed by, that is
-    // taken.
+    // For few sets chance draws nearly every layout. A cheaper one that the search missed is taken.
     let by_chance = (is_whole && drawn.len() <= SMALL).then(|| thrown(scheme, gearbox, options)).flatten();
     let cost = |layout: &Layout| layout.cost(gearbox).total();
     std::iter::once(swept).chain(by_chance).min_by(|a, b| cost(a).total_cmp(&cost(b)))
@@ -288,8 +287,8 @@ mod tests {
         }
     }
 
-    /// Of the 106 structures of two sets that can be drawn, drawings of chance have 51 in one band, the
-    /// search all.
+    /// Counts drawings in one band of the 106 drawable structures of two sets: by chance 51, by the search
+    /// all.
     #[test]
     fn structures_of_two_sets_stand_in_one_band_and_cost_no_more_than_drawings_of_chance() {
         use epicyclic_schemes::structures::{Role, Structure};

@@ -1,9 +1,9 @@
 //! Coordinates on a grid: a visibility representation.
 //!
-//! Vertices become horizontal bars at the height of their longest path from the axis, edges become
-//! vertical lines at the longest path through the faces from the left (Tamassia and Tollis). The
-//! edges of one stack share a place in the second count, so a stack is straight (Di Battista,
-//! Tamassia and Tollis, constrained visibility representations).
+//! Vertices become horizontal bars at the height of their longest path from the axis. Edges become vertical
+//! lines at the longest path through the faces from the left (Tamassia and Tollis). The edges of one stack
+//! share a place along the axis, so a stack is straight (Di Battista, Tamassia and Tollis, constrained
+//! visibility representations).
 
 use super::scheme::Kind;
 use super::stacks::Upward;

@@ -10,7 +10,7 @@ pub const PLANET: f64 = 0.5;
 /// A point of the half-plane: `x` along the axis to the right, `y` away from it, in grid units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Along the axis.
+    /// Position along the axis.
     pub x: f64,
     /// Distance from the axis.
     pub y: f64,
@@ -19,18 +19,19 @@ pub struct Point {
 /// A straight line, along the axis or at right angles to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// Its left or lower end.
+    /// Left or lower end.
     pub from: Point,
-    /// Its right or upper end.
+    /// Right or upper end.
     pub to: Point,
 }
 
 /// Everything that turns as one piece with a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkShape {
-    /// The link; of links joined for ever the first. The housing's are what stands out of its wall.
+    /// The link; of permanently joined links the first. For the housing the lines are those that project from
+    /// its wall.
     pub link: LinkId,
-    /// Shafts, drums and webs. They meet at ends and in tees, never cross one another.
+    /// Shafts, drums and webs. They meet at ends and in tees and never cross one another.
     pub segments: Vec<Segment>,
 }
 
@@ -62,8 +63,8 @@ pub struct SetStack {
 /// A clutch: a gap between two links that it closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutchMark {
-    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements);
-    /// further numbers are direct-drive clutches asked for.
+    /// Index of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements);
+    /// higher numbers are additional direct-drive clutches.
     pub shift_element: usize,
     /// Link and its end below the gap.
     pub lower: (LinkId, Point),
@@ -80,16 +81,16 @@ pub struct BrakeMark {
     pub link: LinkId,
     /// End of the link at the gap.
     pub link_end: Point,
-    /// The housing, or what stands out of it, across the gap.
+    /// Point of the housing, or of its projection, across the gap.
     pub housing: Point,
 }
 
-/// Where power enters or leaves.
+/// Shaft end at which power enters or leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShaftEnd {
     /// The link.
     pub link: LinkId,
-    /// Its outer end.
+    /// Outer end of the shaft.
     pub at: Point,
 }
 

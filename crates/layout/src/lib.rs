@@ -1,9 +1,8 @@
 //! Whether a gearbox can be drawn in the half-plane without a link crossing another, and the drawing.
 //!
-//! A kinematic scheme is the section of a gearbox by a half-plane through its axis. Links are bodies
-//! of revolution, so where two of them would cross in the section they would meet in space, and a
-//! braked link that others shut off from the housing has nothing to hold on to. Such a scheme is
-//! *self-crossing* and cannot be built.
+//! A kinematic scheme is the section of a gearbox by a half-plane through its axis. Links are bodies of
+//! revolution, so two links that cross in the section would meet in space. A braked link that other links
+//! shut off from the housing cannot be held. Such a scheme is *self-crossing* and cannot be built.
 //!
 //! ```
 //! use epicyclic_layout::{Options, Verdict, draw};
@@ -37,67 +36,71 @@
 //!
 //! # The graph that is tested
 //!
-//! *Vertices*: every link (links joined for ever are one), the planet of every set, and four on the
-//! border: input end, housing, output end, axis. *Edges*: the border as a cycle in this order, outside
-//! of which nothing lies; input link to input end, output link to output end; a brake from its link to
-//! the housing, a clutch between its links; of a set, planet to sun's link, planet to ring's link,
-//! and planet to its carrier's link, up to twice, on either side of the two meshes.
+//! *Vertices*: every link (permanently joined links are one), the planet of every set, and four on the
+//! border: input end, housing, output end, axis. *Edges*:
+//!
+//! - the border as a cycle in this order; nothing lies outside it;
+//! - input link to input end, output link to output end;
+//! - a brake from its link to the housing, a clutch between its links;
+//! - planet to the sun's link and to the ring's link;
+//! - planet to its carrier's link, up to twice, on either side of the two meshes.
 //!
 //! The scheme can be drawn if and only if this graph has a planar embedding inside the border, for
 //! some choice of how the carriers' webs meet their planets:
 //!
 //! - *Necessary.* In a drawing each link is a connected region, the planet pin a part of its carrier's.
-//!   Regions of different links are disjoint. Shrinking each web of each link to a point leaves an
-//!   embedding of the graph: a central gear touches its planet in one place, so a sun or ring is a point on
-//!   the edge from planet to link and needs no vertex. The carrier needs more: its region contains
-//!   the planet, with the sun below and the ring above it, and goes on to the left and to the right.
-//!   Around the carrier the two meshes of a set are therefore the ends of a chord, and the chords of
-//!   several sets on one carrier do not cross: each planet cuts the carrier in two, and every other
-//!   set lies wholly on one side.
-//! - *Sufficient.* From an embedding a drawing is made, always: bars at the heights of a numbering from
-//!   axis to housing, joined by lines at right angles to the axis, each set opened into a vertical
-//!   stack. That sun is below and ring above restricts nothing, since a sun's shaft may be led out
-//!   along the axis and up, and a ring's drum down, around everything else of the set.
-//!   [`Layout::crossings`] checks the result line by line and knows nothing of graphs.
+//!   Regions of different links are disjoint. Shrinking each web of each link to a point leaves an embedding
+//!   of the graph. A central gear touches its planet in one place, so a sun or ring is a point on the edge
+//!   from planet to link and needs no vertex. The carrier needs more: its region contains the planet, with
+//!   the sun below and the ring above it, and continues to the left and to the right. Around the carrier the
+//!   two meshes of a set are therefore the ends of a chord. The chords of several sets on one carrier do not
+//!   cross: each planet cuts the carrier in two, and every other set lies wholly on one side.
+//! - *Sufficient.* Every embedding yields a drawing. Bars lie at the heights of a numbering from axis to
+//!   housing, joined by lines at right angles to the axis; each set is opened into a vertical stack. The
+//!   order of sun below and ring above restricts nothing. A sun's shaft may be led out along the axis and up,
+//!   and a ring's drum down, around everything else of the set. [`Layout::crossings`] checks the result line
+//!   by line, independently of the graph.
 //!
-//! A planet with one carrier to itself is thus one vertex with its carrier's link; with several sets
-//! on one carrier the chords decide, by exhaustion where the first embedding found leaves them
-//! crossing. The axis has no edge but those of the border: a shaft may run along the axis inside all
-//! others, so a link passes freely under a sun, but nothing passes *through* the axis. For the same
-//! reason input and output on one side change no verdict, only the drawing: the border's cyclic order of
-//! input, housing and output is the same, and the inner shaft goes back under everything.
+//! A planet with one carrier to itself is thus one vertex with its carrier's link. With several sets on one
+//! carrier the chords decide: if they cross in the first embedding found, all choices are checked. The axis
+//! has no edge but those of the border. A shaft may run along the axis inside all others, so a link passes
+//! freely under a sun, but nothing passes *through* the axis. For the same reason input and output on one
+//! side change no verdict, only the drawing: the border's cyclic order of input, housing and output is the
+//! same, and the inner shaft returns below everything.
 //!
-//! # What is drawn
+//! # The drawing
 //!
-//! All sets stand in one band, their planets at one height, if a sweep from left to right is found for that:
-//! what a line upright through such a drawing meets changes only next to the band, so a search over these
-//! lists finds drawings without a crossing and nothing else. The first is searched for in haste, cheaper ones
-//! with more patience as far as [`Options::attempts`] allow; the one that costs least is drawn.
-//! [`Layout::cost`] is the cost: bands of sets, then corners, walls of the housing between sets, length, and
-//! sets against the order of the power. The search weighs what lies ahead more than it must, so the cheapest
-//! drawing of all may be missed. Sets drawn of one set (a Ravigneaux set) stand side by side on one level
-//! line of their carrier where that is found.
+//! All sets are drawn in one band, with their planets at one height, if a sweep from left to right finds such
+//! a drawing. An upright line through a drawing in one band meets a list of lines that changes only next to
+//! the band. A search over these lists finds exactly the drawings without a crossing. The first search is a
+//! fast one; slower ones look for cheaper drawings as far as [`Options::attempts`] allows. The drawing of
+//! least cost is used.
 //!
-//! Where no sweep is found, and beside it for one set or two, drawings with the sets at any heights are made
-//! by chance from embeddings of the graph, and the cheapest of them is drawn. The verdict never depends on
-//! the search.
+//! [`Layout::cost`] counts bands of sets, then corners, walls of the housing between sets, length, and sets
+//! against the order of the power. The search gives costs ahead more weight than necessary, so it may miss
+//! the cheapest drawing of all. Sets drawn for one set (a Ravigneaux set) are side by side on one level line
+//! of their carrier if such a drawing is found.
+//!
+//! If no sweep finds a drawing, drawings with the sets at any heights are made by chance from embeddings of
+//! the graph, and the cheapest is used. For one set or two this is done in addition to the sweep. The verdict
+//! never depends on the search.
 //!
 //! # Idealised
 //!
-//! - Bearings, seals, oil and the actuators of shift elements take no room, and a drum or hollow shaft may be
-//!   nested as deep as need be. A drawable scheme can be built in principle, not always well.
-//! - All shift elements are there at once. Of a direct-drive clutch only the pair given counts;
+//! - Bearings, seals, oil and the actuators of shift elements take no room, and drums and hollow shafts may
+//!   be nested without limit. A drawable scheme can be built in principle, not always well.
+//! - All shift elements are present at once. Of a direct-drive clutch only the given pair counts;
 //!   [`direct_clutch_options`] lists all pairs that can be drawn.
 //! - Sets of every kind are a chain of central gear 1, planet and central gear 2. Stepped planets, two
-//!   planets in mesh and bevel planets have the same two sides free for the carrier, though not the same
-//!   shape.
-//! - A Ravigneaux set is two sets with common ring and carrier. Its long planet has three meshes and
-//!   three gaps between them, where the two sets have four gaps; the fourth lies between ring and
-//!   ring, and what stands in it can be moved beside it. The verdict is the same.
-//! - A pair on fixed axes is a set whose carrier is the housing: its gears need to reach bearings
-//!   there. What turns about another axis is drawn as if it turned about this one.
-//! - Where power enters or leaves in some gear only, a motor stands in the housing or a pair leads
-//!   away: that link has to reach the housing, as if braked.
+//!   planets in mesh and bevel planets leave the same two sides free for the carrier, though their shape
+//!   differs.
+//! - A Ravigneaux set is two sets with common ring and carrier. Its long planet has three meshes and three
+//!   gaps between them, where the two sets have four gaps. The fourth lies between ring and ring, and its
+//!   contents can be moved next to it. The verdict is the same.
+//! - A pair on fixed axes is a set whose carrier is the housing: its gears need to reach bearings there.
+//!   Parts that turn about another axis are drawn as if they turned about this one.
+//! - Where power enters or leaves in some gears only, a motor is in the housing or a pair leads away. That
+//!   link has to reach the housing, as if braked.
 //!
 //! # Source
 //! multispeed-gearboxes, section 3.1, names the criterion: links between sets may cut off braked links
@@ -129,14 +132,14 @@ pub use to_scale::{NotToScale, SetRadii};
 use epicyclic_train::{Gearbox, LinkId};
 use scheme::Scheme;
 
-/// How to draw.
+/// Options of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
     /// Input and output both leave on the left, the input's shaft around the output's.
     pub same_side: bool,
-    /// How far the search for the drawing that costs least goes on after the first: so many times forty lists
-    /// of lines. Where no drawing with all sets in one band is found, how many drawings are compared, at
-    /// least one. The verdict does not depend on it.
+    /// Effort of the search for the drawing of least cost after the first drawing: forty lists of lines for
+    /// each attempt. If no drawing with all sets in one band is found, number of drawings that are compared,
+    /// at least one. The verdict does not depend on it.
     pub attempts: u32,
 }
 
@@ -151,10 +154,10 @@ impl Default for Options {
 pub enum Element {
     /// A set, by its place in [`Gearbox::drawn_sets`].
     Set(usize),
-    /// A brake or clutch, by its place in [`Gearbox::shift_elements`]; a direct-drive clutch asked for has
+    /// A brake or clutch, by its index in [`Gearbox::shift_elements`]; an additional direct-drive clutch has
     /// the number after the last.
     ShiftElement(usize),
-    /// A link; without it its members and connections stand alone.
+    /// A link; without it its members and connections are separate.
     Link(LinkId),
     /// The input's shaft to the outside.
     Input,
@@ -164,8 +167,8 @@ pub enum Element {
     TakeOff(LinkId),
 }
 
-/// Why a scheme cannot be drawn: elements that cannot be drawn together, though they can as soon as any
-/// one of them is left out.
+/// Reason why a scheme cannot be drawn: elements that cannot be drawn together, though they can as soon as
+/// any one of them is left out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Witness {
     /// The elements.
@@ -196,9 +199,9 @@ impl Witness {
 /// Whether a scheme can be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
-    /// It can, so.
+    /// The scheme can be drawn: its drawing.
     Drawable(Box<Layout>),
-    /// It cannot.
+    /// The scheme cannot be drawn: the elements that conflict.
     SelfCrossing(Witness),
 }
 
@@ -210,7 +213,7 @@ pub fn draw(gearbox: &Gearbox, options: Options) -> Verdict {
     judge(gearbox, &[], options)
 }
 
-/// The same with a direct-drive clutch between two links.
+/// Draws a gearbox with an additional direct-drive clutch between two links.
 ///
 /// # Panics
 /// With a link of another, larger gearbox.
@@ -238,6 +241,7 @@ pub fn direct_clutch_options(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
             let pair = [*pair];
             let scheme = Scheme::new(gearbox, &pair);
             let [a, b] = pair[0].map(|link| scheme.piece(link));
+            // Links that are permanently joined are one piece, between which a clutch would lock nothing.
             a != b && a != LinkId::GROUND && b != LinkId::GROUND && fits(&scheme, &[])
         })
         .collect()
@@ -255,8 +259,8 @@ fn fits(scheme: &Scheme<'_>, without: &[Element]) -> bool {
     carriers::arrange(&scheme.graph(without), 0).is_some()
 }
 
-/// What is left when everything has been taken out that leaves the rest self-crossing. Taking out never
-/// makes a drawable rest self-crossing, so one round is enough.
+/// Smallest self-crossing remainder: every element that is not needed for the crossing has been removed.
+/// Removing elements never makes a drawable remainder self-crossing, so one round is enough.
 fn witness(scheme: &Scheme<'_>) -> Witness {
     let elements = scheme.elements();
     let mut without: Vec<Element> = vec![];

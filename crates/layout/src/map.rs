@@ -1,4 +1,4 @@
-//! The embedding with planets, carriers' webs and the two sides of every set told apart.
+//! Embedding in which planets, webs of carriers and the two sides of every set are distinct.
 
 use super::carriers;
 use super::planar::{HOUSING, OUTPUT, far};
@@ -21,7 +21,7 @@ pub(super) struct Map {
 }
 
 impl Map {
-    /// An embedding of the graph; `None` where there is none.
+    /// Embedding of the graph; `None` if the graph has none.
     pub(super) fn new(graph: &Graph, variant: usize) -> Option<Self> {
         let around = carriers::arrange(graph, variant)?;
         let mut map = Self {

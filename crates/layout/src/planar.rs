@@ -29,11 +29,11 @@ struct Fragment {
 
 /// Edges around each vertex, clockwise, of a planar embedding inside the border.
 ///
-/// The first four edges must be [`BORDER`]; nothing is drawn outside it. `None`: there is none.
-/// The graph must be connected; parallel edges are welcome, loops are not.
+/// The first four edges must be [`BORDER`]; nothing is drawn outside it. `None` means that no such embedding
+/// exists. The graph must be connected; parallel edges are allowed, loops are not.
 ///
-/// Where a fragment fits several faces, `variant` says which it gets. It changes the embedding, never
-/// whether there is one.
+/// If a fragment fits several faces, `variant` selects one. It changes the embedding, never the result
+/// whether one exists.
 pub(super) fn embed(vertices: usize, ends: &[[usize; 2]], variant: usize) -> Option<Vec<Vec<usize>>> {
     debug_assert_eq!(ends.get(..4), Some(&BORDER[..]));
     let mut incident = vec![vec![]; vertices];
@@ -80,8 +80,8 @@ impl Drawing<'_> {
                 let fitting: Vec<usize> =
                     (0..self.faces.len()).filter(|&face| self.fits(&fragment, face)).collect();
                 let face = *fitting.get(variant % fitting.len().max(1))?;
-                // A fragment that hangs at one vertex fits anywhere there; it waits for the others,
-                // so that at any time only one block is half drawn.
+                // A fragment with one attachment fits anywhere at that vertex. It waits for the others, so
+                // that at any time only one block is half drawn.
                 let choices = if fragment.attachments.len() < 2 { usize::MAX } else { fitting.len() };
                 if best.as_ref().is_none_or(|(fewest, ..)| choices < *fewest) {
                     best = Some((choices, face, fragment));
@@ -137,8 +137,8 @@ impl Drawing<'_> {
         fragment.attachments.iter().all(|vertex| walk.iter().any(|dart| dart.from == *vertex))
     }
 
-    /// A path of the fragment from its first attachment to another one; where there is no other,
-    /// the one edge it hangs by.
+    /// Path of the fragment from its first attachment to another one; if it has only one attachment, its
+    /// first edge.
     fn path(&self, fragment: &Fragment) -> Vec<Dart> {
         let from = fragment.attachments[0];
         let first = far(self.ends, fragment.start, from);

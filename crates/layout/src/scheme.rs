@@ -5,7 +5,7 @@ use super::planar::{AXIS, BORDER, HOUSING, INPUT, OUTPUT};
 use epicyclic_train::groups::Groups;
 use epicyclic_train::{Gearbox, LinkId};
 
-/// What an edge stands for.
+/// Part of a scheme that an edge represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Border,
@@ -19,7 +19,7 @@ pub(super) enum Kind {
     Sun(usize),
     /// Mesh with the second central gear.
     Ring(usize),
-    /// From the planet of this set to a web of its carrier.
+    /// Edge from the planet of this set to a web of its carrier.
     Arm(usize),
 }
 
@@ -142,8 +142,8 @@ impl<'a> Scheme<'a> {
             .collect()
     }
 
-    /// The graph without some elements. A link left out falls to pieces: each of its members and
-    /// connections stands alone.
+    /// Graph without some elements. A link that is left out is divided: each of its members and connections
+    /// is separate.
     pub(super) fn graph(&self, without: &[Element]) -> Graph {
         let mut graph = Graph {
             vertices: self.count,
@@ -199,7 +199,7 @@ impl<'a> Scheme<'a> {
         all.filter(|(_, links)| self.piece(links[0]) != self.piece(links[1]))
     }
 
-    /// What joins two links, and the ways out to the housing.
+    /// Ties between two links: shift elements, and the ways out to the housing.
     pub(super) fn ties(&self) -> Vec<([LinkId; 2], Kind)> {
         let shift_elements = self.shift_elements().map(|(place, links)| (links, Kind::ShiftElement(place)));
         let take_offs =
@@ -207,8 +207,8 @@ impl<'a> Scheme<'a> {
         shift_elements.chain(take_offs).collect()
     }
 
-    /// How far from input to output each set of a gearbox stands: the more steps from the input and the fewer
-    /// from the output the farther, where each set and shift element is a step from one of its links to
+    /// Position of each set of a gearbox between input and output: it rises with the steps from the input and
+    /// falls with those from the output. Each set and shift element is a step from one of its links to
     /// another.
     pub(super) fn stages(&self) -> Vec<u32> {
         let gearbox = self.gearbox;

@@ -18,8 +18,10 @@ pub(super) struct Found {
     pub(super) states: usize,
 }
 
-/// A cheap sweep, after at most so many states. What lies ahead counts `haste` tenths: with 10 and more it is
-/// found the sooner the larger, and is the dearer by at most that factor but for what the estimate misses.
+/// A cheap sweep, after at most `most` states.
+///
+/// The estimate of the remaining cost is weighted by `haste` tenths. From 10 on, a larger value finds a sweep
+/// sooner, and the sweep is dearer by at most that factor, but for the error of the estimate.
 pub(super) fn sweep(task: &Task, haste: u32, most: usize) -> Found {
     let mut nodes = vec![Node { state: task.start(), cost: 0, from: None }];
     let mut known: FxHashMap<State, u32> = FxHashMap::default();
@@ -63,7 +65,7 @@ fn steps(nodes: &[Node], end: usize) -> Vec<Step> {
     steps
 }
 
-/// What is still to come costs at least this.
+/// Lower bound of the cost of the remaining steps.
 fn at_least(task: &Task, state: &State) -> u32 {
     let lines = || state.below.lines().iter().chain(state.above.lines());
     let open = |place: usize| state.placed >> place & 1 == 0;
@@ -83,7 +85,7 @@ fn at_least(task: &Task, state: &State) -> u32 {
             cost += BEND;
         }
     }
-    // A line that goes on is met again, further on.
+    // A line that continues is met again later.
     for line in lines() {
         let same = |other: &&Line| other.net == line.net && other.part == line.part;
         if line.form == Form::Point || line.form == Form::Through && lines().filter(same).count() == 1 {
@@ -139,7 +141,7 @@ fn possible(task: &Task, state: &State) -> Vec<Step> {
             let is_wall = side == Side::Above && place == 0;
             let same = |other: &&Line| other.net == line.net && other.part == line.part;
             let twice = state.below.lines().iter().chain(state.above.lines()).filter(same).count() > 1;
-            // It is in the way of what comes next, or of a shift element.
+            // The line blocks the next step, or a shift element.
             let is_last = place + 1 == lines.len();
             let between = place > 0
                 && lines.get(place + 1).is_some_and(|inner| {

@@ -1,17 +1,17 @@
-//! Each planet opened into a vertical stack: first central gear, planet, second central gear.
+//! Opens each planet into a vertical stack: first central gear, planet, second central gear.
 //!
-//! The planet's vertex has edges below and above it, from left to right; between its first central gear and
-//! its second lie the arms of its right side, counter-clockwise, and beyond those of its left. With the first
-//! central gear reached from below and the second from above nothing is to be done. A first central gear
-//! reached from above has its shaft led out sideways and up, a second central gear reached from below is a
-//! drum led down; an arm on the wrong side of such a shaft or drum is led around under or over it. So every
-//! order of edges can be drawn.
+//! The planet's vertex has edges below and above it, from left to right. Between its first central gear and
+//! its second lie the arms of its right side, counter-clockwise, and beyond those of its left. If the first
+//! central gear is reached from below and the second from above, nothing has to be changed. The shaft of a
+//! first central gear reached from above is led out sideways and up. A second central gear reached from below
+//! is a drum led down. An arm on the wrong side of such a shaft or drum is led around under or over it. Every
+//! order of edges can therefore be drawn.
 
 use super::map::Map;
 use super::planar::{AXIS, INPUT, OUTPUT};
 use super::scheme::Kind;
 
-/// What a vertex is drawn as.
+/// Part of the drawing that a vertex becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// A shaft, drum or web of the piece at this vertex of the graph.
@@ -45,7 +45,7 @@ enum Side {
 }
 use Side::{Left, Right};
 
-/// How the edges of one planet are led. Lists run from left to right.
+/// Plan of the edges of one planet. Lists run from left to right.
 #[derive(Default)]
 struct Plan {
     left_down: Vec<usize>,
@@ -121,6 +121,7 @@ impl Upward {
             Some(side) => {
                 self.ends[sun_edge][0] = sun;
                 self.above[sun].insert(usize::from(side == Right), sun_edge);
+                // Each arm turns up below the previous one: the helper edge keeps its bend lower.
                 let mut arms = vec![];
                 let mut lowest = sun;
                 for edge in plan.under {
@@ -290,8 +291,8 @@ impl Upward {
 
     /// Least height of an edge.
     ///
-    /// A central gear may sit on its shaft or in its drum itself, and the input's and output's shafts may lie
-    /// on the axis; of two on one side the input's lies around the output's.
+    /// A central gear may sit directly on its shaft or in its drum, and the input's and output's shafts may
+    /// lie on the axis. If both leave on one side, the input's shaft lies around the output's.
     pub(super) fn rise(&self, edge: usize, same_side: bool) -> u32 {
         let [low, high] = self.ends[edge];
         let none = match self.kinds[edge] {
@@ -303,8 +304,8 @@ impl Upward {
         u32::from(!none)
     }
 
-    /// The set in whose stack an edge stands: the two contacts, and the connections of its central gears
-    /// where they go straight on.
+    /// Set in whose stack an edge lies: the two contacts, and the connections of its central gears that go
+    /// straight on.
     pub(super) fn in_stack(&self, edge: usize) -> Option<usize> {
         let [low, high] = self.ends[edge];
         match self.kinds[edge] {

@@ -1,11 +1,11 @@
-//! A drawing with all sets in one band, as what happens from left to right.
+//! Drawings with all sets in one band, as a sequence of steps from left to right.
 //!
-//! A line upright through the drawing meets, from the axis up, the lines of links below the band, the
-//! band with the planets, and the lines above it up to the housing. From left to right this list
-//! changes only at its two ends next to the band: the sun of a set ends on the uppermost line below or
-//! begins one there, its ring does the same above, an arm of its carrier either; between two sets a link may
-//! cross the band. A shift element joins two lines that are neighbours. Lists like these are all
-//! drawings without a crossing that have their sets in one band, so a search over them misses none.
+//! An upright line through the drawing meets, from the axis up, the lines of links below the band, the band
+//! with the planets, and the lines above it. The uppermost is the housing. From left to right this list
+//! changes only at its two ends next to the band. The sun of a set ends on the uppermost line below or begins
+//! a line there. Its ring does the same above, an arm of its carrier on either side. Between two sets a link
+//! may cross the band, and a shift element joins two neighbouring lines. These lists describe all drawings
+//! without a crossing that have their sets in one band, so a search over them misses none.
 
 use super::cost;
 use super::scheme::{Kind, Scheme};
@@ -16,7 +16,7 @@ use std::hash::{Hash, Hasher};
 /// A link as the sweep counts it.
 pub(super) type Net = u8;
 
-/// The housing's.
+/// Net of the housing.
 pub(super) const HOUSE: Net = 0;
 
 /// Lines on one side of the band, at most.
@@ -31,20 +31,20 @@ const MOST_NETS: usize = 48;
 pub(super) struct Row {
     /// Links of central gear 1, central gear 2 and carrier.
     pub(super) members: [Net; 3],
-    /// The set of the gearbox of which this is drawn; those of one stand side by side.
+    /// The set of the gearbox for which this one is drawn; those of one set are side by side.
     pub(super) of: usize,
-    /// How far the power has come when it reaches the set.
+    /// Position of the set in the flow of power.
     pub(super) stage: u32,
 }
 
-/// What joins two links: a shift element, or a way out to the housing.
+/// Tie between two links: a shift element, or a way out to the housing.
 #[derive(Debug, Clone)]
 pub(super) struct Tie {
     pub(super) ends: [Net; 2],
     pub(super) kind: Kind,
 }
 
-/// What is to be drawn.
+/// Scheme to be drawn.
 #[derive(Debug, Clone)]
 pub(super) struct Task {
     pub(super) pieces: Vec<LinkId>,
@@ -63,7 +63,7 @@ pub(super) struct Task {
 }
 
 impl Task {
-    /// `None` where there is more than the sweep counts.
+    /// Task of a scheme; `None` if it exceeds the limits of the sweep.
     pub(super) fn new(scheme: &Scheme<'_>, gearbox: &Gearbox, same_side: bool) -> Option<Self> {
         let mut pieces = vec![LinkId::GROUND];
         let mut net = |link: LinkId| {
@@ -151,15 +151,15 @@ impl Task {
     }
 }
 
-/// What a line looks like so far.
+/// Form of a line so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub(super) enum Form {
-    /// It begins here, and so far might end here.
+    /// The line begins here, and so far might end here.
     #[default]
     Point,
-    /// The same, with something on its other side.
+    /// The line begins here with something on its other side, too.
     Through,
-    /// It goes on along the axis.
+    /// The line goes on along the axis.
     Bar,
 }
 
@@ -220,7 +220,7 @@ impl Stack {
     }
 }
 
-/// Which side of the band.
+/// Side of the band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Side {
     Below,
@@ -307,12 +307,12 @@ impl State {
     }
 }
 
-/// Where an arm of a carrier goes from its planet.
+/// Directions of an arm of a carrier from its planet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Arm {
     pub(super) below: bool,
     pub(super) above: bool,
-    /// On to the next set at the height of the planet pin.
+    /// Whether the arm goes on to the next set at the height of the planet pin.
     pub(super) level: bool,
 }
 
@@ -326,7 +326,7 @@ impl Arm {
     }
 }
 
-/// What happens next.
+/// Next step of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
     /// A set with the arms on its left and right.
@@ -341,7 +341,7 @@ pub(super) enum Step {
     Rise { net: Net },
 }
 
-/// What writes down a sweep.
+/// Recorder of the steps of a sweep.
 pub(super) trait Recorder {
     /// A line begins next to the band.
     fn begins(&mut self, side: Side, net: Net);
@@ -504,7 +504,7 @@ impl<'a, R: Recorder> Taking<'a, R> {
         if right.level {
             self.state.level = level;
         } else {
-            // Nothing more reaches the carrier here: it has to go on somewhere, or to be whole.
+            // No other line reaches the carrier here: it has to go on elsewhere, or be complete.
             let (net, part) = level?;
             let goes_on = self.state.all_lines().any(|line| line.net == net && line.part == part);
             let others = self.state.all_lines().any(|line| line.net == net);

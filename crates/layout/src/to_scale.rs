@@ -1,7 +1,7 @@
 //! A layout with its gears at heights in proportion to their radii.
 //!
-//! What lies where along the axis stays, and so does what lies above what. Of the heights those of the
-//! contacts and planet pins are given, in one scale for all sets; all others are as low as
+//! The positions along the axis and the order of the lines above one another do not change. The heights of
+//! the contacts and planet pins are given, in one scale for all sets; all others are as low as
 //!
 //! ```text
 //! y_upper − y_lower ≥ gap        for every two lines that have a place along the axis in common
@@ -18,22 +18,23 @@ use epicyclic_train::LinkId;
 
 /// Least distance of two lines.
 const LINE: f64 = 0.6;
-/// From a contact, or the far side of a planet, to the line that carries a gear there.
+/// Distance from a contact, or the far side of a planet, to the line that carries a gear there.
 const SEAT: f64 = 0.45;
-/// From a contact to the planet pin.
+/// Distance from a contact to the planet pin.
 const REACH: f64 = 0.35;
-/// From a line to the middle of a clutch.
+/// Distance from a line to the middle of a clutch.
 const PLATE: f64 = 0.45;
-/// From a line to what stands out of the housing, with a brake between.
+/// Distance from a line to a projection of the housing, with a brake between.
 const BRAKE: f64 = 0.75;
 
-/// How often the scale is halved or doubled until there is room; then as often the step of its search.
+/// Number of halvings or doublings of the scale until there is room; and of halvings of the step in its
+/// search.
 const HALVINGS: u32 = 60;
 
-/// What is given of the heights of a drawn set.
+/// Given heights of a drawn set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SetRadii {
-    /// Nothing: it stands where there is room.
+    /// No heights: the set is placed wherever it fits.
     Free,
     /// The contact of two gears on fixed axes, as a radius of the first.
     Contact(f64),
@@ -50,7 +51,7 @@ pub enum SetRadii {
     },
 }
 
-/// A set whose gears would have to stand above those of another, with smaller radii.
+/// A set whose gears would have to be above those of another set, with smaller radii.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NotToScale {
     /// The lower set and the upper one, by their places in
@@ -62,9 +63,9 @@ pub struct NotToScale {
 enum Height {
     Free,
     At(f64),
-    /// A radius, and what is added to it in grid units.
+    /// A radius, and an addition in grid units.
     Radius(f64, f64),
-    /// So much over another node.
+    /// Offset over another node.
     Over(usize, f64),
 }
 
@@ -75,7 +76,7 @@ enum Kind {
     Plate,
     Pin,
     Contact,
-    /// How far a planet reaches.
+    /// Farthest point of a planet.
     Reach,
 }
 
@@ -84,11 +85,11 @@ enum Kind {
 struct Node {
     kind: Kind,
     link: Option<LinkId>,
-    /// Its set.
+    /// Set of the node.
     set: Option<usize>,
     /// Height in the layout as it is.
     y: f64,
-    /// From where to where along the axis.
+    /// Range along the axis.
     x: [f64; 2],
     height: Height,
 }
@@ -103,7 +104,7 @@ struct Heights<'a> {
     webs: Vec<(LinkId, f64, [usize; 2])>,
     /// Nodes of planet pin and contacts of each stack, in the layout's order.
     stacks: Vec<[usize; 3]>,
-    /// Of each clutch.
+    /// Node of each clutch.
     plates: Vec<usize>,
     /// `(lower, upper, gap)`.
     rises: Vec<(usize, usize, f64)>,
@@ -112,12 +113,14 @@ struct Heights<'a> {
 const WALL: usize = 0;
 
 impl Layout {
-    /// The same drawing with contacts and planet pins at heights in proportion to their radii, and the scale:
-    /// grid units over the unit of the radii. `sets` are in the order of [`Layout::sets`]; `chosen` says
-    /// which scale is taken where this is the least that leaves room, and a smaller one is not.
+    /// Drawing with contacts and planet pins at heights in proportion to their radii, and its scale.
+    ///
+    /// The scale is in grid units over the unit of the radii. `sets` are in the order of [`Layout::sets`].
+    /// `chosen` receives the least scale that leaves room and returns the scale to use; the result is never
+    /// below the least.
     ///
     /// # Errors
-    /// [`NotToScale`] where a set stands on another that is larger, as it may where not all stand in one
+    /// [`NotToScale`] where a set is above another that is larger, as may happen if not all sets are in one
     /// band.
     pub fn to_scale(
         &self,
@@ -238,7 +241,7 @@ impl<'a> Heights<'a> {
             self.nodes.push(Node { kind: Kind::Line, link: Some(link), set: None, y, x: ends, height });
             return;
         };
-        // A web stands where an arm of the carrier does, or else in the middle between two sets.
+        // A web is placed at an arm of the carrier, or else in the middle between two sets.
         let arms: Vec<f64> = self
             .layout
             .links
@@ -266,7 +269,7 @@ impl<'a> Heights<'a> {
         self.level.push((link, pin, ends));
     }
 
-    /// A node for the end of a line that stands upright, where it has none yet.
+    /// Adds a node for the end of an upright line if it has none yet.
     fn end(&mut self, link: LinkId, at: Point) {
         if self.plate(link, at).is_none()
             && self.beside_housing(link, at).is_none()
@@ -289,7 +292,7 @@ impl<'a> Heights<'a> {
         self.at(link, at).next().is_some()
     }
 
-    /// The clutch of which a point is a plate, and the side of its middle.
+    /// Clutch node at one of whose plates a point is, and the side of its middle.
     fn plate(&self, link: LinkId, at: Point) -> Option<(usize, f64)> {
         self.layout.clutches.iter().zip(&self.plates).find_map(|(mark, &node)| match () {
             () if mark.lower == (link, at) => Some((node, -GAP)),
@@ -298,7 +301,7 @@ impl<'a> Heights<'a> {
         })
     }
 
-    /// What stands out of the housing across the gap of a brake or of a way out, and the side of it.
+    /// Projection of the housing across the gap of a brake or of a way out, and its side.
     fn beside_housing(&self, link: LinkId, at: Point) -> Option<(usize, f64)> {
         let brake = self.layout.brakes.iter().find(|mark| mark.link == link && mark.link_end == at);
         if let Some(mark) = brake {
@@ -315,7 +318,7 @@ impl<'a> Heights<'a> {
         ground.iter().find(near).map(|&node| (node, (at.y - self.nodes[node].y).signum() * GAP))
     }
 
-    /// What lies above what, and how far at least.
+    /// Collects the pairs of nodes that lie above each other, and their least distance.
     fn rises(&mut self) {
         for lower in 0..self.nodes.len() {
             for upper in 0..self.nodes.len() {
@@ -348,7 +351,10 @@ impl<'a> Heights<'a> {
         self.rises.sort_by(|a, b| self.nodes[a.0].y.total_cmp(&self.nodes[b.0].y));
     }
 
-    /// The least heights in a scale; what is in the way where there are none.
+    /// Least heights in a scale.
+    ///
+    /// # Errors
+    /// The sets that obstruct each other, where the scale leaves no room.
     fn solve(&self, scale: f64) -> Result<Vec<f64>, NotToScale> {
         let root = |node: usize| match self.nodes[node].height {
             Height::Over(other, by) => (other, by),
@@ -411,7 +417,7 @@ impl<'a> Heights<'a> {
 
     fn layout(&self, least: &[f64]) -> Layout {
         let mut y = least.to_vec();
-        // A clutch stands in the middle of what it joins.
+        // A clutch is placed in the middle of the lines that it joins.
         for &plate in &self.plates {
             let x = self.nodes[plate].x[0];
             let here = |node: &usize| {
@@ -518,7 +524,7 @@ mod tests {
         }
     }
 
-    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis asks for a scale of 0.45, the planet for
+    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis needs a scale of 0.45, the planet one of
     /// 0.35. The ring's web is 0.45 high and the brake in it 0.75.
     #[test]
     fn the_least_heights_of_one_set() {

@@ -39,7 +39,7 @@ fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
         lines.extend(shape.segments.iter().map(|s| (shape.link, *s)));
     }
     let drawn = lines.len();
-    // What must hang together with the lines.
+    // Parts that must be connected with the lines.
     assert_eq!(layout.sets.len(), gearbox.drawn_sets().len(), "{name}");
     for (place, (stack, set)) in layout.sets.iter().zip(gearbox.drawn_sets()).enumerate() {
         assert_eq!(stack.set, place, "{name}");
@@ -272,7 +272,7 @@ fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
     assert!(check(&builder.input("in").output("out").build().unwrap()));
 }
 
-/// What can be drawn without a further clutch and not with it needs that clutch among the reasons.
+/// Names the further clutch among the reasons if a scheme can be drawn without it and not with it.
 #[test]
 fn a_direct_drive_clutch_that_cannot_be_drawn_is_named() {
     let mut refused = 0;
@@ -391,9 +391,8 @@ fn build(plan: &Plan, order: &[usize], mirrored: bool) -> Option<Gearbox> {
     builder.input(&name(input)).output(&name(output)).build().ok()
 }
 
-/// All embeddings of the graph one after the other, by Euler's formula: vertices are border and links
-/// with their planets, the border keeps its place, and chords on one carrier do not cross. `None` where
-/// there are too many.
+/// Tries all embeddings of the graph, by Euler's formula. Vertices are border and links with their planets,
+/// the border keeps its place, and chords on one carrier do not cross. `None` where there would be too many.
 fn by_exhaustion(gearbox: &Gearbox) -> Option<bool> {
     let links = gearbox.links().len();
     let vertex = |link: LinkId| piece(gearbox, link).index();
@@ -550,7 +549,7 @@ proptest! {
     }
 }
 
-/// All sets of a gearbox stand in one band.
+/// Whether all sets of a gearbox are in one band; `None` if the gearbox cannot be drawn.
 fn in_one_band(gearbox: &Gearbox) -> Option<bool> {
     match drawability::draw(gearbox, Options::default()) {
         Verdict::Drawable(layout) => Some(layout.cost(gearbox).bands == 1),

@@ -1,13 +1,14 @@
 //! The verdict against drawings on squared paper: every way to colour a grid, by exhaustion.
 //!
-//! An oracle that shares nothing with the test of the graph. The half-plane is a grid of cells; two
-//! sets stand in it as columns of three cells, sun below planet below ring; input and output are the
-//! lower corners; what touches the upper or a side edge (but for these corners) touches the housing.
-//! Every cell is coloured with a link: a drawing leaves gaps, but a gap can be given to a neighbour.
-//! The scheme can be drawn on this paper if each colour is one connected region with the right cells in
-//! it, the braked ones touch the housing, and those of a clutch touch each other. All colourings are
-//! gone through column by column, what is already coloured being remembered only by its last cells,
-//! how they hang together, and which colours are finished.
+//! This oracle shares nothing with the test of the graph. The half-plane is a grid of cells. Two sets are
+//! columns of three cells, sun below planet below ring. Input and output are the lower corners; a region that
+//! touches the upper or a side edge (but for these corners) touches the housing. Every cell is coloured with
+//! a link: a drawing leaves gaps, but a gap can be given to a neighbour.
+//!
+//! The scheme can be drawn on this paper under three conditions. Each colour is one connected region with the
+//! right cells in it, the braked ones touch the housing, and those of a clutch touch each other. All
+//! colourings are tried column by column. The coloured part is remembered only by its last cells, their
+//! connections, and the colours that are finished.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
@@ -16,7 +17,7 @@ use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Gearbox, LinkId};
 
-/// Width of the paper and the cells of the two suns; planets and rings stand above.
+/// Width of the paper and the cells of the two suns; planets and rings are above them.
 struct Paper {
     width: usize,
     suns: [[usize; 2]; 2],

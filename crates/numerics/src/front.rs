@@ -1,25 +1,31 @@
 //! Non-dominated designs: the Pareto front.
 //!
-//! A design is its costs, each to be made small. It *dominates* another if it is nowhere worse and somewhere
-//! better; the front holds what nothing dominates. Designs of equal costs do not dominate each other: they
-//! stand on the front together or not at all.
+//! A design is described by its costs; smaller is better. It *dominates* another if no cost is higher and at
+//! least one is lower. The front holds all designs that no other dominates. Designs of equal costs do not
+//! dominate each other, so either all or none are on the front.
 //!
-//! Ranks stand for the costs where they decide: small whole numbers that never fall where a cost rises,
-//! sixteen of which are compared at once. A tree over the designs answers "which of them does any design
-//! dominate?": it parts them by the median of one rank after another into groups of sixteen, these into
-//! groups of sixteen groups, and so on, and keeps the least and the greatest of every rank in every group.
-//! Each group is asked about with the groups that may hold a dominator of some of its designs. A group whose
-//! least ranks are not all at or below the greatest of the group asked about holds none; a design whose ranks
-//! are all below its least dominates all of it. What is neither stays a candidate, and the groups within are
-//! asked about with those within the candidates, down to the designs, where costs are compared where ranks
-//! leave it open. Nothing is left out by approximation, and the answer does not depend on order or threads.
+//! # Method
+//! Comparisons use ranks first: small whole numbers that never fall where a cost rises. Sixteen of them are
+//! compared at once. A tree over the designs answers whether any design dominates a given one. It divides
+//! them by the median of one rank after another into groups of sixteen, these into groups of sixteen groups,
+//! and so on. Every group stores the least and the greatest of every rank.
 //!
-//! A design dominated by another is dominated by one of the front too, so those that are may be left out at
-//! any time. Before the tree is grown that is done with what a few [designs met before](thinned) dominate,
-//! and of equal designs in a row one is asked about.
+//! The search compares each group with the groups that may hold a dominator of some of its designs:
 //!
-//! A cost that is not a number compares with nothing: its design neither dominates nor is dominated, and
-//! stands on the front without being asked about.
+//! - a group whose least ranks are not all at or below the greatest ranks of the group in question holds
+//!   none;
+//! - a design whose ranks are all below the least ranks of a group dominates all of that group;
+//! - any other group stays a candidate. The search goes on with the groups within both, down to single
+//!   designs, where costs are compared if ranks do not decide.
+//!
+//! The answer is exact and does not depend on the order of the designs or on the number of threads.
+//!
+//! A design that another dominates is also dominated by one of the front, so dominated designs may be removed
+//! at any time. Before the tree is built, those that a few [designs found before](thinned) dominate are
+//! removed, and a run of equal designs is represented by one.
+//!
+//! A cost that is NaN compares with nothing: its design neither dominates nor is dominated, and is always on
+//! the front.
 //!
 //! ```
 //! use epicyclic_numerics::front::{front, non_dominated};
@@ -40,7 +46,7 @@ use tree::Tree;
 #[inline]
 #[must_use]
 pub fn nowhere_worse<const N: usize>(one: &[f64; N], other: &[f64; N]) -> bool {
-    // All without a branch: mostly none decides alone.
+    // No branches, since a single cost seldom decides.
     let mut holds = true;
     for place in 0..N {
         holds &= one[place] <= other[place];
@@ -55,8 +61,8 @@ pub fn dominates<const N: usize>(one: &[f64; N], other: &[f64; N]) -> bool {
     nowhere_worse(one, other) && one != other
 }
 
-/// The front in the order of their costs, the cost at the first place deciding, then that at the next; each
-/// entry with the places of the designs that share its costs, ascending.
+/// The front in the order of costs: the cost at the first place of `order` decides, then that at the next.
+/// Each entry has the places of the designs that share its costs, ascending.
 #[must_use]
 pub fn front<const N: usize>(costs: &[[f64; N]], order: [usize; N]) -> Vec<Vec<usize>> {
     let first = order.first().copied();
@@ -76,7 +82,7 @@ pub fn front<const N: usize>(costs: &[[f64; N]], order: [usize; N]) -> Vec<Vec<u
     alike.map(|alike| alike.iter().flat_map(places).collect()).collect()
 }
 
-/// A whole number by which numbers stand in the order of [`f64::total_cmp`].
+/// Whole number that orders floating-point numbers as [`f64::total_cmp`] does.
 #[inline]
 fn in_order(value: f64) -> i64 {
     let bits = value.to_bits().cast_signed();
@@ -119,8 +125,8 @@ fn front_runs<const N: usize>(costs: &[[f64; N]]) -> Vec<Range<u32>> {
     runs
 }
 
-/// Places of designs without most of those that others near them dominate, ascending: each is asked about
-/// with a few designs met before it, to and fro. What dominates one is likely to dominate the next.
+/// Designs without most of those that others near them dominate, as ascending indices. Each is compared with
+/// a few earlier designs, in both directions. A design that dominates one is likely to dominate the next.
 #[must_use]
 pub fn thinned<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     let mut places: Vec<u32> = (0..costs.len() as u32).collect();
@@ -146,10 +152,10 @@ pub fn thinned<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
     places
 }
 
-/// Designs in a part that is thinned by itself.
+/// Designs in a part that is thinned on its own.
 const PART: usize = 1 << 10;
 
-/// Designs met before with which one is asked about.
+/// Earlier designs with which each design is compared.
 const RIVALS: usize = 3;
 
 #[cfg(test)]
@@ -179,7 +185,7 @@ mod tests {
         assert!(non_dominated::<3>(&[]).is_empty());
     }
 
-    /// More than are asked about in one part; costs of few levels and some without end.
+    /// Designs for more than one part; costs of few levels and some infinite.
     #[test]
     fn many_designs_are_asked_about_in_parts() {
         let mut state = 1_u64;

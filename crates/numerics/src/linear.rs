@@ -75,7 +75,8 @@ pub fn solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     Some(x)
 }
 
-/// [`solution`] after each equation is divided by its largest coefficient, of which `least_pivot` is a share.
+/// Scaled [`solution`]: each equation is first divided by its largest coefficient, so that `least_pivot` is a
+/// share of that coefficient.
 #[must_use]
 pub fn scaled_solution(mut equations: Matrix, least_pivot: f64) -> Option<Vec<f64>> {
     for row in 0..equations.rows {
@@ -241,7 +242,7 @@ fn divide(row: &mut [f64], by: f64) {
 pub struct Independent {
     /// Places of the rows kept.
     pub kept: Vec<usize>,
-    /// Of each other row its place and its factors over the rows kept before it.
+    /// Place of each other row, and its factors over the rows kept before it.
     pub others: Vec<(usize, Vec<f64>)>,
 }
 
@@ -252,7 +253,7 @@ pub struct Independent {
 #[must_use]
 pub fn independent(rows: &[&[f64]], rounding: f64) -> Independent {
     let mut found = Independent::default();
-    // What is left of each kept row, its pivot, and how it is made of the kept rows themselves.
+    // Remainder of each kept row, its pivot, and its factors over the kept rows.
     let mut reduced: Vec<(Vec<f64>, usize, Vec<f64>)> = vec![];
     for (place, &row) in rows.iter().enumerate() {
         let size = largest_absolute(row);

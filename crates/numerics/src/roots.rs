@@ -64,10 +64,10 @@ pub fn bracketed(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     high
 }
 
-/// The two ends about the place where a property ends, after so many halvings: the first has it,
+/// Ends of the interval in which a property ends, after `halvings` halvings: the first has the property,
 /// the second has not.
 ///
-/// Neither end is asked about, and `has` alone says what is first: the first end may be the greater.
+/// The property is not evaluated at the given ends, and the first end may be the greater.
 #[inline]
 pub fn bisected(ends: [f64; 2], halvings: u32, has: impl FnMut(f64) -> bool) -> [f64; 2] {
     bisected_while(ends, |made, _| made < halvings, has)

@@ -18,23 +18,23 @@ const KINDS: [(&str, Color, Dash); 4] = [
     ("mixed", Color::new(120, 60, 140), Dash::Solid),
 ];
 
-/// What a branch is.
+/// Kind of a branch, by its mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Of a rotational mode.
+    /// Branch of a rotational mode.
     Rotational,
-    /// Of a translational mode.
+    /// Branch of a translational mode.
     Translational,
-    /// Of a planet mode.
+    /// Branch of a planet mode.
     Planet,
-    /// Of no one kind.
+    /// Branch of a mode of no single kind.
     Mixed,
 }
 
 /// A natural frequency over the speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Branch {
-    /// What it is.
+    /// Kind of the mode.
     pub kind: Kind,
     /// Frequencies, in the unit of the axis, at the speeds.
     pub frequencies: Vec<f64>,
@@ -43,7 +43,7 @@ pub struct Branch {
 /// An order of excitation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ray {
-    /// Its name, short.
+    /// Short name of the order.
     pub name: String,
     /// Frequency over speed, in the units of the axes.
     pub slope: f64,
@@ -71,11 +71,11 @@ pub struct Ray {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campbell {
-    /// What it shows.
+    /// Title of the picture.
     pub title: String,
-    /// What runs to the right, with its unit.
+    /// Quantity on the horizontal axis, with its unit.
     pub across: String,
-    /// What runs up, with its unit.
+    /// Quantity on the vertical axis, with its unit.
     pub up: String,
     /// Speeds of the branches.
     pub speeds: Vec<f64>,
@@ -87,7 +87,7 @@ pub struct Campbell {
     pub meetings: Vec<[f64; 2]>,
     /// Width and height of the field in millimetres.
     pub size_mm: [f64; 2],
-    /// Whether what stands around it says the title.
+    /// Whether the title is left out because the surrounding page gives it.
     pub is_untitled: bool,
 }
 
@@ -233,7 +233,7 @@ mod tests {
                 let inside = bounds.left >= -1e-9 && bounds.right <= SIZE_MM[0] + 1e-9;
                 assert!(inside && bounds.bottom >= -1e-9 && bounds.top <= SIZE_MM[1], "{bounds:?}");
             }
-            // What is above all orders is left out, but for its sample below the field.
+            // Branches above all orders are left out, but for their sample below the field.
             let drawn = of_layer(&scene, "branches").filter(|shape| shape.bounds().bottom > 0.0).count();
             assert_eq!(drawn, branches, "{speeds:?}");
         }

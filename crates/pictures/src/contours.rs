@@ -21,24 +21,26 @@ const TRIED: u32 = 40;
 ///
 /// let ticks: Vec<f64> = (0..=20).map(f64::from).collect();
 /// let values = ticks.iter().flat_map(|x| ticks.iter().map(move |y| Some(0.8 + 0.0004 * x * y))).collect();
-/// let picture = Contours { title: "A map".into(), across: "x".into(), up: "y".into(), columns: ticks.clone(), rows: ticks, values };
+/// let picture = Contours {
+///     title: "A map".into(), across: "x".into(), up: "y".into(), columns: ticks.clone(), rows: ticks, values
+/// };
 /// let image = epicyclic_drawing::svg::write(&picture.scene()?)?;
 /// assert!(image.contains("0.9"));
 /// # Ok::<(), epicyclic_drawing::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contours {
-    /// What it shows.
+    /// Title of the picture.
     pub title: String,
-    /// What runs to the right, with its unit.
+    /// Quantity on the horizontal axis, with its unit.
     pub across: String,
-    /// What runs up, with its unit.
+    /// Quantity on the vertical axis, with its unit.
     pub up: String,
     /// Values to the right, ascending or descending.
     pub columns: Vec<f64>,
     /// Values upwards.
     pub rows: Vec<f64>,
-    /// What is shown, column by column; `None` where there is no value.
+    /// Values of the map, column by column; `None` at points without a value.
     pub values: Vec<Option<f64>>,
 }
 
@@ -49,11 +51,11 @@ const SIZE_MM: [f64; 2] = [130.0, 90.0];
 type Line = Vec<[f64; 2]>;
 
 impl Contours {
-    /// The scene. A line stands where its value has room on it; values without room are left out with their
-    /// lines.
+    /// Scene of the map. Each contour line carries its value; values whose label has no room are left out
+    /// with their lines.
     ///
     /// # Errors
-    /// As [`Scene::layer`] and [`Scene::check`]; not for any finite values.
+    /// Errors of [`Scene::layer`] and [`Scene::check`]; finite values cause none.
     pub fn scene(&self) -> Result<Scene, Error> {
         let mut scene = Scene::new(self.title.clone());
         let frame = scene.layer("frame", Style::line(0.25))?;
@@ -92,7 +94,7 @@ impl Contours {
         Ok(scene)
     }
 
-    /// The lines that stand, each value with a label on one of its lines.
+    /// Contour lines that are drawn, each value with a label on one of its lines.
     fn placed(&self, across: &Axis, up: &Axis) -> Vec<Drawn> {
         let known = || self.values.iter().flatten().copied().filter(|value| value.is_finite());
         let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
@@ -120,7 +122,7 @@ impl Contours {
         all
     }
 
-    /// The lines of a value, with its label where it is clear of what stands already.
+    /// Contour lines of a value with its label, if the label has room among the earlier ones.
     fn drawn(&self, value: f64, axes: [&Axis; 2], others: &[Drawn]) -> Option<Drawn> {
         let lines = self.lines(value, axes);
         let is_hit = |other: &Drawn| lines.iter().any(|line| meets(line, &other.room));
@@ -132,7 +134,7 @@ impl Contours {
         for line in by_length {
             let whole = length(line);
             for number in 0..TRIED {
-                // From the middle outwards.
+                // Order from the middle outwards.
                 let step = f64::from(number.div_ceil(2)) / f64::from(TRIED);
                 let part = if number % 2 == 0 { 0.5 + step } else { 0.5 - step };
                 let label = Text::new(along(line, part * whole), LETTERS_MM, shown(value));
@@ -157,8 +159,8 @@ impl Contours {
     fn lines(&self, value: f64, [across, up]: [&Axis; 2]) -> Vec<Line> {
         let (columns, rows) = (self.columns.len(), self.rows.len());
         let at = |[x, y]: [usize; 2]| self.values.get(x * rows + y).copied().flatten();
-        // Of each corner's edge to the right, upwards and across: where the line crosses it, and the
-        // crossings beside that.
+        // Crossings of the line with three edges of each corner: to the right, upwards and diagonal. The
+        // second list holds the neighbouring crossings.
         let mut places = vec![[0.0; 2]; 3 * columns * rows];
         let mut beside: Vec<[Option<usize>; 2]> = vec![[None; 2]; places.len()];
         let mut order = vec![];
@@ -233,7 +235,7 @@ struct Drawn {
     room: Bounds,
 }
 
-/// With as many decimals as its steps have.
+/// Writes a value with as many decimals as its steps have.
 fn shown(value: f64) -> String {
     let text = format!("{value:.3}");
     let short = text.trim_end_matches('0').trim_end_matches('.');

@@ -1,6 +1,6 @@
-//! What cannot be drawn.
+//! Errors of pictures.
 
-/// What cannot be drawn.
+/// A picture that cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -9,7 +9,7 @@ pub enum Error {
     SpeedsUnknown {
         /// The gear.
         gear: String,
-        /// Its state.
+        /// State of the gear.
         state: String,
         /// The links.
         links: String,
@@ -19,7 +19,7 @@ pub enum Error {
     NoPower {
         /// The gear.
         gear: String,
-        /// Its state.
+        /// State of the gear.
         state: String,
     },
     /// No gear with a ratio.
@@ -27,7 +27,7 @@ pub enum Error {
     NoRatio {
         /// The gearbox.
         gearbox: String,
-        /// How many gears it has.
+        /// Number of its gears.
         gears: usize,
     },
     /// No set has pitch radii: bevel gears, say.
@@ -38,7 +38,7 @@ pub enum Error {
         /// The gearbox.
         gearbox: String,
     },
-    /// One set stands above another that is larger.
+    /// A set above another one that is larger.
     #[error(
         "heights cannot be to scale: {upper} stands above {lower} in this scheme, and its gears are smaller"
     )]

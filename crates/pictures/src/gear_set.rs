@@ -17,14 +17,14 @@ pub struct GearSet<'a> {
     pub ring: Circles,
     /// Radius of the planets' orbit.
     pub centre_distance: Length,
-    /// Where the planets are.
+    /// Angles of the planets.
     pub angles: &'a [Angle],
 }
 
-/// What is drawn of a gear.
+/// Circles of a gear that are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circles {
-    /// Its teeth.
+    /// Number of teeth.
     pub teeth: u32,
     /// Pitch diameter.
     pub pitch_diameter: Length,
@@ -35,7 +35,7 @@ pub struct Circles {
 }
 
 impl Circles {
-    /// Those of a gear.
+    /// Circles of a gear.
     #[must_use]
     pub fn of(gear: &ToothedGear) -> Self {
         Self {

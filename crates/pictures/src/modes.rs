@@ -12,7 +12,7 @@ const RADIUS_MM: f64 = 17.0;
 /// The largest displacement over that radius.
 const LARGEST: f64 = 0.22;
 
-/// What a body is.
+/// Part that a body represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// The sun.
@@ -41,11 +41,11 @@ impl Part {
 /// A body with its motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
-    /// What it is.
+    /// The part.
     pub part: Part,
-    /// Where its centre is at rest.
+    /// Centre at rest.
     pub centre: [f64; 2],
-    /// Its radius, in the same unit.
+    /// Radius, in the unit of the centre.
     pub radius: f64,
     /// Displacement `x`, `y` of the centre and `u`, its rotation times the radius, over the largest of the
     /// mode.
@@ -55,7 +55,7 @@ pub struct Body {
 /// A mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
-    /// What stands below it.
+    /// Text below the picture of the mode.
     pub name: String,
     /// The bodies.
     pub bodies: Vec<Body>,

@@ -7,7 +7,7 @@ use epicyclic_drawing::{Align, Color, Dash, Error, LayerId, Point, Scene, Shape,
 pub(crate) const LETTERS_MM: f64 = 2.5;
 /// Radius of a dot on a curve.
 const DOT_MM: f64 = 0.9;
-/// Colours of the curves, told apart by their lightness too; after the last the first comes again, dashed.
+/// Colours of the curves, which also differ in lightness; after the last the first is used again, dashed.
 const COLORS: [Color; 6] = [
     Color::new(0, 90, 160),
     Color::new(200, 60, 20),
@@ -30,11 +30,11 @@ const COLORS: [Color; 6] = [
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plot {
-    /// What it shows.
+    /// Title of the plot.
     pub title: String,
-    /// What runs to the right, with its unit.
+    /// Quantity on the horizontal axis, with its unit.
     pub across: String,
-    /// What runs up, with its unit.
+    /// Quantity on the vertical axis, with its unit.
     pub up: String,
     /// The curves.
     pub curves: Vec<Curve>,
@@ -42,23 +42,23 @@ pub struct Plot {
     pub marks: Vec<Mark>,
     /// Width and height of the field of the curves in millimetres.
     pub size_mm: [f64; 2],
-    /// Whether what stands around it says the title.
+    /// Whether the title is left out because the surrounding page gives it.
     pub is_untitled: bool,
 }
 
 /// A curve through points in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: String,
-    /// Its points; one that is no number is a gap.
+    /// Points of the curve; one with a coordinate that is no number is a gap.
     pub points: Vec<[f64; 2]>,
-    /// Place of its colour; that of the curve in the plot unless given.
+    /// Index of the colour; by default that of the curve in the plot.
     pub color: Option<usize>,
 }
 
 impl Curve {
-    /// The same in the colour of this place, so that a thing has one colour in several plots.
+    /// Curve in the colour of this index, so that a quantity has one colour in several plots.
     #[must_use]
     pub fn colored(self, place: usize) -> Self {
         Self { color: Some(place), ..self }
@@ -74,9 +74,9 @@ impl Curve {
 /// A marked place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// What is there.
+    /// Name of the mark.
     pub name: String,
-    /// Where it is.
+    /// Position on the horizontal axis.
     pub at: f64,
 }
 
@@ -95,27 +95,27 @@ impl Plot {
         }
     }
 
-    /// The same with one more curve.
+    /// Plot with one more curve.
     #[must_use]
     pub fn with(mut self, curve: Curve) -> Self {
         self.curves.push(curve);
         self
     }
 
-    /// The same with one more mark.
+    /// Plot with one more mark.
     #[must_use]
     pub fn mark(mut self, name: impl Into<String>, at: f64) -> Self {
         self.marks.push(Mark { name: name.into(), at });
         self
     }
 
-    /// The same with its field of another width and height.
+    /// Plot whose field has another width and height.
     #[must_use]
     pub fn sized(self, size_mm: [f64; 2]) -> Self {
         Self { size_mm, ..self }
     }
 
-    /// The same without its title, for a page that says it.
+    /// Plot without its title, for a page that gives it.
     #[must_use]
     pub fn untitled(self) -> Self {
         Self { is_untitled: true, ..self }
@@ -209,7 +209,7 @@ impl Field {
     fn new(plot: &Plot) -> Self {
         let points = || plot.curves.iter().flat_map(|curve| pieces(&curve.points)).flatten();
         let [width, height] = plot.size_mm;
-        // A mark stands in the field though no curve comes to it.
+        // A mark is drawn in the field even if no curve reaches it.
         let marked = plot.marks.iter().map(|mark| mark.at).filter(|at| at.is_finite());
         Self {
             across: Axis::new(points().map(|[x, _]| *x).chain(marked), width, false),
@@ -256,7 +256,7 @@ impl Axis {
         let (low, high) = values
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
-        // What does not change is shown in the middle of a span of its own size.
+        // A constant value is shown in the middle of a span of its own size.
         let slack = if high - low > MARK * low.abs().max(high.abs()) {
             0.0
         } else {

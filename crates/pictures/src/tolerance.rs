@@ -1,22 +1,23 @@
-//! What counts as nothing in a picture: far below what a line of 0.1 mm shows.
+//! Tolerances of pictures: differences that count as zero, far below the width of a line of 0.1 mm.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `RESTS` | a speed over the input's | speeds are known to 1e-13 of the largest |
-//! | `LEAST_SPEED` | the largest speed of a picture | what divides is not 0 where all rests |
-//! | `ONE_RAY` | a difference of speeds over the input's | rays nearer to each other are one on paper |
-//! | `IDLE` | a power over the one that enters | what is left of 0 by rounding |
-//! | `SAME_RATIO` | a ratio over another, less 1 | ratios are printed with five digits |
-//! | `CIRCULATES` | a circulating power over the one that enters | a line of its width could not be seen |
-//! | `PLACE` | a difference of places on a lever, over its length | places are ratios of a few tooth numbers |
-//! | `LEVEL` | a rise of a tie, mm, or a difference of costs | heights are steps of an iteration |
-//! | `HAIR_MM` | what a box grows by, mm | of a straight line the box has no width |
-//! | `BALANCED` | a sum of forces over the greatest of them | what is left of 0 by rounding |
-//! | `SHOWN` | a number in words | it has at most nine decimals |
-//! | `EXTREME` | the growth of a chamber over the greatest | the angles of extremes are known to about its root |
-//! | `CURVE` | the deviation of arcs from a curve, over its length | its points are not known better |
-//! | `MARK` | a difference of numbers on an axis, over them or a step | the rounding of a power of ten and some products |
-//! | `LEAST_SPAN` | the span of an axis | what divides is not 0 |
+//! - `RESTS`: a speed over the input's. Speeds are known to 1e-13 of the largest.
+//! - `LEAST_SPEED`: the largest speed of a picture. The divisor must not be 0 if all links rest.
+//! - `ONE_RAY`: a difference of speeds over the input's. Rays nearer to each other are one on paper.
+//! - `IDLE`: a power over the one that enters, the rounding of 0.
+//! - `SAME_RATIO`: a ratio over another, less 1. Ratios are printed with five digits.
+//! - `CIRCULATES`: a circulating power over the one that enters. A line of its width could not be seen.
+//! - `PLACE`: a difference of places on a lever, over its length. Places are ratios of a few tooth numbers.
+//! - `LEVEL`: a rise of a tie, mm, or a difference of costs. Heights are steps of an iteration.
+//! - `HAIR_MM`: growth of a box, mm. The box of a straight line has no width.
+//! - `BALANCED`: a sum of forces over the greatest of them, the rounding of 0.
+//! - `SHOWN`: a number in words, which has at most nine decimals.
+//! - `EXTREME`: the growth of a chamber over the greatest. The angles of extremes are known to about its
+//!   root.
+//! - `CURVE`: the deviation of arcs from a curve, over its length. The points of the curve are not known
+//!   better.
+//! - `MARK`: a difference of numbers on an axis, over them or a step; the rounding of a power of ten and some
+//!   products.
+//! - `LEAST_SPAN`: the span of an axis. The divisor must not be 0.
 
 /// Forces whose sum is less, over the greatest, balance.
 pub(crate) const BALANCED: f64 = 1e-9;
@@ -30,7 +31,7 @@ pub(crate) const LEAST_SPEED: f64 = 1e-9;
 /// Speeds that differ by less have one ray.
 pub(crate) const ONE_RAY: f64 = 1e-6;
 
-/// What passes less power is idle.
+/// Power below which a part is idle.
 pub(crate) const IDLE: f64 = 1e-9;
 
 /// Ratios that differ by less are one.

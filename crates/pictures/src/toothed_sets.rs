@@ -10,18 +10,18 @@ use uom::si::f64::Length;
 /// A set to draw.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToothedSet {
-    /// Its name.
+    /// Name of the set.
     pub name: String,
-    /// Its gears.
+    /// Gears of the set.
     pub set: PlanetSet,
-    /// Its module.
+    /// Module of the set.
     pub module: Length,
 }
 
-/// How far the sides of an outline may leave the curve, modules.
+/// Largest distance of the sides of an outline from the curve, modules.
 const DEVIATION: f64 = 1e-3;
 
-/// Parts of a degree to which a helix angle is told.
+/// Parts of a degree to which a helix angle is given.
 const PART_OF_DEGREE: f64 = 1e4;
 
 /// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a

@@ -107,7 +107,7 @@ impl Desk for Desktop<'_> {
     }
 }
 
-/// Exit code, what was told, and the files that were kept.
+/// Exit code, answer with messages, and the written files that are returned to Python.
 type Called = (u8, Told, Vec<Content>);
 
 fn called(
@@ -121,13 +121,13 @@ fn called(
     (code, desk.captured.into_told(), desk.written.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// What Python gets: exit code, answer, its record where the answer is not that, messages and files.
+/// Result for Python: exit code, answer, record if it differs from the answer, messages, and files.
 type Answer<'py> =
     (u8, Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>, String, BTreeMap<String, Bound<'py, PyBytes>>);
 
 /// Answers the words of a command line, without the name of the program.
 ///
-/// `files` stand before those of the disk; a file that is written under a name in `kept` is given back
+/// `files` take precedence over files on disk. A file that is written under a name in `kept` is returned
 /// instead.
 #[pyfunction]
 #[pyo3(signature = (line, files, kept, progress=None))]

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 /// Commands of the program alone. A build of the whole workspace has those of the program in its library.
 const OF_THE_PROGRAM: [&str; 4] = ["help", "serve", "completions", "man"];
 
-/// All commands that answer, as JSON: name, what the help says, arguments.
+/// Commands with answers, as JSON: name, text of the help, arguments.
 #[pyfunction]
 pub(crate) fn commands() -> String {
     let mut program = epicyclic::command_line();

@@ -7,8 +7,8 @@
 //! | `sweep` | many variants or operating points of a gearbox in one call, as arrays |
 //! | `work` | long work: without Python's lock, with progress and Ctrl-C |
 //!
-//! It only carries: what is asked goes to the library of the program or to `answers`, and what is answered
-//! comes back as JSON or arrays. The classes that people use are in Python, in `python/epicyclic`.
+//! The module only passes data: questions go to the library of the program or to `answers`, and answers come
+//! back as JSON or arrays. The classes that people use are in Python, in `python/epicyclic`.
 
 mod call;
 mod commands;

@@ -43,13 +43,13 @@ type Ratios<'py> = (Vec<String>, RatioArrays<'py>);
 /// The links, the terminals, and the columns.
 type AtPoints<'py> = (Vec<String>, Vec<String>, PointArrays<'py>);
 
-/// What is found, or a refusal as JSON.
+/// Result, or an error as JSON; neither after a signal.
 type Answered<Found> = (Option<Found>, Option<String>);
 
-/// Why there is nothing.
+/// Reason why there is no result.
 enum Failure {
     Answer(Box<Error>),
-    /// What an option of Python says cannot be.
+    /// Invalid value of a Python option: its name and the message.
     Option(&'static str, String),
 }
 
@@ -60,7 +60,7 @@ impl<E: Into<Error>> From<E> for Failure {
 }
 
 impl Failure {
-    /// As `--format json` of the program writes it.
+    /// Error as the program writes it with `--format json`.
     fn json(&self) -> String {
         const WRONG: u8 = 2;
         let refused = match self {
@@ -113,7 +113,7 @@ fn borrowed(owned: &[(String, Vec<f64>)]) -> Vec<(String, &[f64])> {
     owned.iter().map(|(name, values)| (name.clone(), values.as_slice())).collect()
 }
 
-/// Solves on another thread; what is done is told by pieces.
+/// Solves on another thread and reports progress as the number of finished points.
 fn solved<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,

@@ -1,7 +1,7 @@
-//! Work that is long: beside Python's lock, with its progress told and Ctrl-C heard.
+//! Long calculations outside Python's lock, with reports of progress and response to Ctrl-C.
 //!
-//! A process that is forked has the memory of its parent and none of its threads. Work there runs in threads
-//! of its own: the pool that all work shares otherwise would never answer.
+//! A forked process has the memory of its parent and none of its threads. Work there needs a pool of its own,
+//! because the shared pool would never answer.
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -12,9 +12,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 use std::{process, thread};
 
-/// How often signals are looked for.
+/// Interval between checks for signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// How long work that was asked to end may go on before it is left to itself.
+/// Time that work may go on after it was asked to end; then it is abandoned.
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Searches and readers recurse; a thread of its own has less than the main one otherwise.
 const STACK: usize = 16 << 20;
@@ -36,7 +36,7 @@ fn pool_after_fork() -> PyResult<Option<ThreadPool>> {
     pool.map(Some).map_err(|error| PyRuntimeError::new_err(format!("no threads for a calculation: {error}")))
 }
 
-/// What work and the thread that waits for it share.
+/// State shared by the work and the thread that waits for it.
 #[derive(Debug, Default)]
 pub(crate) struct Shared {
     ended: AtomicBool,
@@ -49,7 +49,7 @@ impl Shared {
         self.ended.load(Ordering::Relaxed)
     }
 
-    /// Says how far the work is.
+    /// Stores a line about the progress of the work.
     pub(crate) fn tell(&self, progress: String) {
         *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
     }

@@ -1,5 +1,5 @@
-//! The ways to connect the second set: all 36 ways in which set 2 can tie T₁ to D or to B, and why the source
-//! has 11.
+//! Ways to connect the second set: the 36 ways in which set 2 can tie T₁ to D or to B, and why the source has
+//! 11.
 //!
 //! Gear 1 brakes T₁ and set 1 alone gives `i₁`. Gear 2 frees T₁, brakes T₂ and lets set 2 tie T₁ to one of
 //! the shafts at the ratio `i_c`. Every state of set 1 obeys `ω_D = i₁·ω_B + (1 − i₁)·ω_T1`, hence
@@ -10,17 +10,17 @@
 //! ```
 //!
 //! # How many there are
-//! Set 1 is used as I, II or III; set 2 ties onto D or onto B; T₁, the shaft and T₂ take the three members of
-//! set 2 in 3! = 6 ways, one for each ratio of table 2.2. That is 3·2·6 = 36, and no two are the same
-//! gearbox: set 1 is the set that holds both D and B, T₁ is the other member of it, so sets and brakes cannot
-//! be exchanged.
+//! Set 1 is used as I, II or III; set 2 ties onto D or onto B. T₁, the shaft and T₂ take the three members of
+//! set 2 in 3! = 6 ways, one for each ratio of table 2.2. That is 3·2·6 = 36. No two are the same gearbox:
+//! set 1 is the set that holds both D and B, and T₁ is its other member, so sets and brakes cannot be
+//! exchanged.
 //!
 //! # Which of them are the eleven
-//! Let `s` be the share of the input power that passes set 1 at the shaft of the loop: `s = i₁/i₂` of
-//! connections onto B, where set 1 gives the power `T_B1·ω_B`; `s = i₂/i₁` of connections onto D, where set 1
-//! takes `T_D1·ω_D`. The rest, `1 − s`, passes set 2. Power splits between two parallel branches while
-//! `0 < s < 1`; for `s > 1` or `s < 0` one branch carries power back, and [`circulating_power`] gives the
-//! amount that circulates.
+//! Let `s` be the share of the input power that passes set 1 at the shaft of the loop. For connections onto B
+//! `s = i₁/i₂`, where set 1 gives the power `T_B1·ω_B`. For connections onto D `s = i₂/i₁`, where set 1 takes
+//! `T_D1·ω_D`. The rest, `1 − s`, passes set 2. Power splits between two parallel branches while `0 < s < 1`.
+//! For `s > 1` or `s < 0` one branch carries power back, and [`circulating_power`] gives the amount that
+//! circulates.
 //!
 //! - For `0 < s < 1`, onto B needs `(i₁ − 1)·i_c/i₁ < 0` and onto D `(i₁ − 1)·i_c > 0`. The sign of each of
 //!   the six ratios is fixed, so this does not depend on k: 16 of the 36 never circulate power, 20 always do
@@ -30,10 +30,10 @@
 //! - **The other eleven are the source's I-1…III-3**: those that split the power and can slow down.
 //!
 //! The source states neither condition; it says that eleven schemes exist for any pair of ratios. That does
-//! not follow from its rule. Of the 20 that circulate power six keep the sign of `i₁` for all k and can slow
-//! down (five of them do at every k), and lose little while the circulating power is small
-//! ([`Use::Slows`](crate::standing::Use::Slows)); four of those whose ratio changes its sign do so for some
-//! k; the others only reverse or speed up.
+//! not follow from its rule. Six of the 20 that circulate power keep the sign of `i₁` for all k and can slow
+//! down, five of them at every k. They lose little while the circulating power is small
+//! ([`Use::Slows`](crate::standing::Use::Slows)). Four of those whose ratio changes its sign do so for some
+//! k. The others only reverse or speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.36)–(2.38), section 2.4.
@@ -60,7 +60,7 @@ pub enum Shaft {
 }
 
 impl Shaft {
-    /// Both.
+    /// Shafts of a gearbox: driving and driven.
     pub const ALL: [Self; 2] = [Self::Driving, Self::Driven];
 
     /// The link of this shaft.
@@ -167,7 +167,7 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// All 36: by scheme of set 1, by shaft, by ratio of table 2.2.
+    /// Connections: 36, by scheme of set 1, by shaft, by ratio of table 2.2.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let mut all = Vec::with_capacity(36);
@@ -241,7 +241,7 @@ impl Connection {
         n / d
     }
 
-    /// What the ratio does while both ring-to-sun ratios run over a range.
+    /// Values of the ratio while both ring-to-sun ratios run over a range.
     #[must_use]
     pub fn reach(self, range: RingToSunRange) -> Reach {
         Reach::of(|k1, k2| self.fraction(k1, k2), range.ends())
@@ -299,7 +299,7 @@ impl fmt::Display for Connection {
 }
 
 impl ThreeSpeed {
-    /// How set 2 is connected: see [this module](self).
+    /// Connection of set 2: see [this module](self).
     #[must_use]
     pub fn connection(self) -> Connection {
         Connection::of_structure(self.structure())
@@ -308,8 +308,8 @@ impl ThreeSpeed {
 
     /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
     ///
-    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
-    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
+    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2.
+    /// Examples: for II-3 `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
     ///
     /// # Errors
     /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.

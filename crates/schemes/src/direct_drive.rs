@@ -1,23 +1,22 @@
 //! Direct drive of a two-set structure: the torque of the direct-drive clutch, for every pair of links.
 //!
-//! Joining any two of the four links stops all relative motion. The clutch then carries what statics
-//! asks for: sets give torques `s·(1, k, −(1 + k))` on sun, ring, carrier, and every link is in balance
-//! with 1 entering at D and 1 leaving at B.
+//! Joining any two of the four links stops all relative motion. The torque of the clutch then follows from
+//! statics. Sets give torques `s·(1, k, −(1 + k))` on sun, ring, carrier, and every link is in balance with 1
+//! entering at D and 1 leaving at B:
 //!
 //! ```text
 //! s₁·c₁ + s₂·c₂ = e_D − e_B + t·(e_x − e_y)        c_j the set's coefficients by role, clutch between x, y
 //! ```
 //!
-//! Since every motion of the links is a block rotation and a multiple of one other motion `u`
-//! ([`structures`](crate::structures)), the principle of virtual work gives
+//! Every motion of the links is a block rotation and a multiple of one other motion `u`
+//! ([`structures`](crate::structures)). The principle of virtual work therefore gives
 //!
 //! ```text
 //! t = −(u_D − u_B)/(u_x − u_y)
 //! ```
 //!
-//! so the torque too follows from the two ratios, whatever the structure; losses have no part in it,
-//! since nothing moves relative to anything. A clutch between a pair with `u_x = u_y`
-//! does not give direct drive.
+//! The torque, too, follows from the two ratios, whatever the structure. Losses have no effect, since there
+//! is no relative motion. A clutch between a pair with `u_x = u_y` does not give direct drive.
 //!
 //! # Source
 //! multispeed-gearboxes, section 3.1: the smallest "blocking moment" among the options for the direct-drive

@@ -1,6 +1,6 @@
-//! What the catalogue and the machine side refuse.
+//! Errors of the catalogue and of the machine side: requirements that no scheme meets.
 //!
-//! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are requirements that no scheme meets.
+//! Errors of gearboxes are those of [`epicyclic_train::Error`].
 
 use crate::quantity::{ConnectionPart, FlightFault, Quantity, SeriesParameter};
 use epicyclic_gears::with_unit;
@@ -57,7 +57,7 @@ pub enum Error {
     RatioOutOfReach {
         /// The scheme, and the gear where it has several.
         scheme: String,
-        /// The ratio wanted.
+        /// Target ratio.
         ratio: f64,
         /// Lower end of what it gives.
         low: f64,
@@ -69,7 +69,7 @@ pub enum Error {
         "i = {ratio} of the {what}: the ratios of gears 1 and 2 are finite and not 0, and that of gear 1 is not 1"
     )]
     ConnectionRatio {
-        /// Of what: a gear or the connection.
+        /// The gear or the connection.
         what: ConnectionPart,
         /// The ratio given.
         ratio: f64,
@@ -83,11 +83,11 @@ pub enum Error {
     /// Speeds that do not rise, or not all above 0.
     #[error("speed {place} is {speed} m/s after {before} m/s: speeds are finite, above 0, and rise")]
     SpeedsOutOfOrder {
-        /// Its place from 1.
+        /// Index of the speed, from 1.
         place: usize,
         /// The speed.
         speed: f64,
-        /// The one before, or 0.
+        /// The previous speed, or 0.
         before: f64,
     },
     /// A speed range or step that leaves nothing to shift.
@@ -121,7 +121,7 @@ pub enum Error {
     /// Two gears of one ratio.
     #[error("two gears of ratio {ratio}: the ratios of a gearbox are different")]
     EqualRatios {
-        /// Their ratio.
+        /// The common ratio.
         ratio: f64,
     },
     /// A place for direct drive outside the series.
@@ -135,11 +135,11 @@ pub enum Error {
     /// A quantity that must be above 0.
     #[error("{quantity} = {value} {unit}: it is a finite number above 0")]
     NotPositive {
-        /// Which.
+        /// The quantity.
         quantity: Quantity,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
     /// Angles between which nothing flies.
@@ -151,7 +151,7 @@ pub enum Error {
         chute_deg: f64,
         /// Radius of the chute's edge over that of the wheel.
         radius_ratio: f64,
-        /// What stands in the way.
+        /// The reason.
         why: FlightFault,
     },
     /// A machine that the tables do not list.
@@ -162,10 +162,10 @@ pub enum Error {
         /// The nearest listed.
         nearest: Option<String>,
     },
-    /// What a gear set refuses.
+    /// An error of a gear set.
     #[error(transparent)]
     GearSet(#[from] epicyclic_gears::Error),
-    /// What the solver refuses.
+    /// An error of the solver.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
 }

@@ -8,11 +8,12 @@
 //! | 2.5 < d < 4.0 | 4 | d = 2.5 → 4, d = 4 → 4 |
 //! | above 4 | not assigned | 4 |
 //!
-//! The print has strict inequalities, so it says nothing of the ends and of d > 4. An end goes to the larger
-//! number, which loads the motor better at the cost of a gear; beyond 4 the number stays 4, since the source
-//! finds more than four speeds of no use. [`Recommendation::printed`] tells these from what is printed.
+//! The print has strict inequalities, so it does not assign the ends, nor d > 4. Here an end belongs to the
+//! larger number, which loads the motor better at the cost of a gear. Beyond 4 the number stays 4, since the
+//! source finds more than four speeds of no use. [`Recommendation::printed`] distinguishes these from what is
+//! printed.
 //!
-//! Table 2.1 is drawn up for bucket wheels. The source never holds it against its own tables; here
+//! Table 2.1 is made for bucket wheels. The source does not compare it with its own tables;
 //! [`Machine::is_as_recommended`] does.
 //!
 //! # Source
@@ -43,7 +44,7 @@ pub enum Table {
 }
 
 impl Table {
-    /// Its number.
+    /// Number of the table.
     #[must_use]
     pub const fn number(self) -> &'static str {
         match self {
@@ -71,9 +72,9 @@ impl fmt::Display for Table {
 pub struct Machine {
     /// The table that lists it.
     pub table: Table,
-    /// What is driven.
+    /// Kind of the driven machine.
     pub kind: &'static str,
-    /// Its name, as printed.
+    /// Name as printed.
     pub name: &'static str,
     /// Number of speeds; `None` where its control is stepless.
     pub steps: Option<u32>,
@@ -94,14 +95,15 @@ impl Machine {
         Some(Self { table: Table::numbered(table)?, kind, name, steps, speed_range: range.parse().ok()? })
     }
 
-    /// How many speeds table 2.1 recommends for its range; `None` of conveyors, for which the table is not
-    /// drawn up.
+    /// Number of speeds that table 2.1 recommends for its range; `None` for conveyors, for which the table is
+    /// not made.
     #[must_use]
     pub fn recommended(&self) -> Option<Recommendation> {
         (self.table == Table::BucketWheels).then(|| recommended_speeds(self.speed_range).ok()).flatten()
     }
 
-    /// Whether it has as many speeds as recommended; `None` where its control is stepless, and of conveyors.
+    /// Whether the machine has as many speeds as recommended; `None` for a stepless control, and for
+    /// conveyors.
     #[must_use]
     pub fn is_as_recommended(&self) -> Option<bool> {
         Some(self.steps? == self.recommended()?.speeds)
@@ -134,7 +136,7 @@ pub fn machine(name: &str) -> Result<&'static Machine, Error> {
 /// A number of speeds from table 2.1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Recommendation {
-    /// How many speeds.
+    /// Number of speeds.
     pub speeds: u32,
     /// Whether the print says so; at the ends of its intervals and above 4 it is our choice.
     pub printed: bool,

@@ -1,29 +1,29 @@
 //! Two sets between four links, as numbers: ratios, speeds, sun torques and losses of both gears.
 //!
-//! Set `j` has coefficients `c_j = (1, k_j, −(1 + k_j))` at the roles of its sun, ring and carrier and 0
-//! at the role it lacks. With the minors `[xy] = c₁x·c₂y − c₁y·c₂x`, gear 1 (T₁ at rest, `X` = T₂) and
-//! gear 2 (T₂ at rest, `X` = T₁) have by Cramer's rule
+//! Set `j` has coefficients `c_j = (1, k_j, −(1 + k_j))` at the roles of its sun, ring and carrier and 0 at
+//! the role it lacks. The minors are `[xy] = c₁x·c₂y − c₁y·c₂x`. In gear 1 T₁ is at rest and `X` = T₂; in
+//! gear 2 T₂ is at rest and `X` = T₁. By Cramer's rule
 //!
 //! ```text
 //! i = −[BX]/[DX]      ω_B = 1/i      ω_X = [DB]/[BX]      T_a1 = c₂X/[DX]      T_a2 = −c₁X/[DX]
 //! ```
 //!
-//! speeds and torques as multiples of the input's. The minors are linear in each `k`, so both ratios are
+//! with speeds and torques as multiples of the input's. The minors are linear in each `k`, so both ratios are
 //! quotients of bilinear functions.
 //!
 //! # Losses
 //! Torques with losses are those of sets with `k̂ = k·η₀^x`, `x` the sign of the set's rolling power, so
 //! `η = î/i`, which is Kreines' rule. The sign is that of the ideal power in every two-set structure:
 //!
-//! - A set alone, or two one after the other: power runs from D to B.
-//! - Connected to B: D belongs to set 1 alone, so its torque gives all of set 1's, and through T₁ all of
-//!   set 2's, in signs that do not depend on the size of `k̂`.
+//! - A set alone, or two sets in series: power runs from D to B.
+//! - Connected to B: D belongs to set 1 alone. Its torque gives all torques of set 1, and through T₁ those of
+//!   set 2, with signs that do not depend on the size of `k̂`.
 //! - Connected to D: the same from the torque on B, whose sign is that of power leaving.
 //!
-//! And `x` is constant where `i` keeps its sign: it is the sign of `∂ln|i|/∂ln k`, and by
-//! `i₂ = i₁ + (1 − i₁)·i_c` (connected to B; connected to D the same of reciprocals) `∂i₂/∂k₁` is
-//! `(1 − i_c)·i₁′` and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also
-//! **each ratio is monotonous in each `k`** between its zeros and poles, always in the same direction.
+//! `x` is constant where `i` keeps its sign, because it is the sign of `∂ln|i|/∂ln k`. Connected to B,
+//! `i₂ = i₁ + (1 − i₁)·i_c`; connected to D the reciprocals obey the same equation. Therefore `∂i₂/∂k₁` is
+//! `(1 − i_c)·i₁′` and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`. No factor of these vanishes for finite `k`. It follows
+//! that **each ratio is monotonous in each `k`** between its zeros and poles, always in the same direction.
 
 use crate::structures::{Role, SetRoles};
 use crate::tolerance::IDLE;

@@ -1,4 +1,4 @@
-//! What an error of the machine side or of a connection speaks of.
+//! Quantities that errors of the machine side or of a connection name.
 
 use epicyclic_gears::words;
 
@@ -37,7 +37,7 @@ words! {
 }
 
 words! {
-    /// Of what a ratio is wanted.
+    /// Part for which a ratio is required.
     ConnectionPart {
         FirstGear "first gear"
         SecondGear "second gear"
@@ -46,7 +46,7 @@ words! {
 }
 
 words! {
-    /// Why no particle flies from the release to the chute.
+    /// Reason why no particle flies from the release to the chute.
     FlightFault {
         OutOfRange "ε is above 0 and all are finite"
         ReleaseBelowAxis "release is above the axis"

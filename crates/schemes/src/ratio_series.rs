@@ -1,12 +1,13 @@
-//! Series of ratios for 2 to 4 speeds of a machine, and where direct drive stands among them.
+//! Series of ratios for 2 to 4 speeds of a machine, and the place of direct drive among them.
 //!
-//! A gearbox of λ speeds has λ − 1 braked gears and direct drive. Where direct drive serves decides the
+//! A gearbox of λ speeds has λ − 1 braked gears and direct drive. The place of direct drive decides the
 //! regime: *reduction* (the fastest speed), *overdrive* (the slowest; "multiplication" in the source),
 //! *combined* (one between). Series list the fastest output first, so ratios rise.
 //!
 //! # Where this departs from the print
-//! The source takes speeds in a geometric progression and says that this costs nothing in other cases. With
-//! three speeds `v₁ < v₂ < v₃`, `d = v₃/v₁`, `q = v₃/v₂`, its series serve the wanted speeds only as far as
+//! The source takes speeds in a geometric progression and says that this costs nothing in other cases. Let
+//! three speeds be `v₁ < v₂ < v₃`, with `d = v₃/v₁` and `q = v₃/v₂`. Its series then serve the required
+//! speeds only in part:
 //!
 //! | regime | printed | right |
 //! |---|---|---|
@@ -14,8 +15,8 @@
 //! | overdrive (2.14), (2.34) | 1/d, 1/q, 1 | 1/d, **q/d**, 1 |
 //! | combined (2.15), (2.35) | 1/q, 1, q | 1/q, 1, **d/q** |
 //!
-//! and the two agree only for `d = q²`. [`RatioSeries::of_speeds`] gives the right ones for any speeds;
-//! [`PrintedSeries`] keeps the printed. (2.16) is printed with four places and three members, `q²` is
+//! Both columns agree only for `d = q²`. [`RatioSeries::of_speeds`] gives the right ratios for any speeds;
+//! [`PrintedSeries`] keeps the printed ones. (2.16) is printed with four places and three members, `q²` is
 //! missing.
 //!
 //! # Source
@@ -26,7 +27,7 @@ use crate::quantity::SeriesParameter;
 use epicyclic_units::Physical;
 use uom::si::f64::Velocity;
 
-/// Which speeds the gearbox gives by slowing down, which by speeding up.
+/// Regime of a gearbox: whether it gives the other speeds by slowing down, by speeding up, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Regime {
     /// Direct drive is the fastest: all ratios at least 1.
@@ -83,8 +84,8 @@ impl RatioSeries {
         Ok(Self { ratios, direct: direct - 1 })
     }
 
-    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over middle;
-    /// direct drive is the fastest.
+    /// Series for the range of speeds `d`, fastest over slowest, and with three speeds also `q`, fastest over
+    /// middle. Direct drive is the fastest speed.
     ///
     /// ```text
     /// v₁ < v₂          d = v₂/v₁                 ratios  1, d
@@ -105,7 +106,7 @@ impl RatioSeries {
         }
     }
 
-    /// Of direct drive and the ratios of the braked gears, in their order and with their signs.
+    /// Series of direct drive and the ratios of the braked gears, in their order and with their signs.
     ///
     /// # Errors
     /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
@@ -249,13 +250,13 @@ impl PrintedSeries {
         Self::ALL.into_iter().find(|series| series.number == number)
     }
 
-    /// Its number.
+    /// Number in the source.
     #[must_use]
     pub fn number(self) -> &'static str {
         self.number
     }
 
-    /// How many speeds it is for.
+    /// Number of speeds of the series.
     #[must_use]
     pub fn count(self) -> usize {
         self.count
@@ -267,13 +268,13 @@ impl PrintedSeries {
         self.direct
     }
 
-    /// Its members for `q`, the fastest speed over the next, and `d`, the fastest over the slowest.
+    /// Members of the series for `q`, the fastest speed over the next, and `d`, the fastest over the slowest.
     #[must_use]
     pub fn members(self, q: f64, d: f64) -> Vec<f64> {
         self.members.iter().map(|[of_q, of_d]| q.powi(*of_q) * d.powi(*of_d)).collect()
     }
 
-    /// Whether it gives these speeds (slowest first), each to `tolerance` relative.
+    /// Whether the series gives these speeds (slowest first), each to `tolerance` relative.
     ///
     /// # Errors
     /// Those of [`RatioSeries::of_speeds`].

@@ -83,7 +83,7 @@ pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error
 ///
 /// | symbol | argument | meaning |
 /// |---|---|---|
-/// | `Ω` | `discharge` | dimensionless, from [`discharge`] or, with the boom level, from a graph that the copy lost |
+/// | `Ω` | `discharge` | dimensionless, from [`discharge`], or with the boom level from a lost graph |
 /// | `g` | `gravity` | acceleration of fall |
 /// | `R_p` | `wheel_radius` | radius of the wheel |
 ///

@@ -1,19 +1,19 @@
-//! Why the document has a structure, or has it not.
+//! Standing of a structure in the document: listed or not, and why.
 //!
 //! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and set 2
-//! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)), of which it
-//! lists eleven and gives no reason for leaving out the other 25. Of all 111
+//! ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)). It lists
+//! eleven of them and gives no reason for leaving out the other 25. Standing of all 111 structures:
 //!
 //! | standing | how many | why |
 //! |---|---|---|
 //! | [`Listed`](Standing::Listed) | 11 | |
-//! | [`Unlisted`](Standing::Unlisted) | 25 | built by its rule; 10 of them are fit for its purpose: [*missed*](Standing::is_missed) |
+//! | [`Unlisted`](Standing::Unlisted) | 25 | by its rule; 10 are fit ([*missed*](Standing::is_missed)) |
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
-//! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and
-//! that none of it circulates. Fit for its purpose means: some `k₁`, `k₂` within the range give gears that
-//! both slow, in the same direction of rotation. What gear 2 of the 25 can be used for ([`Use`]) is
+//! No two of the 36 are equal as structures. The eleven are those that split the power, without circulation,
+//! and whose gear 2 can slow down. A structure is fit for the purpose if some `k₁`, `k₂` within the range
+//! give gears that both slow, in the same direction of rotation. Possible uses of gear 2 of the 25 ([`Use`]):
 //!
 //! | use | how many, k from 1.7 to 7 | of these splitting the power |
 //! |---|---|---|
@@ -32,11 +32,11 @@ use crate::pair::{coefficients, fraction};
 use crate::structures::{Family, Structure};
 use std::ops::RangeInclusive;
 
-/// What the ratios of a structure's gears do while both ring-to-sun ratios run over a range.
+/// Values of the ratios of a structure's gears while both ring-to-sun ratios run over a range.
 ///
-/// Numerator and denominator are bilinear, so over a rectangle both take their extremes, and show
-/// every change of sign, at the corners; and between zeros and poles the ratio is monotonous in each
-/// `k`, so it takes its extremes at corners too.
+/// Numerator and denominator are bilinear. Over a rectangle both therefore take their extremes, and show
+/// every change of sign, at the corners. Between zeros and poles the ratio is monotonous in each `k`, so it
+/// takes its extremes at corners too.
 #[must_use]
 pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
     let [one, two] = structure.sets();
@@ -46,52 +46,52 @@ pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
     })
 }
 
-/// Why the document has a structure, or has it not, the ring-to-sun ratios within a range.
+/// Standing of a structure in the document, with the ring-to-sun ratios within a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Standing {
-    /// One of its eleven: power splits, and gear 2 can slow down.
+    /// One of the eleven of the source: power splits, and gear 2 can slow down.
     Listed(ThreeSpeed),
-    /// By its rule, and not listed.
+    /// Structure by the rule of the source that is not listed.
     Unlisted {
-        /// What gear 2 could be used for.
+        /// Possible use of gear 2.
         usage: Use,
         /// Whether gear 2 splits the power between the sets; otherwise power circulates at every `k`.
         splits_power: bool,
-        /// What gear 1 gives.
+        /// Values of the ratio of gear 1.
         first: Reach,
-        /// What gear 2 gives.
+        /// Values of the ratio of gear 2.
         second: Reach,
     },
-    /// By its rule once D and B change places; as it stands gear 1 speeds up.
+    /// Structure by the rule once D and B are exchanged; without exchange gear 1 speeds up.
     Reversed {
         /// The structure that slows in gear 1.
         of: Structure,
     },
-    /// Not by its rule: no set has both T₁ and T₂ and one of D, B beside a set of D, B, T₁.
+    /// Structure outside the rule: no set has both T₁ and T₂ and one of D, B beside a set of D, B, T₁.
     OutsideRule {
-        /// How the sets share the work instead.
+        /// Division of the work between the sets.
         family: Family,
     },
 }
 
-/// What gear 2 of a structure could be used for beside gear 1, over a range of ring-to-sun ratios.
+/// Possible use of gear 2 of a structure besides gear 1, over a range of ring-to-sun ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Use {
-    /// Its ratio has the sign of `i₁` at every k and can slow down.
+    /// The ratio has the sign of `i₁` at every k and can slow down.
     Slows,
-    /// Its ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
+    /// The ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
     SlowsAtSome,
-    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout: slowing mixed with speeding, which the
+    /// The ratio has the sign of `i₁` but `|i₂| < 1` throughout: a mix of slowing and speeding, which the
     /// source calls unfavourable.
     OnlySpeedsUp,
-    /// Its ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
+    /// The ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
     Reverses,
-    /// Its ratio changes its sign within the range, and with the sign of `i₁` never slows down.
+    /// The ratio changes its sign within the range, and with the sign of `i₁` never slows down.
     ChangesSign,
 }
 
 impl Use {
-    /// Of a gear 2 with these values beside a gear 1 whose ratio has this sign.
+    /// Use of a gear 2 with these values beside a gear 1 whose ratio has this sign.
     fn of(second: Reach, sign: f64) -> Self {
         match (second.sign(), second.slows_with_sign_of(sign)) {
             (None, true) => Self::SlowsAtSome,
@@ -104,7 +104,7 @@ impl Use {
 }
 
 impl Standing {
-    /// Of a structure, the ring-to-sun ratios within a range.
+    /// Standing of a structure with the ring-to-sun ratios within a range.
     ///
     /// ```
     /// use epicyclic_schemes::{standing::Standing, structures::{Role::*, Structure}};
@@ -136,7 +136,7 @@ impl Standing {
 }
 
 impl Connection {
-    /// Why the source has it, or has it not, the ring-to-sun ratios within a range.
+    /// Standing of the connection in the source, with the ring-to-sun ratios within a range.
     #[must_use]
     pub fn standing(self, range: RingToSunRange) -> Standing {
         Standing::of(self.structure(), &(range.low()..=range.high()))
@@ -219,7 +219,7 @@ mod tests {
             .collect();
         assert_eq!(of.len(), 36);
         assert_eq!(of, Connection::all().into_iter().map(Connection::structure).collect());
-        // Set 1 alone: as it stands its ratio lies within ±1, exchanged outside.
+        // Set 1 alone: without exchange its ratio lies within ±1, exchanged outside.
         for structure in of {
             assert!(reach(structure, &RANGE)[0].slows() && !reach(structure.reversal(), &RANGE)[0].slows());
         }

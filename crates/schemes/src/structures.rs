@@ -1,12 +1,12 @@
-//! All two-set structures: every way to tie two simple sets by two permanent links, with D, B, T₁, T₂
-//! one each on the four links that result.
+//! Two-set structures: every way to tie two simple sets by two permanent links, with D, B, T₁, T₂ one each on
+//! the four links that result.
 //!
-//! # What is counted
-//! Two simple sets have six members. Two permanent links tie a member of one set to a member of the
-//! other, so that four links result: two shared by the sets, one of set 1 alone, one of set 2 alone.
-//! Nothing is grounded for ever. On the four links sit the driving shaft D, the driven shaft B and the
-//! braked links T₁ (gear 1) and T₂ (gear 2), one each. Hence each set holds three of the four roles, and
-//! the two sets lack different ones; a set is named by the roles of its sun, ring and carrier.
+//! # Definition
+//! Two simple sets have six members. Two permanent links tie a member of one set to a member of the other, so
+//! that four links result: two shared by the sets, one of set 1 alone, one of set 2 alone. No link is
+//! grounded permanently. The four links carry the driving shaft D, the driven shaft B and the braked links T₁
+//! (gear 1) and T₂ (gear 2), one each. Each set therefore holds three of the four roles, and the two sets
+//! lack different ones. A set is named by the roles of its sun, ring and carrier.
 //!
 //! # How many there are
 //! Two shared links: 3·6 = 18 ways (a pair of members of set 1, an ordered pair of set 2). Roles: 4! = 24.
@@ -28,17 +28,17 @@
 //! [`DIRECT_CLUTCH_PAIRS`](crate::direct_drive::DIRECT_CLUTCH_PAIRS).
 //!
 //! # Two ratios settle both sets
-//! The links have two degrees of freedom, and one of them is turning as a block. So up to a block
-//! rotation all motions are multiples of one, `u`, and with the ratios `i₁`, `i₂` of gears 1 and 2
+//! The links have two degrees of freedom, and one of them is the rotation as a block. Up to a block rotation
+//! all motions are therefore multiples of one, `u`. With the ratios `i₁`, `i₂` of gears 1 and 2
 //!
 //! ```text
 //! u_D = i₁     u_B = 1     u_T1 = 0     u_T2 = (i₁ − i₂)/(1 − i₂)        k = −(u_a − u_H)/(u_b − u_H)
 //! ```
 //!
-//! for each set by itself: `(i₁, 1, 0, t₂)`, `(i₂, 1, t₁, 0)` and `(1, 1, 1, 1)` lie in one plane, hence
-//! `t₂`. So the link speeds of both gears follow from the two ratios *whatever the structure*, and a
-//! pair of ratios has at most one pair of ring-to-sun ratios, never a family: the two equations, bilinear
-//! in `k₁`, `k₂`, have one common root. (Only `i₁ = i₂ = 1`, the direct drive, is met by a family.)
+//! for each set separately. `(i₁, 1, 0, t₂)`, `(i₂, 1, t₁, 0)` and `(1, 1, 1, 1)` lie in one plane, which
+//! gives `t₂`. The link speeds of both gears therefore follow from the two ratios *whatever the structure*. A
+//! pair of ratios has at most one pair of ring-to-sun ratios, never a family: the two equations, bilinear in
+//! `k₁`, `k₂`, have one common root. (Only `i₁ = i₂ = 1`, the direct drive, is met by a family.)
 //!
 //! # Source
 //! multispeed-gearboxes, section 2.4, whose eleven are among these.
@@ -57,10 +57,10 @@ use std::fmt;
 use std::str::FromStr;
 
 impl Role {
-    /// All of them.
+    /// Roles in the order D, B, T₁, T₂.
     pub const ALL: [Self; 4] = [Self::D, Self::B, Self::T1, Self::T2];
 
-    /// Its place in [`Self::ALL`].
+    /// Index in [`Self::ALL`].
     #[must_use]
     pub const fn index(self) -> usize {
         self as usize
@@ -90,12 +90,12 @@ impl FromStr for Role {
     }
 }
 
-/// A name that is none of `D`, `B`, `T1`, `T2`.
+/// Error for a name other than `D`, `B`, `T1`, `T2`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("a link of a scheme is D, B, T1 or T2")]
 pub struct UnknownRole;
 
-/// What a canonical labelling renames in the one given.
+/// Exchanges between a given labelling and the canonical one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Renaming {
     /// Whether sets 1 and 2 change places, and with them their ring-to-sun ratios.
@@ -107,7 +107,7 @@ pub struct Renaming {
 /// Roles of sun, ring and carrier of a set.
 pub type SetRoles = [Role; 3];
 
-/// How a structure's sets share the work.
+/// Division of the work between the sets of a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
     /// Sets of D B T₁ and of T₁ T₂ B: gear 1 is set 1 alone, in gear 2 set 2 ties T₁ to B.
@@ -152,7 +152,7 @@ impl Structure {
         Self::canonical(sets).map(|(structure, _)| structure)
     }
 
-    /// The same, with what the canonical labelling renames.
+    /// Structure of two sets, with the exchanges that make the labelling canonical.
     #[must_use]
     pub fn canonical(sets: [SetRoles; 2]) -> Option<(Self, Renaming)> {
         let lacks = |set: SetRoles| {
@@ -206,7 +206,7 @@ impl Structure {
         Self::canonical([sets.0, sets.1]).ok_or_else(|| Error::NotAStructure { name: name.into() })
     }
 
-    /// All 111, by family and then in the order of their roles.
+    /// Structures of two sets: 111, by family and then in the order of their roles.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let sets = set_roles();
@@ -235,7 +235,7 @@ impl Structure {
         ThreeSpeed::ALL.into_iter().find(|scheme| scheme.sets() == self.sets)
     }
 
-    /// How the sets share the work.
+    /// Family: the division of the work between the sets.
     #[must_use]
     pub fn family(self) -> Family {
         let has = |set: usize, role| self.sets[set].contains(&role);
@@ -328,7 +328,7 @@ pub fn gearbox(
 impl FromStr for Structure {
     type Err = Error;
 
-    /// As [`read`](Self::read).
+    /// Reads a structure as [`read`](Self::read) does.
     fn from_str(name: &str) -> Result<Self, Error> {
         Self::read(name).map(|(structure, _)| structure)
     }
@@ -578,7 +578,7 @@ mod tests {
                 let gearbox = structure.gearbox([a, b], eta0, [Role::D, Role::B]).unwrap();
                 let ratio = |gear| gearbox.analyze(gear).unwrap().ratio();
                 let (Some(first), Some(second)) = (ratio("1"), ratio("2")) else { continue };
-                // Where the gears are nearly direct, or nearly at rest, rounding decides.
+                // If the gears are nearly direct, or nearly at rest, rounding decides.
                 if [first, second].iter().any(|i| (i - 1.0).abs() < 1e-3 || i.abs() > 1e3 || i.abs() < 1e-3) {
                     continue;
                 }

@@ -1,6 +1,8 @@
-//! Three speeds 0.76, 1.33, 1.95 of an excavator wheel: choice of the structure, and of the teeth over
-//! all structures, both orders and signs of the ratios, tolerance 10 %, default limits; beside them brute
-//! force, over teeth on a reduced space.
+//! Three speeds 0.76, 1.33, 1.95 of an excavator wheel: choice of the structure, and of the teeth over all
+//! structures.
+//!
+//! Both orders and signs of the ratios, tolerance 10 %, default limits. Brute force over teeth on a reduced
+//! space is measured for comparison.
 //!
 //! The whole space is `Counts::designs`; brute force takes the same time for each of its designs, so its
 //! time over the whole is extrapolated by count.

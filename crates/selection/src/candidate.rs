@@ -19,9 +19,9 @@ use std::fmt;
 /// A braked gear; speeds and torques are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearReport {
-    /// Which.
+    /// The gear.
     pub gear: SchemeGear,
-    /// Ratio wanted.
+    /// Target ratio.
     pub wanted: f64,
     /// Ratio it has.
     pub ratio: f64,
@@ -33,7 +33,7 @@ pub struct GearReport {
     pub planets: Vec<PlanetMotion>,
     /// Torque of the brake on the link it holds, with losses.
     pub brake_torque: Option<f64>,
-    /// The same without losses: `i − 1`, whatever the mechanism.
+    /// Brake torque without losses: `i − 1`, whatever the mechanism.
     pub ideal_brake_torque: f64,
     /// Torques on the suns, with losses.
     pub sun_torques: Vec<f64>,
@@ -44,7 +44,7 @@ pub struct GearReport {
 /// A line of the engagement table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Engagement {
-    /// Which gear.
+    /// The gear.
     pub gear: SchemeGear,
     /// The one shift element engaged.
     pub engaged: SchemeElement,
@@ -54,7 +54,7 @@ pub struct Engagement {
     pub reverses: bool,
 }
 
-/// What a candidate is judged by.
+/// Criterion by which a candidate is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Criterion {
@@ -94,24 +94,24 @@ impl fmt::Display for Criterion {
     }
 }
 
-/// What a criterion says of a candidate.
+/// Result of a criterion for a candidate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
-    /// Which.
+    /// The criterion.
     pub criterion: Criterion,
     /// The worst value found, in the criterion's own terms; of a yes or no, 1 or 0.
     pub value: f64,
-    /// Its limits, ends included.
+    /// Limits, ends included.
     pub limits: [f64; 2],
     /// Whether the value keeps to them.
     pub met: bool,
     /// Whether a candidate is rejected where it does not.
     pub required: bool,
-    /// Where the worst value is, or what speaks for or against a yes or no.
+    /// Place of the worst value, or reason for a yes or no.
     pub evidence: Evidence,
 }
 
-/// Where the worst value of a criterion is, or what speaks for or against a yes or no.
+/// Place of the worst value of a criterion, or reason for a yes or no.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Evidence {
     /// A gear.
@@ -120,29 +120,29 @@ pub enum Evidence {
     Set(usize),
     /// A link.
     Link {
-        /// Which.
+        /// The link, by its role.
         role: Role,
-        /// In which gear.
+        /// The gear in which it is worst.
         gear: SchemeGear,
     },
     /// The planets of a set, by its place from 0.
     Planet {
-        /// Which set.
+        /// Index of the set.
         set: usize,
-        /// In which gear.
+        /// The gear in which they are worst.
         gear: SchemeGear,
     },
     /// The direct-drive clutch between these links.
     DirectClutch([Role; 2]),
     /// No direct-drive clutch gives direct drive.
     NoDirectClutch,
-    /// All gears turn the output as direct drive does.
+    /// Every gear turns the output as direct drive does.
     AllForward,
     /// Gears that turn the output against direct drive.
     Backward(Vec<SchemeGear>),
-    /// The scheme can be drawn, with so many options for the direct-drive clutch.
+    /// The scheme can be drawn, with a number of options for the direct-drive clutch.
     Drawable {
-        /// How many.
+        /// Number of these options.
         direct_clutches: usize,
     },
     /// The scheme cannot be drawn.
@@ -152,7 +152,7 @@ pub enum Evidence {
 /// A mechanism at given ring-to-sun ratios, measured and judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// Which mechanism.
+    /// The mechanism.
     pub mechanism: Mechanism,
     /// Ring-to-sun ratios `k₁`, `k₂`.
     pub k: Vec<f64>,
@@ -163,9 +163,9 @@ pub struct Candidate {
     /// Place in `direct_clutches` of the one chosen: the least torque among those that can be drawn and slip
     /// within limits; where none does, the least that can be drawn, or the least of all.
     pub direct_clutch: usize,
-    /// What the criteria say, each once.
+    /// Results of the criteria, each once.
     pub verdicts: Vec<Verdict>,
-    /// What it is measured by.
+    /// Values of the objectives.
     pub objectives: Objectives,
 }
 
@@ -176,7 +176,7 @@ impl Candidate {
         self.verdicts.iter().all(|verdict| verdict.met || !verdict.required)
     }
 
-    /// Criteria not met, required or not: what there is to object to.
+    /// Objections: criteria that are not met, required or not.
     pub fn objections(&self) -> impl Iterator<Item = &Verdict> {
         self.verdicts.iter().filter(|verdict| !verdict.met)
     }
@@ -212,8 +212,8 @@ impl Candidate {
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
     }
 
-    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one a set, for the ratios wanted of its
-    /// braked gears.
+    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one for each set, for the target ratios
+    /// of its braked gears.
     ///
     /// # Errors
     /// [`Error::RingToSunCount`]; what the solver refuses of `k`.
@@ -227,8 +227,8 @@ impl Candidate {
         Self::with_planets(mechanism, k, &[], wanted, requirements, drawing)
     }
 
-    /// The same of tooth numbers, one combination a set: with planets whose teeth need not be those of equal
-    /// centre distances without shift.
+    /// Candidate of tooth numbers, one combination for each set. Its planets need not have the teeth of equal
+    /// centre distances without profile shift.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -311,7 +311,7 @@ impl Candidate {
         let Limits { ring_to_sun, .. } = &requirements.limits;
         let limits = &requirements.limits;
         let within = |criterion, (value, evidence): (f64, Evidence), [least, greatest]: [f64; 2]| {
-            // What was chosen to lie at a limit may miss it by rounding.
+            // A value chosen to lie at a limit may miss it by rounding.
             let slack = SLACK * (1.0 + value.abs());
             let met = value >= least - slack && value <= greatest + slack;
             Verdict { criterion, value, limits: [least, greatest], met, required: true, evidence }
@@ -404,7 +404,7 @@ pub(crate) fn slip(clutch: &DirectClutch, gears: usize) -> f64 {
     largest_absolute(&clutch.slip[..gears])
 }
 
-/// Efficiency 0 stands for a self-locking gear, which has none.
+/// Least efficiency over the gears; 0 represents a self-locking gear, which has no efficiency.
 fn least_efficiency(gears: &[GearReport]) -> (f64, Evidence) {
     let of = |gear: &GearReport| (gear.efficiency.unwrap_or(0.0), Evidence::Gear(gear.gear));
     gears

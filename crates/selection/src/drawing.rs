@@ -1,19 +1,21 @@
-//! Which mechanisms, and which of their direct-drive clutches, can be drawn without self-crossing.
+//! Mechanisms that can be drawn without self-crossing, and the direct-drive clutches that can be drawn with
+//! them.
 //!
-//! Brakes, input and output are drawn always; of the options for that clutch only the one chosen is built, so
-//! a mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
+//! Brakes, input and output are always drawn. Of the options for the direct-drive clutch only the chosen one
+//! is built. A mechanism is therefore drawable if at least one of them can be drawn with the rest, and the
+//! choice is among these.
 
 use super::Error;
 use super::mechanism::Mechanism;
 use epicyclic_layout::{Options, Verdict, Witness, direct_clutch_options, draw, is_drawable};
 use epicyclic_schemes::structures::Role;
 
-/// Why a mechanism cannot be drawn.
+/// Reason why a mechanism cannot be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NotDrawable {
-    /// It makes no gearbox.
+    /// The mechanism makes no gearbox.
     Gearbox(Error),
-    /// What of [`Mechanism::without_direct_clutch`] cannot be drawn together.
+    /// Elements of [`Mechanism::without_direct_clutch`] that cannot be drawn together.
     SelfCrossing(Witness),
     /// No direct-drive clutch can be drawn with the rest.
     NoDirectClutch,
@@ -25,7 +27,7 @@ pub const DRAWN_K: f64 = 3.0;
 /// The pairs of links between which a direct-drive clutch can be drawn.
 ///
 /// # Errors
-/// [`NotDrawable`] where there are none.
+/// [`NotDrawable`] if no pair can be drawn.
 pub fn drawable_direct_clutches(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> {
     let gearbox = mechanism.without_direct_clutch(DRAWN_K).map_err(NotDrawable::Gearbox)?;
     if !is_drawable(&gearbox) {

@@ -1,4 +1,4 @@
-//! What selection and search refuse.
+//! Errors of selection and search.
 
 use crate::objective::Objective;
 use crate::quantity::{KRange, Limited, Rated};
@@ -52,7 +52,7 @@ pub enum Error {
     /// An invalid limit.
     #[error("limit of {what} {value}: a number, not below 0")]
     Limit {
-        /// Of what.
+        /// The limited quantity.
         what: Limited,
         /// The value given.
         value: f64,
@@ -60,11 +60,11 @@ pub enum Error {
     /// An invalid datum of the size.
     #[error("{what} {value}{}{unit}: finite and above 0", if unit.is_empty() { "" } else { " " })]
     Rating {
-        /// Which.
+        /// The quantity of the rating.
         what: Rated,
         /// The value given.
         value: f64,
-        /// Its unit; empty of a plain number.
+        /// Unit of the value; empty of a plain number.
         unit: &'static str,
     },
     /// A number of planets whose mesh load factor is not stated.
@@ -78,13 +78,13 @@ pub enum Error {
     /// An objective named twice in an order.
     #[error("the order names `{objective}` twice")]
     RepeatedObjective {
-        /// Which.
+        /// The objective.
         objective: Objective,
     },
     /// An objective that a search over teeth does not compare by.
     #[error("`{objective}` is no objective of a search over teeth: it can have a limit there")]
     NoObjectiveOfTeeth {
-        /// Which.
+        /// The objective.
         objective: Objective,
     },
     /// A name that no objective bears.
@@ -157,7 +157,7 @@ pub enum Error {
         "a front of {designs} designs: at most {most} are held; narrow the ranges of teeth or the tolerance"
     )]
     FrontTooLarge {
-        /// Designs on the front, or asked for.
+        /// Designs on the front, or designs required.
         designs: usize,
         /// The most held, or found among what is held.
         most: usize,
@@ -165,13 +165,13 @@ pub enum Error {
     /// Stopped by the caller.
     #[error("the search was cancelled")]
     Cancelled,
-    /// What a gear set refuses.
+    /// An error of a gear set.
     #[error(transparent)]
     GearSet(#[from] epicyclic_gears::Error),
-    /// What the catalogue refuses.
+    /// An error of the catalogue.
     #[error(transparent)]
     Scheme(#[from] epicyclic_schemes::Error),
-    /// What the solver refuses.
+    /// An error of the solver.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
 }
@@ -207,8 +207,9 @@ impl Error {
     }
 }
 
-/// `6.4e7`: pairs of so many.
+/// Number of pairs of `count` items, `6.4e7`.
 fn pairs_of(count: u64) -> String {
+    // Rounded, since the exact number of pairs has up to a dozen digits that say no more.
     let count = count as f64;
     format!("{:.1e}", count * count)
 }

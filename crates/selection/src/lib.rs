@@ -12,9 +12,9 @@
 //! | [`search`] | the same over all tooth numbers of one set or of both: exact front, nothing missed |
 //!
 //! Ring-to-sun ratios follow from the ratios, one pair from one pair:
-//! [`structures`](epicyclic_schemes::structures). Where they lie outside the range allowed, the point of the
-//! range is taken that comes nearest to the ratios, and the tolerance says whether that is near enough.
-//! [`search`] goes on from here to teeth.
+//! [`structures`](epicyclic_schemes::structures). If they lie outside the allowed range, the point of the
+//! range nearest to the ratios is taken, and the tolerance decides whether it is near enough. [`search`] then
+//! covers teeth.
 //!
 //! ```
 //! use epicyclic_schemes::RatioSeries;
@@ -59,33 +59,33 @@ pub use size::Rating;
 use epicyclic_schemes::structures::Role;
 use front::Entry;
 
-/// Between which links a mechanism's direct-drive clutch can be drawn; if there are none, or the mechanism
-/// itself cannot be drawn without self-crossing, why. As [`drawing::drawable_direct_clutches`].
+/// Drawable direct-drive clutches of a mechanism, as pairs of links. If there are none, or the mechanism
+/// itself cannot be drawn without self-crossing, the reason. See [`drawing::drawable_direct_clutches`].
 pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> + Sync + 'a;
 
 /// A mechanism that has no ring-to-sun ratios for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unreachable {
-    /// Which mechanism.
+    /// The mechanism.
     pub mechanism: Mechanism,
-    /// Ratios wanted of its gears.
+    /// Target ratios of its gears.
     pub wanted: Vec<f64>,
     /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,
-    /// Why these are out of reach.
+    /// Reason why these are out of reach.
     pub obstacle: Obstacle,
 }
 
-/// Why ring-to-sun ratios are out of reach.
+/// Reason why ring-to-sun ratios are out of reach.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Obstacle {
     /// A set would need an infinite `k`.
     Infinite,
-    /// These sets, by their places from 0, would need `k ≤ 1`, and that of a simple set is above 1.
+    /// Sets, by their places from 0, that would need `k ≤ 1`; `k` of a simple set is above 1.
     TooSmall(Vec<usize>),
 }
 
-/// What a selection found.
+/// Result of a selection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Selection {
     /// Candidates that meet every required criterion, in the order of the mechanisms.
@@ -127,7 +127,7 @@ pub fn select_with(
         Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
     for mechanism in space.mechanisms(requirements.series.braked().len()) {
         for (place, wanted) in targets.iter().enumerate() {
-            // Of a symmetric structure the other order is the same design.
+            // For a symmetric structure the other order is the same design.
             let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();
             if mechanism.is_symmetric() && targets[..place].contains(&mirrored) {
                 continue;
@@ -140,7 +140,7 @@ pub fn select_with(
                 mechanism::largest_error(&mechanism.ratios(k), wanted) <= requirements.tolerance
             };
             let exact = mechanism.ring_to_sun_ratios(wanted);
-            // Beyond the tolerance the exact ring-to-sun ratios tell more, if a simple set can have them.
+            // Beyond the tolerance the exact ring-to-sun ratios say more, if a simple set can have them.
             let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
             let Some(k) = nearest.filter(in_tolerance).or(simple) else {
                 let obstacle = obstacle(exact.as_deref());

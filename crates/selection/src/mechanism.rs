@@ -1,4 +1,4 @@
-//! What selection chooses among: one set of two speeds, or two sets of three.
+//! Mechanisms among which selection chooses: one set for two speeds, or two sets for three.
 
 use super::Error;
 use super::tolerance::SLACK;
@@ -22,19 +22,19 @@ pub enum Mechanism {
     TwoSets(Structure),
 }
 
-/// From what to select.
+/// Mechanisms from which to select.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Space {
     /// Schemes I, II, III for two speeds, I-1…III-3 for three.
     Catalogue,
-    /// All six ways to use one set, all 111 two-set structures.
+    /// Six ways to use one set, and 111 two-set structures.
     All,
-    /// These alone; those of one set for two speeds, those of two for three.
+    /// Given mechanisms: those of one set for two speeds, those of two sets for three.
     Mechanisms(Vec<Mechanism>),
 }
 
 impl Space {
-    /// The mechanisms of so many braked gears.
+    /// Mechanisms with this number of braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
         if gears == 1 {
             self.sets().into_iter().map(Mechanism::OneSet).collect()
@@ -43,7 +43,7 @@ impl Space {
         }
     }
 
-    /// Its ways to use one set, by the links of sun, ring and carrier.
+    /// Ways to use one set, by the links of sun, ring and carrier.
     #[must_use]
     pub fn sets(&self) -> Vec<SetRoles> {
         let listed = TwoSpeed::ALL.map(TwoSpeed::set);
@@ -62,7 +62,7 @@ impl Space {
         }
     }
 
-    /// Its structures of two sets.
+    /// Structures of two sets.
     #[must_use]
     pub fn structures(&self) -> Vec<Structure> {
         match self {
@@ -160,8 +160,8 @@ impl Mechanism {
         }
     }
 
-    /// Whether ratios within tolerance of those wanted can be there at all with ring-to-sun ratios of a
-    /// range, by what each gear reaches between the corners; `true` may be in error, `false` is not.
+    /// Whether ring-to-sun ratios of a range can give ratios within tolerance of the targets, by the values
+    /// that each gear takes between the corners. `true` may be wrong, `false` is not.
     pub(crate) fn reaches(self, wanted: &[f64], tolerance: f64, [low, high]: [f64; 2]) -> bool {
         let Self::TwoSets(structure) = self else { return true };
         reach(structure, &(low..=high)).into_iter().zip(wanted).all(|(reach, ratio)| {
@@ -174,11 +174,12 @@ impl Mechanism {
 
     /// Ring-to-sun ratios within a range that come nearest to the ratios: the least largest relative error.
     ///
-    /// Exact where the exact ones lie within the range. Otherwise on the edge of the range: ratios and
-    /// `k` correspond one to one, so from an inner point a step straight towards the wanted ratios
-    /// lessens both errors. Along an edge each ratio is monotonous, hence the largest error falls and then
-    /// rises, and a section search finds its least. `None` where no point of the range gives ratios of the
-    /// wanted signs.
+    /// The result is exact if the exact ring-to-sun ratios lie within the range.
+    ///
+    /// Otherwise they lie on the edge of the range: ratios and `k` correspond one to one, so from an inner
+    /// point a step straight towards the target ratios lessens both errors. Along an edge each ratio is
+    /// monotonous. The largest error therefore falls and then rises, and a section search finds its minimum.
+    /// `None` where no point of the range gives ratios of the required signs.
     pub(crate) fn nearest(self, wanted: &[f64], range: &RangeInclusive<f64>) -> Option<Vec<f64>> {
         let exact = self.ring_to_sun_ratios(wanted);
         if let Some(exact) = exact.filter(|k| k.iter().all(|k| range.contains(k))) {
@@ -275,8 +276,8 @@ pub(crate) fn largest_error(ratios: &[f64], wanted: &[f64]) -> f64 {
     ratios.iter().zip(wanted).map(error).fold(0.0, |m, e| if e.is_nan() { f64::INFINITY } else { m.max(e) })
 }
 
-/// Where a function that falls and then rises is least, by golden sections; its part at or above 1 may
-/// be flat or broken (a ratio passes a pole there) and is left by halving towards what is below.
+/// Minimum of a function that falls and then rises, by golden sections. Its part at or above 1 may be flat or
+/// broken (a ratio passes a pole there) and is left by halving towards the part below.
 fn section(ends: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
     const STEPS: usize = 64;
     // The part below 1 may be narrow: first a ladder, then sections around its best rung.

@@ -20,11 +20,11 @@ pub enum Objective {
 }
 
 impl Objective {
-    /// All of them, in the order of [`Order::default`](crate::Order::default).
+    /// Objectives in the order of [`Order::default`](crate::Order::default).
     pub const ALL: [Self; 6] =
         [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size, Self::Circulation];
 
-    /// Its name.
+    /// Name of the objective.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

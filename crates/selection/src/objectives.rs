@@ -3,22 +3,23 @@
 //! | objective | better | meaning |
 //! |---|---|---|
 //! | [`Efficiency`](Objective::Efficiency) | more | the least η over the braked gears |
-//! | [`Speed`](Objective::Speed) | less | the largest \|ω\| of links and relative planet speed, over the input's |
+//! | [`Speed`](Objective::Speed) | less | the largest \|ω\| of links, planets relative, over the input's |
 //! | [`RingToSun`](Objective::RingToSun) | less | Σ distance of ln k from [ln 2.5, ln 3] |
 //! | [`RatioError`](Objective::RatioError) | less | the largest relative error of a ratio |
 //! | [`Size`](Objective::Size) | less | the largest ring diameter, [`size`](super::size) |
-//! | [`Circulation`](Objective::Circulation) | less | the largest circulating power of a braked gear, over what enters |
+//! | [`Circulation`](Objective::Circulation) | less | the largest circulating power of a braked gear |
 //!
-//! Nothing is weighed against anything. One design dominates another if it is nowhere worse and somewhere
-//! better; the front holds what nothing dominates. Designs whose objectives are all equal are one entry.
-//! "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹²: of the size that of its cube, relative; of the distance that
-//! of the ratio whose logarithm it is.
+//! Circulating power is taken over the power that enters. Objectives are not weighed against each other. One
+//! design dominates another if no objective is worse and at least one is better; the front holds all designs
+//! that no other dominates. Designs whose objectives are all equal are one entry. Equality is decided on a
+//! grid of 2⁻⁴⁰ ≈ 10⁻¹². For the size the grid applies to its cube, relative; for the distance, a logarithm,
+//! it applies to the ratio itself.
 //!
-//! The search over teeth knows the first five alone: there circulating power can have a limit.
+//! The search over teeth knows the first five alone; there circulating power can have a limit.
 //!
-//! A grid alone does not tell what is alike: where a value lies half-way between two points, the last bit
-//! decides, and it depends on the way the value was computed. So the search over teeth places each value as
-//! its exact value would be placed ([`search`](super::search)).
+//! A grid alone does not decide equality. If a value lies half-way between two points, the last bit decides,
+//! and it depends on the way the value was computed. The search over teeth therefore places each value where
+//! its exact value belongs ([`search`](super::search)).
 
 pub use super::objective::Objective;
 
@@ -42,7 +43,7 @@ impl FromStr for Objective {
 pub struct Order([Objective; Objective::ALL.len()]);
 
 impl Order {
-    /// These first, the others after them in the order of [`Objective::ALL`].
+    /// Order of the given objectives, followed by the others in the order of [`Objective::ALL`].
     ///
     /// # Errors
     /// [`Error::RepeatedObjective`].
@@ -61,13 +62,13 @@ impl Order {
         self.0
     }
 
-    /// Places of so many costs, the decisive one first.
+    /// Indices of `N` costs, the decisive one first.
     pub(crate) fn of_costs<const N: usize>(self) -> [usize; N] {
         let mut places = self.0.into_iter().map(|objective| objective as usize).filter(|place| *place < N);
         std::array::from_fn(|_| places.next().unwrap_or(0))
     }
 
-    /// Which of two costs comes first, as far as they go.
+    /// Compares two costs in this order, as far as both have entries.
     pub(crate) fn compare<const N: usize>(self, one: &[f64; N], other: &[f64; N]) -> std::cmp::Ordering {
         let by = |objective: &Objective| {
             let place = *objective as usize;
@@ -86,7 +87,7 @@ impl Default for Order {
     }
 }
 
-/// What a design is measured by.
+/// Values of the objectives of a design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Objectives {
     /// The least efficiency over the braked gears.
@@ -99,13 +100,13 @@ pub struct Objectives {
     pub ratio_error: f64,
     /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
     pub size: f64,
-    /// The largest circulating power of a braked gear, over what enters; `None` where it was not asked for,
-    /// as in a search over teeth.
+    /// The largest circulating power of a braked gear over the power that enters; `None` where it was not
+    /// calculated, as in a search over teeth.
     pub circulation: Option<f64>,
 }
 
-/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`]. For the
-/// distance stands `e` to its power, for the size its cube.
+/// Objectives as costs on the grid, in the order of [`Objective::ALL`]; smaller is better. The distance is
+/// represented by `e` to its power, the size by its cube.
 pub(crate) type AllCosts = [f64; Objective::ALL.len()];
 
 /// The costs that a search over teeth knows: all but the last.

@@ -1,4 +1,4 @@
-//! What an error of the requirements speaks of.
+//! Quantities of the requirements that errors name.
 
 use epicyclic_gears::words;
 
@@ -11,7 +11,7 @@ words! {
 }
 
 words! {
-    /// What has a limit.
+    /// A quantity with a limit.
     Limited {
         Efficiency "efficiency"
         LinkSpeed "link speed"
@@ -24,7 +24,7 @@ words! {
 }
 
 words! {
-    /// What the size of a gearbox is rated by.
+    /// A quantity by which the size of a gearbox is rated.
     Rated {
         FaceWidthRatio "face-width ratio"
         MeshLoadFactor "mesh load factor"

@@ -1,4 +1,4 @@
-//! What is wanted of a gearbox: ratios, their tolerance, and the limits of section 3.1.
+//! Requirements of a gearbox: ratios, their tolerance, and the limits of section 3.1.
 
 use super::Error;
 use super::size::Rating;
@@ -7,7 +7,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::RatioSeries;
 use std::ops::RangeInclusive;
 
-/// Which gear may have which of two ratios.
+/// Orders of two ratios: the gears that may have each of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Orders {
     /// The first brake gives the first ratio.
@@ -17,21 +17,21 @@ pub enum Orders {
     Both,
 }
 
-/// Which signs the ratios may have.
+/// Signs that the ratios may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Signs {
-    /// Those given.
+    /// Given signs.
     AsGiven,
-    /// All positive, or all negative.
+    /// Equal signs: all positive, or all negative.
     #[default]
     Alike,
-    /// Each by itself.
+    /// Any sign for each ratio.
     Any,
 }
 
-/// From here on a person would object to circulating power, over what enters, where no limit is given: half
-/// of the power that the sets are loaded by then comes from the loop and not from the input, and it has no
-/// part in the output.
+/// Circulating power over the power that enters, from which on it is an objection if no limit is given. Half
+/// of the power that loads the sets then comes from the loop and not from the input, and has no part in the
+/// output.
 pub const OBJECTED_CIRCULATION: f64 = 0.5;
 
 /// Limits of section 3.1; infinity (of an efficiency 0) lifts one.
@@ -75,27 +75,28 @@ impl Default for Limits {
     }
 }
 
-/// What is wanted.
+/// Requirements of a gearbox.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirements {
     /// Ratios of direct drive and of one or two braked gears.
     pub series: RatioSeries,
     /// Relative tolerance of each, 0.1.
     pub tolerance: f64,
-    /// Which gear may have which ratio.
+    /// Orders of the ratios among the gears.
     pub orders: Orders,
-    /// Which signs the ratios may have.
+    /// Signs that the ratios may have.
     pub signs: Signs,
     /// Limits.
     pub limits: Limits,
     /// Efficiency `η₀` of each set with the carrier fixed, 0.98·0.99.
     pub eta0: MeshEfficiency,
-    /// What sizes are measured by.
+    /// Rating by which sizes are measured.
     pub rating: Rating,
 }
 
 impl Requirements {
-    /// These ratios with the source's tolerance, limits and losses, both orders, signs alike.
+    /// Requirements for these ratios with the source's tolerance, limits and losses, both orders, equal
+    /// signs.
     #[must_use]
     pub fn new(series: RatioSeries) -> Self {
         let meshes = [0.98, 0.99].map(|eta| MeshEfficiency::new(eta).unwrap_or(MeshEfficiency::IDEAL));

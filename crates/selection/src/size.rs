@@ -9,27 +9,32 @@
 //! | `K` | load factor of the mesh: contact stress squared, but for constants of material | Pa |
 //! | `F_t`, `b` | tangential force, face width | N, m |
 //! | `d₁`, `u` | pitch diameter of the smaller of sun and planet, the larger over it | m, 1 |
-//! | `w` | working over reference diameters of sun and planets, `a/a_d`: 1 but of sets with an offset of the ring | 1 |
+//! | `w` | working over reference diameters of sun and planets, `a/a_d` | 1 |
 //! | `T_a` | the largest torque on the sun over the braked gears, with losses | N·m |
-//! | `N`, `K_γ` | planets; mesh load factor: how much more than its share the most loaded mesh carries | 1 |
+//! | `N`, `K_γ` | planets; mesh load factor: load of the most loaded mesh over its equal share | 1 |
 //! | `ψ` | face-width ratio `b/d₁` | 1 |
 //!
-//! A planet has `d_g = r·d_a` with `r = z_g/z_a`, by equal centre distances without profile shift
-//! `r = (k − 1)/2`. The mesh carries its load at the working circles, `w·d_a` and `w·d_g`; `d_b` and
-//! `b = ψ·d₁` are by the reference circles, which are `m·z`. So with `T_a = τ·T_in` the ring has
+//! `w` is 1 but for sets with an offset of the ring. A planet has `d_g = r·d_a` with `r = z_g/z_a`; by equal
+//! centre distances without profile shift `r = (k − 1)/2`. The mesh carries its load at the working circles,
+//! `w·d_a` and `w·d_g`. `d_b` and `b = ψ·d₁` are by the reference circles, which are `m·z`. With
+//! `T_a = τ·T_in` the ring has
 //!
 //! ```text
 //! d_b³ = k³·(1 + 1/r)/(w²·min(1, r))·τ·(K_γ/N) · 2·T_in/(ψ·K)
 //! ```
 //!
-//! The last factor is common to all sets and gearboxes at one input torque: without it the cube root is
-//! the *relative* size, and `∛(2·T_in/(ψ·K))` turns that into metres. So the size depends on `k`, `r` and the
-//! number of planets, not on the teeth beyond these. In direct drive the sets stand still within
-//! themselves, and their teeth, loaded but not rolling, do not count.
+//! The last factor is common to all sets and gearboxes at one input torque. Without it the cube root is the
+//! *relative* size, and `∛(2·T_in/(ψ·K))` converts it into metres. The size therefore depends on `k`, `r` and
+//! the number of planets, not on the teeth beyond these. In direct drive there is no motion within the sets,
+//! and their teeth, loaded but not rolling, do not count.
 //!
-//! Left out: the working pressure angle, which `K` does not have, and which lowers the contact stress of
-//! meshes with a large sum of shifts further; the planet–ring mesh, whose flanks are conformal and carry
-//! more; bending, which settles the module within a diameter; shafts, bearings and shift elements.
+//! Left out:
+//!
+//! - the working pressure angle, which `K` does not have, and which lowers the contact stress of meshes with
+//!   a large sum of shifts further;
+//! - the planet–ring mesh, whose flanks are conformal and carry more;
+//! - bending, which decides the module within a diameter;
+//! - shafts, bearings and shift elements.
 
 use super::Error;
 use crate::quantity::Rated;
@@ -42,7 +47,7 @@ use uom::si::f64::{Length, Pressure, Torque};
 /// The largest number of planets whose mesh load factor is stated.
 pub const MOST_PLANETS: u32 = epicyclic_gears::synthesis::MOST_PLANETS;
 
-/// What sizes are measured by.
+/// Data by which sizes are measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rating {
     /// Input torque and load factor K; without them sizes are relative.
@@ -114,10 +119,10 @@ pub fn relative_ring_diameter(k: f64, sun_torque: f64, planets: u32, rating: &Ra
     libm::cbrt(cube_of_ratios(k, (k - 1.0) / 2.0, 1.0) * sun_torque.abs() * rating.share(planets))
 }
 
-/// The same of a set of teeth, whose planets need not have `r = (k − 1)/2` where it has profile shift.
+/// Relative ring diameter of a set of teeth; with profile shift its planets need not have `r = (k − 1)/2`.
 ///
 /// # Errors
-/// None of a set that a search with this shift found.
+/// No error for a set that a search with this shift found.
 pub fn relative_ring_diameter_of_teeth(
     teeth: &ToothNumbers,
     shift: Option<&ProfileShift>,
@@ -164,7 +169,7 @@ mod tests {
         }
     }
 
-    /// As above, at the working circles of planets that are larger and smaller than the room between sun and
+    /// Sizes at the working circles of planets that are larger and smaller than the room between sun and
     /// ring.
     #[test]
     fn planets_of_sets_with_an_offset_count_with_their_own_teeth() {

@@ -1,20 +1,26 @@
-//! What counts as nothing in this crate.
+//! Tolerances of this crate: differences that count as zero, and the grids of objectives.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `SLACK` | a measured value beyond its limit, over 1 and the value | what was chosen to lie at a limit misses it by the rounding of some dozen operations, 1e-13 |
-//! | `WIDER` | a limit by which a window is drawn, over 1 and the limit | twice `SLACK`: a window lets through all that the trial lets through |
-//! | `HAIR` | the ends of a window, relative | the roots at which it ends are rounded |
-//! | `GRID_SHIFT` | objectives: adding and taking it away leaves a multiple of 2⁻⁴⁰ ≈ 1e-12 | designs that differ by rounding are one |
-//! | `GRID_END` | objectives that are their own grid | beyond, doubles are coarser than the shift keeps |
-//! | `GRID_STEP` | objectives: the distance of two points of the grid | of the shift |
-//! | `RELATIVE_GRID` | the cube of the size: multiplied and taken away leaves 40 bits | its rounding grows with it, so its grid does |
-//! | `RELATIVE_STEP` | the same: the distance of two points over the power of two below | 40 bits |
-//! | `ROUNDING` | the relative error of one operation on doubles | half of their last bit |
-//! | `LOOK` | a figure of a first look near its limit, over 1 and the limit: measured | a hundred times the rounding of a look, and still next to none |
-//! | `BEHIND` | a first objective of a first look near a bound, over 1 and the bound: measured | above the grid of objectives and what `CANCELLED` leaves |
-//! | `CANCELLED` | the terms of a difference over the difference, in a first look | leaves 2e-10 of a double's digits |
-//! | `TIE` | exact values half-way between points of the grid | far beyond what a sum of two doubles loses, 2⁻¹⁰⁰ |
+//! - `SLACK`: a measured value beyond its limit, over 1 and the value. A value chosen to lie at a limit
+//!   misses it by the rounding of some dozen operations, 1e-13.
+//! - `WIDER`: a limit by which a window is drawn, over 1 and the limit. It is twice `SLACK`: a window lets
+//!   through all that the trial lets through.
+//! - `HAIR`: the ends of a window, relative. The roots at which it ends are rounded.
+//! - `GRID_SHIFT`: adding it to an objective and subtracting it leaves a multiple of 2⁻⁴⁰ ≈ 1e-12. Designs
+//!   that differ by rounding are one.
+//! - `GRID_END`: objectives from here on are their own grid, since doubles are coarser than the shift keeps.
+//! - `GRID_STEP`: the distance of two points of the grid, by the shift.
+//! - `RELATIVE_GRID`: multiplying the cube of the size and subtracting leaves 40 bits. The rounding of the
+//!   cube grows with it, so its grid does.
+//! - `RELATIVE_STEP`: for the cube, the distance of two points over the power of two below; 40 bits.
+//! - `ROUNDING`: the relative error of one operation on doubles, half of their last bit.
+//! - `LOOK`: a figure of a first look nearer than this to its limit, over 1 and the limit, is measured. It is
+//!   a hundred times the rounding of a look, and still next to none.
+//! - `BEHIND`: a first objective of a first look nearer than this to a bound, over 1 and the bound, is
+//!   measured. It is above the grid of objectives and the remainder that `CANCELLED` leaves.
+//! - `CANCELLED`: the terms of a difference over the difference, in a first look. It leaves 2e-10 of a
+//!   double's digits.
+//! - `TIE`: exact values half-way between points of the grid, far beyond the loss of a sum of two doubles,
+//!   2⁻¹⁰⁰.
 
 /// A value within its limit, or beyond it by this share of 1 and itself, keeps to it.
 pub(crate) const SLACK: f64 = 1e-9;

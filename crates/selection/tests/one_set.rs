@@ -168,7 +168,7 @@ fn sets_with_profile_shift_are_found() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6))]
-    /// With the planets' own teeth in speeds and sizes.
+    /// Compares searches with the planets' own teeth in speeds and sizes.
     #[test]
     fn search_with_profile_shift_equals_brute_force(
         ratio in prop_oneof![-6.0..-1.5_f64, 1.15..8.0_f64],

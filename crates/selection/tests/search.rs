@@ -91,7 +91,8 @@ fn the_excavator_wheel_over_small_rings() {
     assert!(equals_brute_force(&search).unwrap() > 10);
 }
 
-/// Planets of one ring and sun with several tooth numbers, so that `k` alone tells neither speeds nor sizes.
+/// Planets of one ring and sun with several tooth numbers, so that `k` alone decides neither speeds nor
+/// sizes.
 #[test]
 fn the_excavator_wheel_with_profile_shift() {
     let mut search = ToothSearch::new(excavator());
@@ -216,7 +217,7 @@ fn the_first_before_a_bound_are_the_first_of_all() {
     }
 }
 
-/// However little is held, the first designs are the same, or the search says that it cannot tell.
+/// Gives the same first designs for any number of designs held, or refuses the search.
 #[test]
 fn what_is_held_changes_nothing_or_is_refused() {
     let mut search = ToothSearch::new(excavator());
@@ -349,8 +350,8 @@ fn invalid_requirements_are_refused() {
     assert!(none.front().unwrap().entries().is_empty());
 }
 
-/// In both gears the efficiency and in gear 1 all else comes from set 1 alone; that of k = 20/9 lies half-way
-/// between two points of the grid of objectives, where the last bit of a double decides.
+/// In both gears the efficiency and in gear 1 all else comes from set 1 alone. The efficiency of k = 20/9
+/// lies half-way between two points of the grid of objectives, where the last bit of a double decides.
 #[test]
 fn what_set_2_does_not_change_is_equal_beside_every_set_2() {
     let mut requirements = Requirements::new(

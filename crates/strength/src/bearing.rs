@@ -15,12 +15,13 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `κ` | `viscosity_ratio` | viscosity of the oil at its temperature over that which the bearing needs; above 4 it counts as 4 | 1 |
+//! | `κ` | `viscosity_ratio` | viscosity of the oil over that which the bearing needs, at most 4 | 1 |
 //! | `e_C` | `contamination` | contamination factor, 0 to 1 | 1 |
 //! | `C_u`, `P` | `fatigue_limit`, `load` | fatigue load limit, equivalent load | N |
 //! | `a_1` | [`Reliability`] | 1, 0.64, 0.55, 0.47, 0.37, 0.25 at 90, 95, 96, 97, 98, 99 % | 1 |
 //!
-//! `a_ISO` is at most 50. The basic life `L_10` is that of [`epicyclic_gears::life`].
+//! `κ` is taken at the temperature of the oil; above 4 it counts as 4. `a_ISO` is at most 50. The basic life
+//! `L_10` is that of [`epicyclic_gears::life`].
 //!
 //! # Source
 //! ISO 281:2007, formulas (31) to (36) for radial bearings.
@@ -50,7 +51,7 @@ pub enum Reliability {
 }
 
 impl Reliability {
-    /// All of them, the lowest first.
+    /// Listed reliabilities, the lowest first.
     pub const ALL: [Self; 6] = [
         Self::Percent90,
         Self::Percent95,

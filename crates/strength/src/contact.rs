@@ -6,13 +6,16 @@
 //! Z_E = √(1/(π·((1 − ν_1²)/E_1 + (1 − ν_2²)/E_2)))
 //! Z_ε = √((4 − ε_α)/3·(1 − ε_β) + ε_β/ε_α), from ε_β = 1 on √(1/ε_α)
 //! Z_β = 1/√cos β        (√cos β before the corrigendum of 2008)
-//! M_1 = tan α_wt/√((√(d_a1²/d_b1² − 1) − 2π/z_1)·(√(d_a2²/d_b2² − 1) − (ε_α − 1)·2π/z_2)) = √(ρ_1C·ρ_2C/(ρ_1B·ρ_2B))
-//! Z_B = M_1 of spur gears, M_1 − ε_β·(M_1 − 1) below ε_β = 1, then 1; at least 1. Z_D alike with the gears exchanged; 1 of an internal gear
+//! M_1 = tan α_wt/√((√(d_a1²/d_b1² − 1) − 2π/z_1)·(√(d_a2²/d_b2² − 1) − (ε_α − 1)·2π/z_2))
+//!     = √(ρ_1C·ρ_2C/(ρ_1B·ρ_2B))
+//! Z_B = M_1 of spur gears, M_1 − ε_β·(M_1 − 1) below ε_β = 1, then 1; at least 1
+//! Z_D as Z_B with the gears exchanged; 1 of an internal gear
 //! Z_L = C + 4·(1 − C)/(1.2 + 134/ν_40)²                     C = 0.83, σ_Hlim/4375 + 0.6357, 0.91
 //! Z_v = C' + 2·(1 − C')/√(0.8 + 32/v)                        C' = C + 0.02
 //! Z_R = (3/R_z10)^C_R, R_z10 = (R_z1 + R_z2)/2·(10/ρ_red)^⅓   C_R = 0.15, 0.32 − 0.0002·σ_Hlim, 0.08
 //! Z_W = (1.2 − (HB − 130)/1700)·(3/R_zH)^0.15
-//! R_zH = R_z1·(10/ρ_red)^0.33·(R_z1/R_z2)^0.66/(ν_40·v/1500)^0.33, from 3 to 16 µm; 1 the hard gear, 2 the soft one
+//! R_zH = R_z1·(10/ρ_red)^0.33·(R_z1/R_z2)^0.66/(ν_40·v/1500)^0.33, from 3 to 16 µm
+//!        1 the hard gear, 2 the soft one
 //! ```
 //!
 //! The constants change at `σ_Hlim` = 850 and 1200 N/mm²; of two limits the smaller counts. `HB` is taken

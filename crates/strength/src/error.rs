@@ -1,4 +1,4 @@
-//! What the crate refuses.
+//! Errors of this crate.
 
 use crate::symbol::Symbol;
 use epicyclic_gears::{shown, with_unit};
@@ -68,33 +68,33 @@ epicyclic_gears::words! {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A search that whoever watches it ended.
+    /// A search that the caller cancelled.
     #[error("the search was cancelled")]
     Cancelled,
     /// A quantity that must be finite and above 0.
     #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
     NotPositive {
-        /// Its name.
+        /// The quantity.
         quantity: Quantity,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
     /// A quantity that must be finite and not below 0.
     #[error("{quantity} is {}; it must be finite and not below 0", with_unit(*value, unit))]
     Negative {
-        /// Its name.
+        /// The quantity.
         quantity: Quantity,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
     /// A quantity outside its range.
     #[error("{quantity} is {}; it must lie between {low} and {}", with_unit(*value, unit), with_unit(*high, unit))]
     OutOfRange {
-        /// Its name.
+        /// The quantity.
         quantity: Quantity,
         /// The value given.
         value: f64,
@@ -102,25 +102,25 @@ pub enum Error {
         low: f64,
         /// The greatest allowed.
         high: f64,
-        /// Its unit.
+        /// Unit of the values.
         unit: &'static str,
     },
     /// A quantity that must be above a limit.
     #[error("{quantity} is {}; it must be above {}", with_unit(*value, unit), with_unit(*low, unit))]
     NotAbove {
-        /// Its name.
+        /// The quantity.
         quantity: Quantity,
         /// The value given.
         value: f64,
-        /// What it must exceed.
+        /// Value that it must exceed.
         low: f64,
-        /// Its unit.
+        /// Unit of both values.
         unit: &'static str,
     },
     /// A factor given that is no factor.
     #[error("factor {symbol} is given as {}; it must be finite and {}", shown(*value), if symbol.is_at_least_one() { "not below 1" } else { "above 0" })]
     GivenFactor {
-        /// Its symbol.
+        /// Symbol of the factor.
         symbol: Symbol,
         /// The value given.
         value: f64,
@@ -128,9 +128,9 @@ pub enum Error {
     /// A factor that is neither given nor can be calculated from what is given.
     #[error("factor {symbol} is not given and cannot be calculated: {because}")]
     MissingFactor {
-        /// Its symbol.
+        /// Symbol of the factor.
         symbol: Symbol,
-        /// What would be needed.
+        /// Data that the calculation needs.
         because: &'static str,
     },
     /// A tool that gives the gear no root of the standard's form.
@@ -138,13 +138,13 @@ pub enum Error {
     NoRootSection {
         /// Teeth of the gear.
         teeth: u32,
-        /// What is wrong.
+        /// Reason why there is no root section.
         because: &'static str,
     },
     /// Shares of a duty that are not the whole time.
     #[error("the shares of the duty sum to {}; they must sum to 1", with_unit(*sum, ""))]
     Shares {
-        /// Their sum.
+        /// Sum of the shares.
         sum: f64,
     },
     /// A duty without load.
@@ -153,7 +153,7 @@ pub enum Error {
     /// A search for a size over nothing.
     #[error("no {quantity} to search; at least one is needed")]
     NothingToSearch {
-        /// What is missing.
+        /// The missing quantity.
         quantity: Quantity,
     },
     /// A space of more gears than a search holds.
@@ -164,7 +164,7 @@ pub enum Error {
     SpaceTooLarge {
         /// Centre distances of all modules and numbers of planets, times face widths.
         count: f64,
-        /// How many are searched.
+        /// Largest number that is searched.
         most: u32,
     },
     /// A column of a table of bearings that is missing, unknown or named twice.
@@ -176,7 +176,7 @@ pub enum Error {
         line: usize,
         /// The column.
         column: String,
-        /// All columns.
+        /// Names of all columns.
         allowed: String,
     },
     /// A cell of a table of bearings.
@@ -186,9 +186,9 @@ pub enum Error {
         line: usize,
         /// The column.
         column: &'static str,
-        /// What stands there.
+        /// Content of the cell.
         value: String,
-        /// What is needed.
+        /// Value that is required.
         allowed: &'static str,
     },
     /// A table of bearings without bearings.
@@ -205,6 +205,8 @@ impl Error {
     pub const fn is_beyond_standard(&self) -> bool {
         match self {
             Self::NoRootSection { .. } => true,
+            // The ranges of these quantities are those of the standard's formulas. Any other range is one of
+            // the input.
             Self::OutOfRange { quantity, .. } | Self::NotAbove { quantity, .. } => matches!(
                 quantity,
                 Quantity::ContactRatio
@@ -219,8 +221,8 @@ impl Error {
         }
     }
 
-    /// Whether it ends the calculation of one flank, root or mesh and leaves the others: outside what the
-    /// standard holds for, or without a factor.
+    /// Whether the error ends the calculation of one flank, root or mesh and leaves the others: outside the
+    /// range of the standard, or without a factor.
     #[must_use]
     pub const fn is_of_part(&self) -> bool {
         self.is_beyond_standard() || matches!(self, Self::MissingFactor { .. })

@@ -25,7 +25,7 @@ impl fmt::Display for Edition {
 }
 
 epicyclic_gears::words! {
-    /// A document that a formula stands in.
+    /// A document that contains a formula.
     Document {
         Iso6336Part1 "ISO 6336-1:2006"
         Iso6336Part2 "ISO 6336-2:2006"
@@ -34,7 +34,7 @@ epicyclic_gears::words! {
     }
 }
 
-/// Where a formula stands: a document and its clause or formula.
+/// Reference of a formula: a document and its clause or formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Reference {
     /// The document.
@@ -55,7 +55,7 @@ impl fmt::Display for Reference {
     }
 }
 
-/// Where the value of a factor comes from.
+/// Origin of the value of a factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Origin {
     /// Calculated by this formula.
@@ -91,15 +91,15 @@ impl Symbol {
 /// A factor of the calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factor {
-    /// Its symbol.
+    /// Symbol of the factor.
     pub symbol: Symbol,
-    /// Its value; of `Z_E` in √(N/mm²), else without unit.
+    /// Value; of `Z_E` in √(N/mm²), else without unit.
     pub value: f64,
-    /// Where the value comes from.
+    /// Origin of the value.
     pub origin: Origin,
 }
 
-/// Which of the two gears of a mesh.
+/// One of the two gears of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The first, external gear.
@@ -109,7 +109,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Both.
+    /// Sides of a mesh, the first gear first.
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
@@ -128,13 +128,13 @@ pub struct Given {
 }
 
 impl Given {
-    /// With a factor of both gears or of the mesh.
+    /// Adds a factor of both gears or of the mesh.
     #[must_use]
     pub fn with(self, symbol: Symbol, value: f64) -> Self {
         self.with_of(Side::First, symbol, value).with_of(Side::Second, symbol, value)
     }
 
-    /// With a factor of one gear. Of a factor of the whole mesh, such as `K_v`, the first gear's counts.
+    /// Adds a factor of one gear. For a factor of the whole mesh, such as `K_v`, the first gear's counts.
     #[must_use]
     pub fn with_of(mut self, side: Side, symbol: Symbol, value: f64) -> Self {
         self.values[side as usize][symbol as usize] = Some(value);

@@ -19,9 +19,9 @@
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
 //!
 //! Method B, external and internal gears, spur and helical. Editions are named in every answer
-//! ([`factor::Edition`]); each factor tells the clause or formula it follows, or that it was given. `K_A`,
-//! `K_Hβ` and material limits are given. A factor whose formula was not available is given too, and the crate
-//! refuses to go on without it: nothing is put in its place.
+//! ([`factor::Edition`]). Each factor names the clause or formula that it follows, or that it was given.
+//! `K_A`, `K_Hβ` and material limits are given. A factor whose formula was not available is given too.
+//! Without it the crate returns an error: no other value is put in its place.
 //!
 //! Geometry comes from [`epicyclic_gears::involute`]. Left out: scuffing, micropitting, flank fracture,
 //! contact under load (`K_Hβ` from deformations), bevel gears, grinding notches.

@@ -32,7 +32,7 @@ const END: f64 = 1e10;
 pub struct Line {
     points: [(f64, f64); 4],
     count: usize,
-    /// Which of the points is the limit of endurance, factor 1.
+    /// Index of the point at the limit of endurance, factor 1.
     reference: usize,
 }
 
@@ -95,8 +95,8 @@ impl Line {
         self.points[self.reference].0
     }
 
-    /// The same line with its static point times one value, all others times another: a line of stresses. No
-    /// point is above the one before it: what holds many cycles holds few.
+    /// Line of stresses: the static point times `statically`, all others times `endurance`. No point is above
+    /// the previous one, since a stress that is endured for many cycles is endured for few.
     #[must_use]
     pub fn times(mut self, statically: f64, endurance: f64) -> Self {
         let mut most = f64::INFINITY;

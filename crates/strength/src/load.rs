@@ -6,17 +6,22 @@
 //!
 //! ```text
 //! K_Fβ = K_Hβ^N_F, N_F = 1/(1 + h/b + (h/b)²)     h the larger tooth height, h/b at most 1/3
-//! q' = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635·x_1 − 0.11654·x_1/z_n1 − 0.00193·x_2 − 0.24188·x_2/z_n2 + 0.00529·x_1² + 0.00182·x_2²
-//! c' = 0.8·C_R·C_B·cos β/q'·E/E_St                 C_B = (1 + 0.5·(1.2 − h_fP))·(1 − 0.02·(20° − α_n)); 1/z_n2 = 0 of an internal gear
+//! q' = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635·x_1 − 0.11654·x_1/z_n1 − 0.00193·x_2
+//!      − 0.24188·x_2/z_n2 + 0.00529·x_1² + 0.00182·x_2²
+//! c' = 0.8·C_R·C_B·cos β/q'·E/E_St                 1/z_n2 = 0 of an internal gear
+//! C_B = (1 + 0.5·(1.2 − h_fP))·(1 − 0.02·(20° − α_n))
 //! c_γα = c'·(0.75·ε_α + 0.25)
 //! m* = π/8·ρ·d_m⁴·(1 − q⁴)/d_b²                    d_m mean of tip and root diameter, q = d_i/d_m
-//! m_red = m*_1·m*_2/(m*_1 + m*_2)                  sun and p planets: m*_s·m*_p/(m*_s + p·m*_p); planet and held ring: m*_p
+//! m_red = m*_1·m*_2/(m*_1 + m*_2)
+//!         sun and p planets: m*_s·m*_p/(m*_s + p·m*_p); planet and held ring: m*_p
 //! n_E = 30000/(π·z_1)·√(c_γα/m_red), N = n_1/n_E
-//! B_p = c'·(f_pb − y_p)/w, B_f = c'·(f_fα − y_f)/w, B_k = |1 − c'·C_a/w|        w = F_t·K_A·K_γ/b; B_k = 1 without tip relief
+//! B_p = c'·(f_pb − y_p)/w, B_f = c'·(f_fα − y_f)/w, B_k = |1 − c'·C_a/w|, 1 without tip relief
+//! w = F_t·K_A·K_γ/b
 //! K_v = 1 + N·(C_v1·B_p + C_v2·B_f + C_v3·B_k)     N ≤ 0.85
 //!     = 1 + C_v1·B_p + C_v2·B_f + C_v4·B_k         to N = 1.15
 //!     = C_v5·B_p + C_v6·B_f + C_v7                 from N = 1.5; between, a straight line
-//! K_α = ε_γ/2·(0.9 + 0.4·q), ε_γ ≤ 2;  0.9 + 0.4·√(2·(ε_γ − 1)/ε_γ)·q        q = c_γα·(f_pb − y_α)·b/(F_t·K_A·K_γ·K_v·K_Hβ)
+//! K_α = ε_γ/2·(0.9 + 0.4·q), ε_γ ≤ 2;  0.9 + 0.4·√(2·(ε_γ − 1)/ε_γ)·q
+//! q = c_γα·(f_pb − y_α)·b/(F_t·K_A·K_γ·K_v·K_Hβ)
 //! 1 ≤ K_Hα ≤ ε_γ/(ε_α·Z_ε²),  1 ≤ K_Fα ≤ ε_γ/(0.25·ε_α + 0.75)
 //! ```
 //!
@@ -58,19 +63,19 @@ use uom::si::f64::{Length, SurfaceTension};
 /// flexible supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Floating {
-    /// Not stated; one member is assumed to float.
+    /// No statement; one member is assumed to float.
     #[default]
     Assumed,
     /// One member floats.
     Yes,
-    /// All members turn in rigid bearings.
+    /// No member floats: all members turn in rigid bearings.
     No,
 }
 
 /// Mesh load factors `K_γ` of 3, 4, 5, 6 and 7 planets with one floating member.
 const SHARING: [f64; 5] = [1.10, 1.25, 1.35, 1.44, 1.47];
 
-/// The most planets of which [`load_sharing`] knows a factor.
+/// Largest number of planets with a factor of [`load_sharing`].
 pub const MOST_SHARING: u32 = SHARING.len() as u32 + 2;
 
 /// Factor of [`SHARING`] without a floating member.
@@ -117,7 +122,7 @@ pub fn load_sharing(planets: u32, floating: Floating) -> Result<f64, Error> {
 }
 
 impl Floating {
-    /// Where the value of [`load_sharing`] comes from.
+    /// Source of the value of [`load_sharing`].
     #[must_use]
     pub(crate) const fn reference(self) -> Reference {
         Reference::new(
@@ -131,21 +136,21 @@ impl Floating {
     }
 }
 
-/// Which masses swing in a mesh.
+/// Masses that swing in a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrangement {
     /// Two gears.
     Pair,
-    /// A sun, the first gear, with so many planets.
+    /// A sun, the first gear, with its number of planets.
     SunAndPlanets(u32),
     /// A planet, the first gear, in a ring that does not swing.
     PlanetInRing,
 }
 
-/// What `K_v`, `K_Hα` and `K_Fα` follow from by method B.
+/// Data of method B for `K_v`, `K_Hα` and `K_Fα`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dynamics {
-    /// Which masses swing.
+    /// Masses that swing.
     pub arrangement: Arrangement,
     /// Base pitch deviations `f_pb` of both gears.
     pub pitch_deviations: [Length; 2],
@@ -205,7 +210,7 @@ pub(crate) struct Swinging<'a> {
     pub(crate) base_helix: f64,
 }
 
-/// `K_v`, with where its formula stands.
+/// `K_v` and the reference of its formula.
 pub(crate) struct DynamicFactor {
     pub(crate) value: f64,
     pub(crate) reference: Reference,
@@ -316,7 +321,7 @@ pub fn mesh_stiffness(pair: &Pair, face_width: Length) -> Result<SurfaceTension,
 }
 
 impl Swinging<'_> {
-    /// What running-in leaves of a deviation of the mesh, µm.
+    /// Deviation of the mesh after running-in, µm.
     fn left(&self, deviations: [Length; 2], quantity: Quantity) -> Result<f64, Error> {
         let [first, second] = deviations.map(Physical::um);
         let deviation = not_negative(quantity, first, "µm")?.max(not_negative(quantity, second, "µm")?);
@@ -484,7 +489,7 @@ struct Constants {
 }
 
 impl Constants {
-    /// Of a total contact ratio above 1.
+    /// Constants for a total contact ratio above 1.
     fn of(total: f64) -> Self {
         let v7 = if total <= 1.5 {
             0.75

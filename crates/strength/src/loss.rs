@@ -1,9 +1,9 @@
 //! Losses of a mesh by sliding of the teeth, by Ohlendorf's closed form as calculations print it.
 //!
-//! It holds where the pitch point lies between one pair in contact, `0 ≤ ε_1, ε_2 ≤ 1`. In a ring the pitch
-//! point often lies outside the path of contact, and the closed form then says too much; the integral behind
-//! it is [`sliding`](epicyclic_gears::involute::sliding), from which the losses of gearboxes are calculated.
-//! This one is for the comparison with print.
+//! The formula holds where the pitch point lies between one pair in contact, `0 ≤ ε_1, ε_2 ≤ 1`. In a ring
+//! the pitch point often lies outside the path of contact, and the closed form then gives too high a loss.
+//! The losses of gearboxes are calculated from the integral behind it,
+//! [`sliding`](epicyclic_gears::involute::sliding). The closed form is for the comparison with print.
 //!
 //! ```text
 //! P_V = P·H_V·μ_m
@@ -14,7 +14,9 @@
 //! |---|---|---|---|
 //! | `P` | `power` | rolling power of the mesh: `T·ω` relative to the carrier | W |
 //! | `μ_m` | `friction` | mean coefficient of friction, given: no formula for it could be tested | 1 |
-//! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tip of the first and of the second gear; below 0 where the pitch point lies outside the path | 1 |
+//! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tips of the first, second gear | 1 |
+//!
+//! `ε_1` or `ε_2` is below 0 where the pitch point lies outside the path of contact.
 //!
 //! # Source
 //! `H_V` after Ohlendorf. Tested against the FZG gear type C (0.1986) and the NREL reference wind gearbox

@@ -1,7 +1,7 @@
 //! Materials of gears: class, stress limits, elasticity.
 //!
-//! The class says which of the standard's life, notch, surface and size factors hold. Stress limits `σ_Hlim`,
-//! `σ_Flim` are given by whoever knows the material, or taken from the small table [`listed`].
+//! The class decides which of the standard's life, notch, surface and size factors apply. Stress limits
+//! `σ_Hlim`, `σ_Flim` are given, or taken from the small table [`listed`].
 //!
 //! | class | in ISO 6336 |
 //! |---|---|
@@ -9,7 +9,8 @@
 //! | through-hardened steel | V |
 //! | grey, nodular, black malleable cast iron | GG, GGG (perl., bai.; ferr.), GTS (perl.) |
 //! | case-hardened, induction- or flame-hardened | Eh, IF |
-//! | nitriding steel nitrided; through-hardened steel nitrided, nitrocarburized | NT (nitr.), NV (nitr.), NV (nitrocar.) |
+//! | nitriding steel, nitrided | NT (nitr.) |
+//! | through-hardened steel, nitrided or nitrocarburized | NV (nitr.), NV (nitrocar.) |
 
 use crate::checks::{positive, within};
 use crate::{Error, Quantity};
@@ -53,9 +54,9 @@ pub struct Material {
     pub root_limit: Pressure,
     /// Brinell hardness of the flank, for `Z_W` of a soft gear in mesh with a hard one.
     pub hardness: Option<f64>,
-    /// The strength that the notch factor of the class asks for: yield strength `σ_S` of St, 0.2 % proof
-    /// stress `σ_0.2` of V, GTS and GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Not
-    /// needed of other classes.
+    /// Strength that the notch factor of the class needs: yield strength `σ_S` of St, 0.2 % proof stress
+    /// `σ_0.2` of V, GTS and GGG (perl., bai.), tensile strength `σ_B` of GG and GGG (ferr.). Other classes
+    /// do not need it.
     pub strength: Option<Pressure>,
     /// Young's modulus `E`.
     pub youngs_modulus: Pressure,
@@ -104,11 +105,11 @@ impl Material {
 /// A material of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Listed {
-    /// Its designation, `18CrNiMo7-6`.
+    /// Designation, `18CrNiMo7-6`.
     pub designation: &'static str,
-    /// Its values.
+    /// Values of the material.
     pub material: Material,
-    /// Where they come from.
+    /// Source of the values.
     pub source: &'static str,
 }
 

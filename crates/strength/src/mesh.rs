@@ -12,7 +12,7 @@ use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Tor
 /// A gear of the mesh beyond its geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gear {
-    /// Its material.
+    /// Material of the gear.
     pub material: Material,
     /// Roughness `R_z` of the flank.
     pub flank_roughness: Length,
@@ -22,7 +22,7 @@ pub struct Gear {
     pub rim: Option<Length>,
     /// The shaper that cuts an internal gear.
     pub shaper: Option<Shaper>,
-    /// How its teeth are bent.
+    /// Bending of its teeth.
     pub bending: Bending,
 }
 
@@ -70,7 +70,7 @@ pub struct Load {
     pub contacts: [f64; 2],
 }
 
-/// How to calculate.
+/// Method of calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Method {
     /// Edition of the standard.

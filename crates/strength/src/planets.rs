@@ -7,16 +7,18 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `T_s` | `sun_torque` | torque on the sun, without the losses: both meshes then have the same tangential force at the reference circles | N·m |
+//! | `T_s` | `sun_torque` | torque on the sun, without the losses | N·m |
 //! | `n_s − n_H` | `sun_speed` | speed of the sun relative to the carrier | rpm |
 //! | `p` | `planets` | planets, all alike; what they do not share alike is `K_γ` | 1 |
 //! | `z_s`, `z_p` | `sun`, `planet` | teeth | 1 |
 //!
+//! Without losses both meshes have the same tangential force at the reference circles.
+//!
 //! Each flank of a planet meets once in a revolution: one with the sun, the other with the ring.
 //!
 //! # Axial forces
-//! Helical teeth also push along the axis, sun and ring on a planet against each other at both ends of a
-//! diameter: the planet tilts.
+//! Helical teeth also push along the axis. Sun and ring push on a planet in opposite directions at both ends
+//! of a diameter, so the planet tilts.
 //!
 //! ```text
 //! F_a = F_t·tan β        M = (F_a1·d_w1 + F_a2·d_w2)/2
@@ -24,10 +26,12 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | `F_a` | axial force of one mesh, of both meshes the same without losses; on the sun and on the ring `p·F_a` | N |
+//! | `F_a` | axial force of one mesh | N |
 //! | `F_t`, `β` | tangential force and helix angle at the reference cylinders | N, ° |
 //! | `d_w1`, `d_w2` | working diameters of a planet in the mesh with the sun and with the ring | m |
 //! | `M` | moment that tilts one planet, about the tangent of its orbit | N·m |
+//!
+//! Without losses `F_a` is the same in both meshes. The force on the sun and on the ring is `p·F_a`.
 
 use crate::mesh::Load;
 use crate::{Error, Quantity};
@@ -36,8 +40,8 @@ use epicyclic_gears::involute::Pair;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 
-/// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without
-/// their signs.
+/// Loads of the mesh of sun and planet, and of the mesh of planet and ring. The signs of torque and speed do
+/// not matter.
 ///
 /// # Errors
 /// [`Error::NotPositive`] without planets.
@@ -53,7 +57,8 @@ use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 /// # fn main() -> Result<(), epicyclic_strength::Error> {
 /// let speed = AngularVelocity::new::<revolution_per_minute>(1200.0);
 /// let [outer, inner] = loads(
-///     Torque::new::<newton_meter>(-300.0), speed, 3, [ToothCount::new(20)?, ToothCount::new(40)?], Time::new::<hour>(1e4),
+///     Torque::new::<newton_meter>(-300.0), speed, 3, [ToothCount::new(20)?, ToothCount::new(40)?],
+///     Time::new::<hour>(1e4),
 /// )?;
 /// assert!((outer.torque.get::<newton_meter>() - 100.0).abs() < 1e-9);
 /// assert!((inner.torque.get::<newton_meter>() - 200.0).abs() < 1e-9);
@@ -80,7 +85,7 @@ pub fn loads(
     ])
 }
 
-/// What helical teeth do to a planet along the axis.
+/// Axial load of a planet with helical teeth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxialForces {
     /// `F_a` of the meshes with sun and ring.

@@ -29,7 +29,7 @@ const fn part3(place: &'static str) -> Reference {
     part(Document::Iso6336Part3, place)
 }
 
-/// What does not depend on the load.
+/// Part of the rating of a mesh that does not depend on the load.
 pub(crate) struct Prepared<'a> {
     mesh: &'a Mesh,
     method: &'a Method,

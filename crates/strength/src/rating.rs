@@ -1,5 +1,4 @@
-//! The strength of a mesh under one load: stresses, limits, safeties, and every factor with where it comes
-//! from.
+//! Strength of a mesh under one load: stresses, limits, safeties, and every factor with its origin.
 //!
 //! ```text
 //! F_t = 2·T/d_1
@@ -13,18 +12,20 @@
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
 //! | `T` | [`Load::torque`] | torque that one mesh exchanges, on the first gear | N·m |
-//! | `n` | [`Load::speed`] | speed of the first gear relative to the carrier; the second's follows from the teeth | rpm |
+//! | `n` | [`Load::speed`] | speed of the first gear relative to the carrier | rpm |
 //! | `L` | [`Load::life`] | required life | h |
-//! | | [`Load::contacts`] | how often a flank is loaded in a revolution relative to the carrier: of a sun, as often as there are planets | 1 |
+//! | | [`Load::contacts`] | loads of a flank in a revolution relative to the carrier | 1 |
 //!
-//! Torque and speed are sizes, without sign: a mesh is calculated for one flank. Of the sun–planet meshes of
-//! `p` planets `T` is the sun's torque over `p`; of a planet–ring mesh it is the planet's share, the ring's
-//! torque over `p` times `z_p/z_r`.
+//! Torque and speed are magnitudes, without sign: a mesh is calculated for one flank. The speed of the second
+//! gear follows from the teeth. A flank of a sun is loaded as often per revolution as there are planets.
+//!
+//! In the sun–planet mesh of a set with `p` planets, `T` is the sun's torque over `p`. In a planet–ring mesh
+//! it is the planet's share: the ring's torque over `p` times `z_p/z_r`.
 //!
 //! Below the cycles of the endurance limit the limit falls from the static one in a straight line of double
-//! logarithmic scales. For static strength `Z_L`, `Z_v`, `Z_R`, `Y_RrelT` and `Y_X` are 1, so is `Z_W` where
-//! it is not given (its static formula was not available; it is above 1), and `Y_M` is that of endurance. The
-//! `Z_NT` and `Y_NT` told are then what is left of the limit over the other factors.
+//! logarithmic scales. For static strength `Z_L`, `Z_v`, `Z_R`, `Y_RrelT` and `Y_X` are 1, and `Y_M` is that
+//! of endurance. `Z_W` is 1, too, where it is not given: its static formula was not available; it is above 1.
+//! The reported `Z_NT` and `Y_NT` are then the limit divided by the other factors.
 //!
 //! # Source
 //! ISO 6336-2:2006, clause 5; ISO 6336-3:2006, clause 5; the factors as in [`contact`](crate::contact),
@@ -101,7 +102,7 @@ pub struct MeshRating {
     pub contact_factors: [Factor; 4],
     /// `σ_H0`.
     pub nominal_contact: Pressure,
-    /// Both gears.
+    /// Ratings of both gears.
     pub gears: [GearRating; 2],
 }
 
@@ -124,20 +125,20 @@ impl MeshRating {
     }
 }
 
-/// Which safety of a mesh governs.
+/// Safety that governs a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
     /// The gear.
     pub side: Side,
     /// Flank or root.
     pub place: Place,
-    /// Its safety.
+    /// Safety calculated.
     pub safety: f64,
     /// The safety required of it.
     pub required: f64,
 }
 
-/// Where a tooth fails.
+/// Place where a tooth fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
     /// The flank, by pitting.
@@ -147,7 +148,7 @@ pub enum Place {
 }
 
 impl Governing {
-    /// Whether it is enough, and with it all others of the mesh.
+    /// Whether the safety is enough, and with it all others of the mesh.
     #[must_use]
     pub fn is_enough(&self) -> bool {
         self.safety >= self.required
@@ -191,9 +192,9 @@ impl MeshRating {
 /// rating; the others are rated.
 ///
 /// # Errors
-/// [`Error::NotPositive`] and the like for a quantity that is none; [`Error::OutOfRange`] for a mesh outside
-/// what the standard holds for; [`Error::MissingFactor`] for a factor of the mesh that is neither given nor
-/// can be calculated, [`Error::GivenFactor`] for one given that is no number above 0.
+/// [`Error::NotPositive`] and the like for an invalid quantity; [`Error::OutOfRange`] for a mesh outside the
+/// range of the standard. [`Error::MissingFactor`] for a factor of the mesh that is neither given nor can be
+/// calculated, [`Error::GivenFactor`] for a given one that is not a number above 0.
 ///
 /// # Example
 /// See `examples/spur_pair.rs`, and `spec-cases/wind-gearbox` for the stage of a wind gearbox.
@@ -240,6 +241,7 @@ pub fn rate(mesh: &Mesh, load: &Load, method: &Method) -> Result<MeshRating, Err
             safety: at.stress / stress,
         })
     };
+    // A flank or root that cannot be rated must not hide the results of the others, so its error is kept.
     let gear = |side: Side| -> Result<GearRating, Error> {
         let cycles = prepared.cycles(side, speed_rpm, hours, load.contacts)?;
         Ok(GearRating {
@@ -273,7 +275,7 @@ pub struct Overload {
 pub struct OverloadRating {
     /// Edition of the standard.
     pub edition: Edition,
-    /// Both gears.
+    /// Safeties of both gears.
     pub gears: [Overload; 2],
 }
 
@@ -286,6 +288,7 @@ pub struct OverloadRating {
 pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<OverloadRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
     let force = prepared.force(positive(Quantity::Torque, torque.si(), "N·m")?);
+    // The greatest torque contains overload and dynamic load; `K_A` and `K_v` would count them twice.
     let given = method.given.with(Symbol::Application, 1.0).with(Symbol::Dynamic, 1.0);
     let factors = prepared.load_factors(force, 0.0, given, method.dynamics.as_ref())?;
     let gears = prepared.gears.each_ref().map(|own| Overload {

@@ -7,15 +7,15 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `share_i`, `T_i`, `n_i` | [`Step`] | share of the time, torque of one mesh on the first gear, its speed | 1, N·m, rpm |
+//! | `share_i`, `T_i`, `n_i` | [`Step`] | time share; torque of a mesh on gear 1; its speed | 1, N·m, rpm |
 //! | `L` | `life` | required life | h |
 //! | `N_f(σ)` | | cycles after which a stress does its whole damage, from the limit over the cycles | 1 |
 //! | `U` | [`Worn::damage`] | damage; 1 is the end of life | 1 |
 //! | `S` | [`Worn::safety`] | factor of all stresses with which the damage is 1 | 1 |
 //!
-//! Each step has its own load factors and its own `Z_v`; `K_A` is 1 where the duty contains the overloads,
-//! and is given as always. A stress above the static limit ends the life at once; one below the limit at 10¹⁰
-//! cycles does no damage. A step without torque or speed does none.
+//! Each step has its own load factors and its own `Z_v`. `K_A` is 1 where the duty contains the overloads,
+//! and is given as always. A stress above the static limit ends the life at once. A stress below the limit at
+//! 10¹⁰ cycles does no damage, nor does a step without torque or speed.
 //!
 //! # Source
 //! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
@@ -41,7 +41,7 @@ pub struct Step {
     pub speed: AngularVelocity,
 }
 
-/// What a duty does to a flank or root.
+/// Damage of a flank or root by a duty, with safety and life.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Worn {
     /// Damage `U` in the required life; ∞ where a stress is above the static limit.
@@ -66,15 +66,15 @@ pub struct GearDuty<W = Result<Worn, Error>> {
 pub struct DutyRating {
     /// Edition of the standard.
     pub edition: Edition,
-    /// Both gears.
+    /// Ratings of both gears.
     pub gears: [GearDuty; 2],
 }
 
 impl DutyRating {
-    /// Both gears with flanks and roots that all are rated.
+    /// Ratings of both gears if all flanks and roots are rated.
     ///
     /// # Errors
-    /// Why one of them is not.
+    /// The error of the first flank or root that is not rated.
     pub fn whole(self) -> Result<[GearDuty<Worn>; 2], Error> {
         let whole = |gear: GearDuty| Ok::<_, Error>(GearDuty { contact: gear.contact?, root: gear.root? });
         let [first, second] = self.gears;
@@ -254,7 +254,7 @@ mod tests {
     }
 
     proptest! {
-        /// Where all stresses stand on one straight piece, the power mean of the stresses does the same.
+        /// Damage on one straight piece of the line equals that of the power mean of the stresses.
         #[test]
         fn on_one_piece_a_power_mean_stands_for_all(
             stresses in prop::collection::vec(700.0..1200.0_f64, 1..6), each in 1e5..1e6_f64,

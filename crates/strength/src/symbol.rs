@@ -90,5 +90,5 @@ fn plain(symbol: &str) -> String {
     symbol.chars().map(letter).collect()
 }
 
-/// How many there are.
+/// Number of symbols.
 pub(crate) const SYMBOLS: usize = Symbol::MeanStress as usize + 1;

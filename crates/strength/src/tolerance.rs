@@ -1,10 +1,10 @@
-//! What counts as nothing in this crate.
+//! Tolerances of this crate: differences that count as zero.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `SAME` | the last step of an iteration, over the value | some units of rounding: Newton's method makes no smaller step |
-//! | `EDGE` | a centre distance beyond the reach of a search, over the step | the rounding of the natural centre distance and of its multiples |
-//! | `WHOLE` | what the shares of a duty lack of 1 | shares written with nine digits add up to 1 |
+//! - `SAME`: the last step of an iteration, over the value. It is some units of rounding, and Newton's method
+//!   makes no smaller step.
+//! - `EDGE`: a centre distance beyond the reach of a search, over the step. The natural centre distance and
+//!   its multiples are rounded.
+//! - `WHOLE`: difference of the shares of a duty from 1. Shares written with nine digits add up to 1.
 
 /// Newton's method has ended when its step is below this share of the value.
 pub(crate) const SAME: f64 = 1e-13;

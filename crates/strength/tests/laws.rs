@@ -137,7 +137,7 @@ proptest! {
         let nominal = rating.nominal_contact.get::<megapascal>();
         let at_pitch = pressure(first.base_diameter() / 2.0 * libm::tan(mesh.pair.working_angle_rad()));
         prop_assert!((nominal / z_epsilon / at_pitch - 1.0).abs() < 1e-9);
-        // Where contact ends at the tips this is the standard's formula.
+        // If contact ends at the tips this is the standard's formula.
         let inner = pressure(mesh.pair.contact()[1] - mesh.pair.base_pitch());
         let z_b = contact(&rating.gears[0]).single_contact.value;
         prop_assert!((z_b - (inner / at_pitch).max(1.0)).abs() < 1e-9, "{z_b} {}", inner / at_pitch);
@@ -209,7 +209,7 @@ proptest! {
         }
     }
 
-    /// The chain tells every factor: their products are the stresses and limits.
+    /// Completeness of the chain of factors: their products are the stresses and limits.
     #[test]
     fn the_chain_gives_stress_and_limit(z1 in 17..40_u32, ring in any::<bool>(), helix in 0.0..20.0_f64, hours in 0.01..1e5_f64) {
         let mesh = mesh(z1, 50, ring, helix);
@@ -441,8 +441,8 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     );
 }
 
-/// What the standard does not hold for, or a factor that is missing, leaves one flank or root without a
-/// rating and changes no other.
+/// Keeps the error of one flank or root that the standard does not cover, or that lacks a factor, and changes
+/// no other rating.
 #[test]
 fn a_part_that_cannot_be_rated_leaves_the_others() {
     let good = mesh(20, 50, false, 0.0);
@@ -497,7 +497,7 @@ fn a_part_that_cannot_be_rated_leaves_the_others() {
         }
         assert!(second.contact.is_ok() && second.root.is_ok() && peak.gears[1].root.is_ok());
         assert!(duty.gears[1].contact.is_ok() && duty.gears[1].root.is_ok());
-        // What governs is of what is rated.
+        // The governing safety is one of those that could be rated.
         let least = rating.governing(1.0, 1.0).unwrap().unwrap().safety;
         let all = rating.gears.iter().flat_map(|gear| {
             let flank = gear.contact.as_ref().ok().map(|rated| rated.safety);

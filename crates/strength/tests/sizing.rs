@@ -269,7 +269,7 @@ fn is_as_tried(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-8 * one.abs().max(1.0)
 }
 
-/// An overload of so many N·m with required safeties of flanks and roots.
+/// An overload in N·m with required safeties of flanks and roots.
 fn peak(sun_torque: f64, required_contact: f64, required_root: f64) -> SetOverload {
     SetOverload { sun_torque: Torque::new::<newton_meter>(sun_torque), required_contact, required_root }
 }
@@ -329,7 +329,7 @@ fn an_overload_asks_for_more() {
     assert!(10 < with && with < without, "{with} of {without}");
     let all = size_all(&task, usize::MAX).unwrap();
     assert!(all.left_out.overload > 0);
-    // Of one that loads no set nothing is asked.
+    // An overload that loads no set sets no requirement.
     task.overloads.truncate(1);
     let idle = size_all(&task, 1).unwrap();
     assert_eq!(idle, size_all(&hoist(), 1).unwrap());
@@ -350,7 +350,7 @@ fn shifts_that_are_held_fix_the_centre_distance() {
     let best = &found.found[0];
     assert_eq!(best.set.gears().map(InvoluteGear::shift), set.gears().map(InvoluteGear::shift));
     assert!(is_near(in_mm(best.centre_distance), in_mm(best.module) * (natural + 0.1)));
-    // 108 places for the planets: 3 and 4 stand at equal angles, 5 do not.
+    // 108 places for the planets: 3 and 4 fit at equal angles, 5 do not.
     assert_eq!((found.space, found.geometries), (9 * 4 * 48, 6));
 }
 

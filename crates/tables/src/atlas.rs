@@ -1,6 +1,7 @@
-//! The atlas: every structure of two and three sets in the classes of [`classes`], every set of engaged
-//! elements that gives it a ratio, and every ratio as a function, without a list of ratios that is wanted.
-//! Three tables:
+//! The atlas: structures of two and three sets, their gears, and their ratios as functions of `k`.
+//!
+//! It holds every structure in the classes of [`classes`] and every set of engaged elements that gives it a
+//! ratio. Every ratio is stored as a function, so no list of target ratios is needed. Three tables:
 //!
 //! | `structures` | type | holds |
 //! |---|---|---|
@@ -10,23 +11,24 @@
 //! | `engaged` | int32 | how many elements a gear engages |
 //! | `core` | boolean | whether it is in class core, too |
 //! | `automorphisms` | int32 | orders of its sets that give the same word |
-//! | `elements` | list of text | the shift elements that it may have, each with those that lock the same: `1-a=1-b` |
+//! | `elements` | list of text | its possible shift elements, each with those that lock the same: `1-a=1-b` |
 //!
 //! | `functions` | type | holds |
 //! |---|---|---|
 //! | `function` | int32 | its number, from 1 |
 //! | `formula` | text | the ratio of input speed to output speed, `(1 + k₁)/k₁` |
 //! | `k` | text | the numbers of the `k` on which it depends, `1 2` |
-//! | `numerator`, `denominator` | list of int64 | coefficients of 1, k₁, k₂, k₁·k₂, k₃, k₁·k₃, k₂·k₃, k₁·k₂·k₃ |
+//! | `numerator`, `denominator` | list of int64 | coefficients |
 //!
 //! | `gears` | type | holds |
 //! |---|---|---|
 //! | `structure` | int32 | the structure |
-//! | `engaged` | int64 | the engaged elements as bits, 1 for the first of the structure's `elements`, 2, 4, 8 … |
+//! | `engaged` | int64 | the engaged elements as bits: 1 for the first of `elements`, 2, 4, 8 … |
 //! | `names` | text | the same by name: `b 1-c` |
 //! | `function` | int32 | the ratio |
 //!
-//! Engaged elements that stop the input or the output, or leave a link loose, give no ratio and are no row.
+//! The coefficients are those of 1, k₁, k₂, k₁·k₂, k₃, k₁·k₃, k₂·k₃, k₁·k₂·k₃. Engaged elements that stop the
+//! input or the output, or leave a link loose, give no ratio and have no row.
 
 use crate::columns::{Column, write};
 use crate::error::Error;
@@ -45,16 +47,16 @@ pub struct Atlas {
     pub structures: Table,
     /// The functions.
     pub functions: Table,
-    /// Which elements give which structure which function.
+    /// The gears: engaged elements and function of each structure.
     pub gears: Table,
 }
 
 /// A table of the atlas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
-    /// As Parquet.
+    /// Table as Parquet.
     pub bytes: Vec<u8>,
-    /// How many rows.
+    /// Number of rows.
     pub rows: usize,
 }
 
@@ -73,7 +75,7 @@ pub fn classes() -> Result<[Class; 5], epicyclic_synthesis::Error> {
     ])
 }
 
-/// The atlas of some classes of at most three sets, unless `goes_on`, which is asked now and then, breaks.
+/// The atlas of some classes of at most three sets, unless `goes_on`, which is called now and then, breaks.
 ///
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::Sets`] for a class of more; [`Error::Parquet`], which memory alone can
@@ -146,6 +148,7 @@ impl Rows {
         motion.take(structure, pairs);
         let (mut kept, mut same): (Vec<usize>, Vec<Vec<Element>>) = (Vec::new(), Vec::new());
         for (place, pair) in pairs.iter().enumerate() {
+            // Elements that lock the same are listed once; each alone would repeat every gear.
             match kept.iter().position(|other| motion.tie_the_same(place, *other)) {
                 Some(element) => same[element].push(*pair),
                 None => {
@@ -181,6 +184,7 @@ impl Rows {
 
     fn function(&mut self, speeds: Speeds<u8>) -> Option<i32> {
         let Self { ratios, numbers, by_speeds, .. } = self;
+        // Many structures give the same speeds, and each ratio of speeds is reduced only once.
         *by_speeds.entry(speeds).or_insert_with(|| {
             let ratio = Ratio::of(speeds)?;
             Some(*numbers.entry(ratio).or_insert_with(|| {

@@ -42,7 +42,7 @@ impl Column {
         }
     }
 
-    /// Its line of the schema.
+    /// Line of the schema for this column.
     fn schema(&self, name: &str) -> String {
         let list = |of: &str| {
             format!("required group {name} (LIST) {{ repeated group list {{ required {of}; }} }}\n")
@@ -103,7 +103,7 @@ fn levels<T>(lists: &[Vec<T>]) -> (Vec<i16>, Vec<i16>) {
     (defined.collect(), repeated.collect())
 }
 
-/// A table with what is told of it.
+/// Writes a table with its metadata.
 pub(crate) fn write(
     name: &str,
     columns: &[(&str, Column)],
@@ -135,14 +135,14 @@ pub(crate) fn write(
     Ok(bytes)
 }
 
-/// A table that was read: its rows, and what is told of it.
+/// A table that was read: its rows and its metadata.
 pub(crate) struct Read {
     pub(crate) rows: Vec<Row>,
     told: Vec<KeyValue>,
 }
 
 impl Read {
-    /// From the bytes of a file.
+    /// Reads the bytes of a file.
     pub(crate) fn new(bytes: Vec<u8>) -> Result<Self, Error> {
         let file = SerializedFileReader::new(Bytes::from(bytes))?;
         let told = file.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
@@ -150,12 +150,12 @@ impl Read {
         Ok(Self { rows, told })
     }
 
-    /// What is told under a key.
+    /// Metadata value of a key.
     pub(crate) fn told(&self, key: &str) -> Option<&str> {
         self.told.iter().find(|told| told.key == key).and_then(|told| told.value.as_deref())
     }
 
-    /// All that is told under keys that begin so, without that beginning.
+    /// Metadata whose keys begin with `below`, without that beginning.
     pub(crate) fn told_below<'t>(&'t self, below: &'t str) -> impl Iterator<Item = (&'t str, &'t str)> {
         self.told.iter().filter_map(move |told| Some((told.key.strip_prefix(below)?, told.value.as_deref()?)))
     }

@@ -1,21 +1,21 @@
-//! What may be wrong with a table.
+//! Errors of tables.
 
 use parquet::errors::ParquetError;
 
-/// Why there is no table, or nothing to be had from one.
+/// A table that cannot be made, or from which nothing can be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// What the reader or writer of Parquet refuses.
+    /// An error of the reader or writer of Parquet.
     #[error("Parquet: {0}")]
     Parquet(#[from] ParquetError),
-    /// A table that whoever waits for it ended.
+    /// A table that the caller cancelled.
     #[error("the table was cancelled")]
     Cancelled,
     /// More sets than the atlas has.
     #[error("{sets} planet sets: the atlas has at most {most}")]
     Sets {
-        /// How many.
+        /// Number of sets.
         sets: usize,
         /// The most.
         most: usize,
@@ -37,9 +37,9 @@ pub enum Error {
     Version {
         /// The part.
         file: String,
-        /// Its version.
+        /// Version of the part.
         given: String,
-        /// The version due.
+        /// The required version.
         version: String,
     },
     /// A part of another search.
@@ -47,26 +47,26 @@ pub enum Error {
     OtherSearch {
         /// The part.
         file: String,
-        /// What differs.
+        /// The differing question or count.
         what: String,
-        /// In the part.
+        /// Value in the part.
         given: String,
-        /// In this search.
+        /// Value in this search.
         here: String,
     },
-    /// Parts of which the shares are not of one number.
+    /// Parts whose shares are of different numbers.
     #[error("{one} is of {one_of} shares, {other} of {other_of}: all parts have to be of one division")]
     Division {
         /// A part.
         one: String,
-        /// Its number of shares.
+        /// Number of shares of the first part.
         one_of: usize,
         /// Another.
         other: String,
-        /// Its number of shares.
+        /// Number of shares of the other part.
         other_of: usize,
     },
-    /// A share that is there twice.
+    /// A share that is given twice.
     #[error("{one} and {other} are both share {share}; give one of them")]
     Double {
         /// The share.
@@ -79,9 +79,9 @@ pub enum Error {
     /// Shares that are not there.
     #[error("missing: {} of {of}", missing(shares))]
     Missing {
-        /// Which.
+        /// Numbers of the missing shares.
         shares: Vec<usize>,
-        /// Of how many.
+        /// Number of all shares.
         of: usize,
     },
     /// A part in work.
@@ -100,7 +100,7 @@ pub enum Error {
 
 /// `shares 2, 3, 5`; of many the first.
 fn missing(shares: &[usize]) -> String {
-    /// So many are named.
+    /// Number of shares that are listed.
     const NAMED: usize = 20;
     let named: Vec<String> = shares.iter().take(NAMED).map(usize::to_string).collect();
     let more = match shares.len().saturating_sub(NAMED) {

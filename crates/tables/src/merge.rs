@@ -7,13 +7,15 @@ use epicyclic_synthesis::run::Answer;
 use epicyclic_synthesis::tally::Tally;
 use epicyclic_synthesis::work::Found;
 
-/// What searches of whole classes find, from parts with their files: the answer to each question of `asked`.
+/// Merges parts, each with its file, into the results of searches of whole classes: one answer for each
+/// question of `asked`.
 ///
-/// The parts may stand in any order; the answers do not depend on it, nor on the number of shares.
+/// The order of the parts and the number of shares do not change the answers.
 ///
 /// # Errors
 /// [`Error::Version`], [`Error::OtherSearch`], [`Error::Division`], [`Error::Double`], [`Error::Missing`] and
-/// [`Error::Incomplete`]: all shares have to be there, each once and complete, of one version and one question.
+/// [`Error::Incomplete`]: all shares must be present, each once and complete, of one version and one
+/// question.
 pub fn merge(parts: &[(String, Part)], version: &str, asked: &[Asked]) -> Result<Vec<Answer>, Error> {
     let Some((first, Part { share: first_share, .. })) = parts.first() else {
         return Err(Error::Missing { shares: vec![1], of: 1 });
@@ -46,10 +48,10 @@ pub fn merge(parts: &[(String, Part)], version: &str, asked: &[Asked]) -> Result
     (0..asked.len()).map(|search| together(&by_share, search)).collect()
 }
 
-/// That a part was asked the same.
+/// Checks that a part answers the same question.
 ///
 /// # Errors
-/// [`Error::OtherSearch`] with what differs.
+/// [`Error::OtherSearch`] with the difference.
 pub fn same_question(file: &str, part: &Part, asked: &[Asked]) -> Result<(), Error> {
     let other = |what: String, given: String, here: String| {
         Err(Error::OtherSearch { file: file.to_owned(), what, given, here })

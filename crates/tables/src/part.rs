@@ -1,4 +1,4 @@
-//! What a search found in a share of a class, as a table: one row for each solution.
+//! Results of a search in a share of a class, as a table: one row for each solution.
 //!
 //! | column | type | holds |
 //! |---|---|---|
@@ -9,12 +9,15 @@
 //! | `k` | list of double | ring-to-sun ratios with which all gears are within their bounds, as found |
 //! | `equal` | list of int64 | the sets, from 1, whose `k` were asked to be equal |
 //! | `formulas` | list of text | each gear's ratio |
-//! | `coefficients` | list of int64 | the same as bits, four words a gear: where a coefficient of the numerator is 1, where −1, and so of the denominator |
+//! | `coefficients` | list of int64 | formulas as bits, four words a gear |
 //! | `engaged` | list of text | the elements that each gear engages, every choice: `b 1-c or b a-c` |
 //!
-//! The file's metadata holds a checksum of the whole file (`epicyclic.checksum`), the version of the program,
-//! the share, and for each search what was asked, exactly, which structures were searched, and the counts.
-//! Work that is not complete is written alike, and gone on with from there.
+//! The four words of `coefficients` mark the coefficients that are 1 and those that are −1, first of the
+//! numerator, then of the denominator.
+//!
+//! The file's metadata holds a checksum of the whole file (`epicyclic.checksum`), the version of the program
+//! and the share. For each search it holds the exact question, the structures that were searched, and the
+//! counts. Work that is not complete has the same form, and the search is continued from there.
 
 use crate::columns::{Column, Read, write};
 use crate::error::Error;
@@ -31,14 +34,14 @@ use epicyclic_synthesis::work::{Found, Share, Work};
 use parquet::record::{Field, Row, RowAccessor as _};
 use std::ops::Range;
 
-/// What searches found in a share of their classes.
+/// Results of searches in a share of their classes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// The version of the program.
     pub version: String,
     /// The share.
     pub share: Share,
-    /// What was asked, and what is done of it.
+    /// Question of each search, and the work done.
     pub searches: Vec<(Asked, Work)>,
 }
 
@@ -58,7 +61,7 @@ impl Part {
         self.searches.iter().all(|(_, work)| work.is_complete())
     }
 
-    /// As Parquet.
+    /// Writes the part as Parquet.
     ///
     /// # Errors
     /// [`Error::Parquet`], which memory alone can cause.
@@ -91,13 +94,13 @@ impl Part {
         Ok(bytes)
     }
 
-    /// From Parquet.
+    /// Reads a part from Parquet.
     ///
     /// # Errors
-    /// [`Error::Unsealed`] and [`Error::Damaged`] for what is no part or not as it was written, before
-    /// anything of it is read; [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with
-    /// such a checksum.
+    /// [`Error::Unsealed`] and [`Error::Damaged`] for bytes that are no part or were changed, before anything
+    /// is read. [`Error::Parquet`] and [`Error::NoPart`] for a table of something else with such a checksum.
     pub fn from_parquet(bytes: Vec<u8>) -> Result<Self, Error> {
+        // The checksum comes first: a damaged table might still be read as another search.
         seal::check(&bytes)?;
         let table = Read::new(bytes)?;
         let fault = |what: &str| Error::NoPart(format!("not part of a search: no {what} in its metadata"));
@@ -179,6 +182,7 @@ fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); COLUMN
         };
         found.solution.gears.iter().flat_map(words).collect()
     };
+    // Elements that lock the same are named by the first of them.
     let engaged = |found: &Found| {
         let names: Vec<String> = found.solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         let choice = |choice: &Vec<usize>| {

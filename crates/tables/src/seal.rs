@@ -1,8 +1,8 @@
-//! The checksum of a file, in the file itself: the CRC-32 of all its bytes with zeros in the place of the
-//! checksum's digits.
+//! Checksum of a file within the file: the CRC-32 of all its bytes, with zeros in place of the checksum's
+//! digits.
 //!
-//! It stands among the metadata, as `crc32:` and eight hexadecimal digits, and is compared before anything is
-//! made of the file: so no reader meets a damaged one, wherever the damage is.
+//! The checksum is in the metadata, as `crc32:` and eight hexadecimal digits. It is compared before anything
+//! is read from the file. A damaged file is therefore never read, wherever the damage is.
 
 use crate::error::Error;
 
@@ -15,7 +15,7 @@ pub(crate) const KEY: &str = "epicyclic.checksum";
 const MARK: &[u8] = b"crc32:";
 const DIGITS: usize = 8;
 
-/// Where the digits are: behind the last mark, since the metadata stand at the end.
+/// Position of the digits: behind the last mark, since the metadata is at the end.
 fn digits(bytes: &[u8]) -> Option<std::ops::Range<usize>> {
     let mark = bytes.windows(MARK.len()).rposition(|some| some == MARK)?;
     let from = mark + MARK.len();
@@ -31,10 +31,10 @@ fn checksum(bytes: &[u8], digits: &std::ops::Range<usize>) -> String {
     format!("{:08x}", hash.finalize())
 }
 
-/// Puts the checksum in its place.
+/// Writes the checksum into its place.
 ///
 /// # Errors
-/// [`Error::NoPart`] where there is no place for it: a fault of this library.
+/// [`Error::NoPart`] if the file has no place for it: a fault of this library.
 pub(crate) fn seal(bytes: &mut [u8]) -> Result<(), Error> {
     let digits = digits(bytes).ok_or_else(|| Error::NoPart("no place for the checksum".into()))?;
     let checksum = checksum(bytes, &digits);

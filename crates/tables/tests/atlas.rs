@@ -99,7 +99,7 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
                 .ok()
                 .and_then(|gearbox| {
                     let analysis = gearbox.analyze_gear(&gearbox.gears()[0]).ok()?;
-                    // Where a link is loose, there is no row, even if input and output are tied.
+                    // A loose link gives no row, even if input and output are tied.
                     let settled = analysis.speeds().iter().all(Option::is_some);
                     analysis.ratio().filter(|_| settled)
                 })

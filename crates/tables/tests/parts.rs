@@ -51,7 +51,7 @@ fn a_part_is_read_as_it_was_written() {
     }
 }
 
-/// Their structures have stars, and ring and carrier stand exchanged in their words.
+/// Reads structures with stars, whose words have ring and carrier exchanged.
 #[test]
 fn a_part_with_double_planet_sets_is_read_as_it_was_written() {
     let around = |ratio: f64| Bounds { least: 0.99 * ratio, most: 1.01 * ratio };
@@ -78,7 +78,7 @@ fn which_k_are_equal_is_read_as_it_was_written() {
     assert_eq!(Part::from_parquet(part.to_parquet().unwrap()).unwrap(), part);
 }
 
-/// Any bit of a part, wherever it stands: an error, and no panic.
+/// Refuses a part with any one bit changed, with an error and no panic.
 #[test]
 fn no_part_with_a_changed_bit_is_read() {
     for part in [part(0, 1, false), part(1, 3, true)] {

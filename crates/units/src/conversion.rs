@@ -56,13 +56,13 @@ macro_rules! other_units {
 /// Torque::from_mm(2.5);
 /// ```
 pub trait Physical: Copy + sealed::Sealed {
-    /// What it is a quantity of.
+    /// Dimension of the quantity.
     const DIMENSION: Dimension;
 
-    /// From its value in the SI unit of the dimension.
+    /// Quantity from its value in the SI unit of the dimension.
     fn from_si(value: f64) -> Self;
 
-    /// Its value in the SI unit of the dimension.
+    /// Value in the SI unit of the dimension.
     fn si(self) -> f64;
 
     other_units! {
@@ -152,7 +152,7 @@ physical! {
     RadiantExposure in joule_per_square_meter is EnergyPerArea;
 }
 
-/// A torque per angle, of which `uom` has no quantity of its own.
+/// Torque per angle, for which `uom` has no quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TorsionalStiffness(si::Torque);
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a quantity is a quantity of.
+/// Dimension of a quantity, in the sense of this crate.
 ///
 /// Torque and energy have the same base units but are different things here: `520 N·m` is a torque, `520 J`
 /// an energy. Of temperatures there are differences only, since their units have no offsets.
@@ -103,7 +103,7 @@ impl Dimension {
         Self::EnergyPerArea,
     ];
 
-    /// Its name in a sentence: `torque`, `moment of inertia`.
+    /// Name in a sentence: `torque`, `moment of inertia`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! What may be wrong with a number or a quantity as written.
+//! Errors in the text of a number or a quantity.
 
 use super::dimension::Dimension;
 use crate::visible::one_line;
@@ -8,10 +8,10 @@ use crate::visible::one_line;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// Nothing but white space.
+    /// A text of nothing but white space.
     #[error("empty text; write a number{}", example(*expected))]
     Empty {
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
     },
     /// No number at the start.
@@ -19,7 +19,7 @@ pub enum QuantityError {
     NotANumber {
         /// The text.
         text: String,
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
     },
     /// NaN, infinity, or too large for a double.
@@ -33,7 +33,7 @@ pub enum QuantityError {
     TooLarge {
         /// The text.
         text: String,
-        /// What it is a quantity of.
+        /// The dimension of the quantity.
         dimension: Dimension,
     },
     /// `106,5 kW`.
@@ -41,9 +41,9 @@ pub enum QuantityError {
     DecimalComma {
         /// The text.
         text: String,
-        /// With a point for the comma.
+        /// The text with a point for the comma.
         corrected: String,
-        /// Without the comma, where it may also part thousands: `1,950 rpm`.
+        /// The text without the comma, where it may also separate thousands: `1,950 rpm`.
         thousands: Option<String>,
     },
     /// `1,950,000 mm`, `1 950 rpm`, `1'950 rpm`, `1_950 rpm`.
@@ -51,25 +51,25 @@ pub enum QuantityError {
     ThousandsSeparator {
         /// The text.
         text: String,
-        /// Without the separators.
+        /// The text without the separators.
         corrected: String,
     },
-    /// A bare number where a unit is due.
+    /// A bare number where a unit is required.
     #[error("{text}: no unit; write {corrected}, or another unit of {expected} ({})", expected.unit_list(), text = one_line(text), corrected = one_line(corrected))]
     MissingUnit {
         /// The text.
         text: String,
-        /// The dimension due.
+        /// The required dimension.
         expected: Dimension,
-        /// With the usual unit.
+        /// The text with the usual unit.
         corrected: String,
     },
-    /// A unit where a plain number is due.
+    /// A unit where a plain number is required.
     #[error("{text}: a plain number is due here, without a unit; write {corrected}", text = one_line(text), corrected = one_line(corrected))]
     UnexpectedUnit {
         /// The text.
         text: String,
-        /// Without the unit.
+        /// The number without the unit.
         corrected: String,
     },
     /// A unit we do not know.
@@ -79,9 +79,9 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// The dimension due, if it is known.
+        /// The required dimension, if it is known.
         expected: Option<Dimension>,
-        /// With the unit most like it, if one is like it at all.
+        /// The text with the most similar unit, if there is a similar one.
         corrected: Option<String>,
     },
     /// A unit that means different things to different engineers.
@@ -91,7 +91,7 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// What it may mean, and how to say so.
+        /// The possible units, with a spelling for each.
         choices: String,
     },
     /// A unit of another dimension.
@@ -101,9 +101,9 @@ pub enum QuantityError {
         text: String,
         /// The unit as written.
         unit: String,
-        /// What it is a unit of.
+        /// The dimension of the unit.
         found: Dimension,
-        /// The dimension due.
+        /// The required dimension.
         expected: Dimension,
     },
 }
@@ -122,8 +122,8 @@ impl QuantityError {
         }
     }
 
-    /// This error with a correction that can be read: one fault may hide another, as a decimal comma hides
-    /// the unit behind it.
+    /// Checks that the correction can be read, and corrects it once more if not: one fault may hide another,
+    /// as a decimal comma hides the unit behind it.
     pub(super) fn settled(mut self, read: impl Fn(&str) -> Option<QuantityError>) -> Self {
         let settle = |text: &mut String| {
             // Comma, unit: no text has a third fault of these kinds.

@@ -17,13 +17,13 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// What it is a quantity of.
+    /// Dimension of the quantity.
     #[must_use]
     pub const fn dimension(&self) -> Dimension {
         self.unit.dimension
     }
 
-    /// Its value in SI units.
+    /// Value in SI units.
     #[must_use]
     pub fn si(&self) -> f64 {
         self.value * self.unit.factor
@@ -49,7 +49,7 @@ pub fn parse(text: &str) -> Result<Measured, QuantityError> {
     read(text).map_err(|error| error.settled(|text| read(text).err()))
 }
 
-/// Reads a quantity of the dimension due.
+/// Reads a quantity of the required dimension.
 ///
 /// # Errors
 /// Those of [`parse`], [`QuantityError::MissingUnit`] and [`QuantityError::WrongDimension`].
@@ -64,6 +64,8 @@ fn parse_once_as(text: &str, expected: Dimension) -> Result<Measured, QuantityEr
     if measured.dimension() == expected {
         return Ok(measured);
     }
+    // A bare number has the unit `1`. The usual unit of the dimension is the most likely one that was left
+    // out.
     if measured.unit.symbol == "1" {
         let corrected = format!("{} {}", measured.number, expected.usual_unit().symbol);
         return Err(QuantityError::MissingUnit { text: text.to_owned(), expected, corrected });
@@ -83,6 +85,7 @@ fn parse_in(text: &str, expected: Option<Dimension>) -> Result<Measured, Quantit
     })?;
     let text = || text.trim().to_owned();
     let unit = if lexed.unit.is_empty() { "1" } else { lexed.unit };
+    // Refused before a unit is looked up: a wrong guess would change the value without a message.
     if let Some(choices) = unit::ambiguity(unit) {
         return Err(QuantityError::AmbiguousUnit {
             text: text(),
@@ -101,6 +104,7 @@ fn parse_in(text: &str, expected: Option<Dimension>) -> Result<Measured, Quantit
     };
     let measured = Measured { number: lexed.number.to_owned(), value: lexed.value, unit };
     let size = measured.si().abs();
+    // A decimal exponent may be in range while the value in SI units is infinite.
     if !size.is_finite() {
         return Err(QuantityError::NotFinite { text: text() });
     }

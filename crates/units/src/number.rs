@@ -35,7 +35,7 @@ impl Number {
         }
     }
 
-    /// Its value.
+    /// Value of the number.
     #[must_use]
     pub const fn get(self) -> f64 {
         self.0
@@ -145,7 +145,7 @@ fn within(value: f64, text: impl FnOnce() -> String) -> Result<f64, QuantityErro
 /// A text parted into its number and what follows.
 #[derive(Debug)]
 pub(super) struct Lexed<'a> {
-    /// As printed.
+    /// The number as printed.
     pub(super) number: &'a str,
     pub(super) value: f64,
     /// Trimmed; may be empty.
@@ -190,7 +190,7 @@ fn names_no_finite_number(unsigned: &str) -> bool {
     matches!(word.to_lowercase().as_str(), "nan" | "inf" | "infinity" | "∞")
 }
 
-/// How many bytes of digits, points and separators stand at the start.
+/// Length in bytes of the leading digits, points and separators.
 fn body_length(text: &str) -> usize {
     let mut end = 0;
     let mut after_digit = false;

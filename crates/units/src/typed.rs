@@ -1,9 +1,9 @@
 //! A `uom` quantity in a document, on a command line, in a schema.
 //!
-//! An error raised inside a `serde` visitor survives only as its text. So that a fault keeps its name and its
-//! parts, a [`Quantity`] asks its deserializer for a newtype struct with a private name; our own reader knows
-//! the name, parses the text by itself and returns the typed error. Other formats pass the string through,
-//! and lose no more than the name.
+//! An error raised inside a `serde` visitor survives only as its text. To keep the name and the parts of an
+//! error, a [`Quantity`] asks its deserializer for a newtype struct with a private name. Our own reader knows
+//! this name, parses the text itself and returns the typed error. Other formats pass the string through and
+//! lose only the name of the error.
 
 use std::{borrow::Cow, fmt, marker::PhantomData, str::FromStr};
 
@@ -89,7 +89,7 @@ impl<'de, T: Physical> de::Visitor<'de> for Visitor<T> {
 
 const TOKEN: &str = "$epicyclic::quantity::";
 
-/// The private name under which a quantity asks for its text.
+/// Private name under which a quantity requests its text.
 const fn token(dimension: Dimension) -> &'static str {
     macro_rules! tokens {
         ($($variant:ident)*) => {
@@ -105,7 +105,7 @@ const fn token(dimension: Dimension) -> &'static str {
     )
 }
 
-/// The dimension a private name stands for.
+/// Dimension that a private name denotes.
 #[must_use]
 pub fn token_dimension(name: &str) -> Option<Dimension> {
     name.strip_prefix(TOKEN)?;

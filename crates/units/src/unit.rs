@@ -11,11 +11,11 @@ use super::dimension::Dimension::{self, *};
 /// A unit of measure.
 #[derive(Debug, PartialEq)]
 pub struct Unit {
-    /// What it measures.
+    /// The dimension that it measures.
     pub dimension: Dimension,
     /// The name we write: `kg·m²`, `rpm`.
     pub symbol: &'static str,
-    /// How many SI units it is.
+    /// Value of the unit in SI units.
     pub factor: f64,
     keys: &'static [&'static str],
 }
@@ -237,7 +237,7 @@ const AMBIGUOUS: &[(&str, &str)] = &[
 ];
 
 impl Dimension {
-    /// Its units; the usual one first.
+    /// Units of the dimension; the usual one first.
     #[must_use]
     pub const fn units(self) -> &'static [Unit] {
         match self {
@@ -279,7 +279,7 @@ impl Dimension {
         &self.units()[0]
     }
 
-    /// Its unit in SI: `W` for a power, `m` for a length.
+    /// SI unit: `W` for a power, `m` for a length.
     #[must_use]
     pub fn si_unit(self) -> &'static Unit {
         // Each has one; a test holds it.
@@ -300,7 +300,7 @@ pub fn find_unit(text: &str) -> Option<&'static Unit> {
     all_units().find(|unit| unit.keys.contains(&key.as_str()))
 }
 
-/// What an ambiguous spelling may mean, if `text` is one.
+/// Possible meanings of an ambiguous spelling, if `text` is one.
 pub(super) fn ambiguity(text: &str) -> Option<&'static str> {
     let key = key(text);
     AMBIGUOUS.iter().find(|(spelling, _)| *spelling == key).map(|(_, choices)| *choices)

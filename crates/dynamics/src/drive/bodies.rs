@@ -17,7 +17,7 @@ use uom::si::f64::{Length, MassDensity, MomentOfInertia};
 /// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
 const OFF_CENTRE: f64 = 1e-4;
 
-/// What turns on the shafts beside the gear set.
+/// Inertias on the shafts outside the gear set.
 #[derive(Clone, Copy)]
 pub(super) struct Ends {
     pub(super) motor: MomentOfInertia,
@@ -95,12 +95,13 @@ fn bearing_or_solid(pin: &ShaftDesign, root: Length, warnings: &mut Vec<Warning>
             });
             Length::default()
         }
-        // That there is none has been said.
+        // The missing bearing already has a warning.
         None => Length::default(),
     }
 }
 
-/// What of a pin and its bearing does not go into a given bore; a solid gear has no hole that was chosen.
+/// Warning for a given bore that is too narrow for the pin or its bearing; a solid gear has no chosen hole
+/// and needs none.
 fn too_narrow(bore: Length, pin: &ShaftDesign) -> Option<Warning> {
     let needs = pin.used.bearing.map_or(pin.used.diameter, |bearing| bearing.outside_diameter);
     (bore > Length::default() && bore < needs).then(|| Warning::PlanetBoreTooNarrow {

@@ -9,7 +9,7 @@ use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power};
 
-/// What the gear set carries.
+/// Load of the gear set: efficiency, speeds, torques and powers.
 pub(super) struct Carried {
     pub(super) efficiency: Efficiency,
     pub(super) speeds: Speeds,
@@ -26,7 +26,8 @@ pub(super) struct Meshes {
 }
 
 impl Meshes {
-    /// From the sun to the planets' teeth, and from there through their bearings to the ring.
+    /// Efficiencies from the sun to the planets' teeth, and from there through the planet bearings to the
+    /// ring.
     pub(super) fn two(self) -> [MeshEfficiency; 2] {
         [self.sun_planet, MeshEfficiency::of_meshes(&[self.planet_bearings, self.planet_ring])]
     }

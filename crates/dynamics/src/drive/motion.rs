@@ -23,7 +23,7 @@ pub(super) struct Starting {
     pub(super) load: Torque,
 }
 
-/// Each part's share of the equivalent inertia, and the kinetic energy at a speed of the sun.
+/// Shares of the parts in the equivalent inertia, and the kinetic energy at a speed of the sun.
 pub(super) fn equivalent_inertia(
     drive: &PlanetaryDrive,
     masses: &Masses,
@@ -94,7 +94,7 @@ pub(super) fn with_losses(drive: &PlanetaryDrive, start: Starting, meshes: Meshe
     }
 }
 
-/// What stays at rest has no acceleration and no force left.
+/// Sets accelerations and force to 0 for a drive that stays at rest.
 fn settled(motion: Motion) -> Motion {
     if !matches!(motion.start, Start::InBalance | Start::Held) {
         return motion;

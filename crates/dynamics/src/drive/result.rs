@@ -1,4 +1,4 @@
-//! What a drive turns out to be.
+//! Results of the design of a drive.
 
 use super::part::Shaft;
 use super::spec::{KnownPart, KnownParts};
@@ -49,7 +49,7 @@ pub struct DriveDesign {
     pub without_losses: Motion,
     /// The start with the losses of the meshes.
     pub with_losses: Motion,
-    /// What deserves a second look.
+    /// Findings that need to be checked.
     pub warnings: Vec<Warning>,
 }
 
@@ -60,11 +60,11 @@ pub struct TeethDesign {
     pub numbers: ToothNumbers,
     /// Ratio `U = ω_1/ω_H = 1 + z_3/z_1`.
     pub ratio: f64,
-    /// The same as a fraction.
+    /// Ratio as a fraction.
     pub exact_ratio: Fraction,
     /// Relative error of the ratio.
     pub ratio_error: f64,
-    /// Where the planets sit.
+    /// Positions of the planets.
     pub spacing: PlanetSpacing,
     /// Limit of the number of planets by the clearance between them,
     /// `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each other. `None` where two already
@@ -72,17 +72,16 @@ pub struct TeethDesign {
     pub clearance_limit: Option<f64>,
     /// The most equally spaced planets that clear each other.
     pub most_planets: u32,
-    /// Gap between the tip circles of the planets that stand nearest to each other; negative where they
-    /// overlap.
+    /// Gap between the tip circles of the two planets nearest to each other; negative where they overlap.
     pub tip_gap: Length,
 }
 
 /// Efficiencies by the losses of the meshes alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Efficiency {
-    /// Of the gear set with the carrier fixed, `η_0 = η_12·η_23`.
+    /// Efficiency of the gear set with the carrier fixed, `η_0 = η_12·η_23`.
     pub basic: f64,
-    /// Of the drive, `η = (1 + k·η_0)/(1 + k)`.
+    /// Efficiency of the drive, `η = (1 + k·η_0)/(1 + k)`.
     pub overall: f64,
 }
 
@@ -102,21 +101,21 @@ pub struct Speeds {
 /// Torques at the nominal power.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Torques {
-    /// On the sun, `T_1 = N_1/ω_1`.
+    /// Torque on the sun, `T_1 = N_1/ω_1`.
     pub sun: Torque,
-    /// On all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. Passed on to the ring; it
-    /// does not reach the planet pins.
+    /// Torque on all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. It is passed on to the
+    /// ring and does not reach the planet pins.
     pub planets: Torque,
-    /// Delivered by the carrier, `T_H = T_1·U·η`.
+    /// Torque that the carrier delivers, `T_H = T_1·U·η`.
     pub carrier: Torque,
-    /// Of the housing on the ring, `T_H − T_1`.
+    /// Torque of the housing on the ring, `T_H − T_1`.
     pub ring_reaction: Torque,
 }
 
 /// Powers at the nominal speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Powers {
-    /// Into the sun, `N_1`.
+    /// Power into the sun, `N_1`.
     pub input: Power,
     /// Rolling power, relative to the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
     pub mesh: Power,
@@ -128,7 +127,7 @@ pub struct Powers {
     pub output: Power,
 }
 
-/// Sun, planets and ring, and how they stand.
+/// Sun, planets and ring with centre distance and face width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GearSetGeometry {
     /// The sun.
@@ -145,10 +144,10 @@ pub struct GearSetGeometry {
 
 /// Forces at the nominal power, mesh load factor `K_γ` = 1.
 ///
-/// They are one system: the forces of both meshes add to that of the planet bearings. They hold the friction
-/// of the teeth, which gives the planet a torque of its own: the nominal forces, with the whole torque at the
-/// pitch circle, would leave a planet out of balance by `1 − η` of a mesh, and their sum is larger than that
-/// of the planet bearings, by 1.7 % with efficiencies 0.97 and 0.98 at ratio 6.
+/// The forces are consistent: those of both meshes add to that of the planet bearings. They include the
+/// friction of the teeth, which gives the planet a torque of its own. The nominal forces apply the whole
+/// torque at the pitch circle. They would leave a planet out of balance by `1 − η` of a mesh. Their sum
+/// exceeds the force of the planet bearings, by 1.7 % with efficiencies 0.97 and 0.98 at ratio 6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
     /// Tangential force at each mesh with the sun, `(T_1 + T_2)/(N·a_w)`.
@@ -157,7 +156,7 @@ pub struct Forces {
     pub ring_mesh: Force,
     /// Nominal tangential force of a tooth of the sun, for its strength: `2·T_1/(N·d_1)`.
     pub sun_nominal: Force,
-    /// The same of the ring: `2·T_3/(N·d_3)`.
+    /// Nominal tangential force of a tooth of the ring: `2·T_3/(N·d_3)`.
     pub ring_nominal: Force,
     /// Tangential force on the bearings of each planet, from the carrier's torque: `T_H/(N·a_w)`.
     pub planet_bearing_tangential: Force,
@@ -165,7 +164,7 @@ pub struct Forces {
     pub planet_bearing_meshes: Force,
     /// The planet's centrifugal force on its bearings, outwards: `m·ω_H²·a_w`.
     pub planet_bearing_centrifugal: Force,
-    /// All together, the tangential at right angles to both radial ones.
+    /// Resultant of these forces; the tangential one is at right angles to both radial ones.
     pub planet_bearing: Force,
 }
 
@@ -190,7 +189,7 @@ pub struct ShaftDesign {
     pub needed: Length,
     /// The next standard diameter, and the smallest bearing that goes on it.
     pub standard: Choice,
-    /// What is used: what was given, or else the standard one.
+    /// Choice that is used: the given one, else the standard one.
     pub used: Choice,
     /// Torsional stress of the shaft used.
     pub stress: Pressure,
@@ -228,6 +227,8 @@ impl Masses {
     /// Warns of known masses and inertias beyond [`LIKE_SHAPE`] of these shapes: a unit, a digit or the shape
     /// is wrong.
     pub(super) fn unlike(&self, known: &KnownParts) -> Vec<Warning> {
+        // Without a shape the carrier's inertia is a given or neglected one, which is no measure for the
+        // given figures.
         let carrier = self.carrier_shape.is_some().then_some(self.carrier_inertia);
         let all = [
             (Shaft::Sun, known.sun, Some(self.sun.mass), Some(self.sun.inertia)),
@@ -249,7 +250,7 @@ impl Masses {
         unlike.collect()
     }
 
-    /// These masses, replaced where those of single parts are known.
+    /// Masses with those of the known parts replaced.
     #[must_use]
     pub(super) fn with(self, known: &KnownParts) -> Self {
         Self {
@@ -281,12 +282,12 @@ impl GearMass {
     }
 }
 
-/// All moving parts as one inertia at the sun's shaft.
+/// Equivalent inertia of all moving parts at the sun's shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EquivalentInertia {
     /// The sun, `J_1`.
     pub sun: MomentOfInertia,
-    /// What else is on its shaft.
+    /// Other inertia on the sun's shaft.
     pub motor: MomentOfInertia,
     /// The planets' masses on their orbit, `N·m·a_w²·u_H²`.
     pub planets_orbiting: MomentOfInertia,
@@ -302,7 +303,7 @@ pub struct EquivalentInertia {
     pub kinetic_energy: Energy,
 }
 
-/// How the drive moves under the starting torques.
+/// Motion of the drive under the starting torques.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
     /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses; where it is held, that of
@@ -322,7 +323,7 @@ pub struct Motion {
 /// Whether and when a drive reaches its speed from rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// After this time, both torques constant.
+    /// Time after which the drive reaches its speed, both torques constant.
     After(Time),
     /// Never: driving torque and load balance. A drive that turns forward keeps turning, one at rest stays
     /// so.

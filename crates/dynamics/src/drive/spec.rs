@@ -1,4 +1,4 @@
-//! What is wanted of a drive.
+//! Specification of a drive.
 
 use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
@@ -10,7 +10,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 
-/// A drive as it is asked for.
+/// Specification of a drive.
 ///
 /// [`DriveSpec::new`] needs five quantities; every other field has a default, stated at the field.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,9 +21,9 @@ pub struct DriveSpec {
     pub speed: AngularVelocity,
     /// Ratio of the speeds of sun and carrier, `U = ω_1/ω_H`, with the ring at rest.
     pub ratio: f64,
-    /// How far the ratio may be off, relative. Default 0.01.
+    /// Permissible relative error of the ratio. Default 0.01.
     pub ratio_tolerance: f64,
-    /// Tooth numbers. Default: sought within [`default_bounds`].
+    /// Tooth numbers. Default: searched within [`default_bounds`].
     pub teeth: TeethSpec,
     /// Efficiency of the mesh of sun and planet, `η_12`. Default 0.97, the source's.
     pub sun_planet_efficiency: MeshEfficiency,
@@ -54,25 +54,25 @@ pub struct DriveSpec {
 /// Tooth numbers, or where to seek them.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TeethSpec {
-    /// These. A set whose planets touch each other, assembles at unequal angles only or misses the ratio is
-    /// calculated nevertheless, with a [`Warning`](crate::drive::Warning).
+    /// Given tooth numbers. If the planets touch each other, assemble at unequal angles only or miss the
+    /// ratio, the drive is calculated nevertheless, with a [`Warning`](crate::drive::Warning).
     Given {
         /// The set.
         teeth: ToothNumbers,
-        /// How its planets may be placed: a set that needs unequal angles is warned of unless they are
+        /// Placement of the planets: a set that needs unequal angles causes a warning unless they are
         /// allowed.
         placement: Placement,
         /// Least gap between the tip circles of adjacent planets, in modules; a smaller one is warned of.
         tip_gap: f64,
     },
-    /// The set within the bounds whose ratio is nearest to the wanted one; of equally near ones the one
-    /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' rack is that
-    /// of the gear set, whatever they say.
+    /// The set within the bounds whose ratio is nearest to the target; of equally near ones the one with most
+    /// planets, then with the smallest ring, then with the smallest sun. The rack is always that of the gear
+    /// set, not that of the bounds.
     Within(Bounds),
 }
 
 impl TeethSpec {
-    /// This set, its planets at equal angles, tips that just clear.
+    /// Given tooth numbers, with planets at equal angles and tips that just clear.
     #[must_use]
     pub const fn given(teeth: ToothNumbers) -> Self {
         Self::Given { teeth, placement: Placement::Equal, tip_gap: 0.0 }
@@ -99,13 +99,13 @@ pub struct GearSetSpec {
 /// The hole in a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bore {
-    /// It sits on its shaft: the hole is the shaft's diameter.
+    /// The gear sits on its shaft: the hole has the shaft's diameter.
     Shaft,
-    /// Its bearing sits in it: the hole is the bearing's outside diameter.
+    /// The bearing sits in the gear: the hole has the bearing's outside diameter.
     Bearing,
-    /// The same where the bearing goes into the gear; a solid gear, with a warning, where it does not.
+    /// The bearing sits in the gear if it fits; otherwise the gear is solid, with a warning.
     BearingOrSolid,
-    /// This wide; 0 for a solid gear.
+    /// Given diameter; 0 for a solid gear.
     Given(Length),
 }
 
@@ -124,13 +124,13 @@ pub struct ShaftsSpec {
     pub carrier: ShaftSpec,
 }
 
-/// What is already decided of a shaft.
+/// Given data of a shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ShaftSpec {
-    /// Its diameter; left out, that of the given bearing, or else the next standard one that satisfies the
+    /// Diameter. Default: that of the given bearing, or else the next standard one that satisfies the
     /// formula.
     pub diameter: Option<Length>,
-    /// Its bearing; left out, the smallest of the series that goes on the shaft.
+    /// Bearing. Default: the smallest of the series that goes on the shaft.
     pub bearing: Option<&'static Bearing>,
 }
 
@@ -139,7 +139,7 @@ pub struct ShaftSpec {
 pub enum CarrierSpec {
     /// Taken as massless, with a warning.
     Neglected,
-    /// This inertia about the gearbox axis, planets not counted.
+    /// Inertia about the gearbox axis, without the planets.
     Inertia(MomentOfInertia),
     /// One arm for each planet, around a hub.
     Shape {
@@ -154,11 +154,11 @@ pub enum CarrierSpec {
 /// shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KnownParts {
-    /// Of the sun.
+    /// Known data of the sun.
     pub sun: KnownPart,
-    /// Of one planet.
+    /// Known data of one planet.
     pub planet: KnownPart,
-    /// Of the carrier without planets.
+    /// Known data of the carrier without planets.
     pub carrier: KnownPart,
 }
 
@@ -172,7 +172,7 @@ pub struct KnownPart {
 }
 
 impl DriveSpec {
-    /// A drive of which only the least is known.
+    /// Drive with the five required quantities and defaults for all others.
     #[must_use]
     pub fn new(power: Power, speed: AngularVelocity, ratio: f64, module: Length, face_width: Length) -> Self {
         let rack = BasicRack::default();
@@ -210,14 +210,15 @@ impl DriveSpec {
     }
 }
 
-/// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut gears.
+/// Default bounds for tooth numbers: [`Bounds::default`] without undercut gears.
 ///
-/// Where a flat pressure angle asks for more than 200 teeth, sun and planet have just the fewest that are not
+/// If a flat pressure angle requires more than 200 teeth, sun and planet have exactly the fewest that are not
 /// undercut.
 #[must_use]
 pub fn default_bounds(rack: BasicRack) -> Bounds {
     let usual = Bounds::default();
     let least = rack.least_teeth_without_undercut().max(1);
+    // The upper end must not lie below `least`: an empty range would be refused.
     let external = |usual: &RangeInclusive<u32>| least..=least.max(*usual.end());
     Bounds { sun: external(&usual.sun), planet: external(&usual.planet), rack, ..usual }
 }
@@ -226,7 +227,7 @@ fn usual_efficiency(eta: f64) -> MeshEfficiency {
     MeshEfficiency::new(eta).unwrap_or(MeshEfficiency::IDEAL)
 }
 
-/// What is asked of a drive, as errors name it.
+/// Quantities of a drive that errors name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
     /// Power at the sun's shaft.

@@ -26,11 +26,11 @@ pub(super) struct Geared {
     pub(super) geometry: GearSetGeometry,
 }
 
-/// The ratio asked for.
+/// Target ratio and its tolerance.
 #[derive(Clone, Copy)]
 pub(super) struct Wanted {
     pub(super) ratio: f64,
-    /// How far it may be off, relative.
+    /// Permissible relative error of the ratio.
     pub(super) tolerance: f64,
 }
 
@@ -55,7 +55,7 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
         }
         TeethSpec::Within(bounds) => {
             let bounds = Bounds { rack, ..bounds.clone() };
-            // By error, then most planets, smallest ring, smallest sun. One is held at a time.
+            // Order: error, then most planets, smallest ring, smallest sun. Only one set is held at a time.
             let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
             let mut best: Option<Near> = None;
             bounds.each_for_ratio(
@@ -118,7 +118,7 @@ fn geometry(wanted: &GearSetSpec, teeth: ToothNumbers) -> Result<GearSetGeometry
     Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
 }
 
-/// How well the tooth numbers meet their conditions.
+/// Conditions on the tooth numbers and how well they are met.
 fn conditions(
     wanted: Wanted,
     spec: &TeethSpec,

@@ -134,8 +134,9 @@ fn the_excavators_forces() {
     close(found.sun_nominal.si(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
     close(found.ring_nominal.si(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
-    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point,
-    // by η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
+    // The forces cross the line of centres at 80 mm and a little on the planet's side of the pitch point.
+    // This follows from η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 +
+    // δ/r₃)/(1 + δ/r₂).
     let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
     let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
     close(found.sun_mesh.si(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
@@ -152,7 +153,8 @@ fn the_excavators_forces() {
     close(found.planet_bearing.si(), libm::hypot(tangential, centrifugal + 25.1), 0.2);
 }
 
-/// The same set as a gearbox, its torques by the solver: one figure for each force, with losses.
+/// Compares the drive with the same set as a gearbox, its torques by the solver: one figure for each force,
+/// with losses.
 #[test]
 fn planet_bearings_of_a_drive_are_those_of_its_gearbox() {
     let spec = excavator();
@@ -363,7 +365,7 @@ fn undercut_follows_the_pressure_angle() {
     assert_eq!((at(20.0, 16), at(20.0, 17)), ((Some(17), 17), (None, 17)));
     assert_eq!((at(25.0, 10), at(25.0, 11)), ((Some(11), 11), (None, 11)));
 
-    // What was asked of the spacing holds for a given set too: 23 + 103 slots are no multiple of 4.
+    // The requirement on the spacing holds for a given set, too: 23 + 103 slots are no multiple of 4.
     let given = |placement, tip_gap| {
         let mut spec = excavator();
         spec.teeth = TeethSpec::Given { teeth: set(23, 40, 103, 4), placement, tip_gap };
@@ -505,7 +507,7 @@ prop_compose! {
     }
 }
 
-/// What goes into a planet and what does not: the default takes it as solid, a bearing asked for is refused.
+/// Fit of a bearing in a planet: the default takes the planet as solid, a required bearing is refused.
 #[test]
 fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
     let mut spec = DriveSpec::new(Power::from_si(55e3), rpm(220.0), 5.2, mm(6.0), mm(70.0));

@@ -1,4 +1,4 @@
-//! What deserves a second look in a drive that could be calculated.
+//! Warnings: findings to be checked in a drive that could be calculated.
 
 use super::part::{BoredGear, Shaft};
 
@@ -6,42 +6,42 @@ use super::part::{BoredGear, Shaft};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
-    /// A given shaft is thinner than the formula asks for.
+    /// A given shaft is thinner than the formula requires.
     ShaftTooThin {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
-        /// Its diameter, mm.
+        /// Diameter of the shaft, mm.
         diameter_mm: f64,
         /// The diameter needed, mm.
         needed_mm: f64,
-        /// Its torsional stress, MPa.
+        /// Torsional stress of the shaft, MPa.
         stress_mpa: f64,
         /// The stress allowed, MPa.
         allowable_mpa: f64,
     },
     /// A given bearing does not go on the shaft.
     BearingTooNarrow {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
         /// Designation of the bearing.
         bearing: &'static str,
-        /// Its bore, mm.
+        /// Bore of the bearing, mm.
         bore_mm: f64,
         /// The shaft's diameter, mm.
         diameter_mm: f64,
     },
     /// No bearing of the series goes on the shaft.
     NoBearing {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
-        /// Series sought in.
+        /// Series from which the bearing is taken.
         series: u16,
         /// The shaft's diameter, mm.
         diameter_mm: f64,
     },
     /// A bearing whose dimensions were not found in a catalogue.
     UnverifiedBearing {
-        /// Which shaft.
+        /// The shaft.
         shaft: Shaft,
         /// Designation of the bearing.
         bearing: &'static str,
@@ -53,9 +53,9 @@ pub enum Warning {
     },
     /// A rack undercuts the gear.
     Undercut {
-        /// Which gear.
+        /// The gear.
         gear: BoredGear,
-        /// Its teeth.
+        /// Teeth of the gear.
         teeth: u32,
         /// The fewest that are not undercut.
         at_least: u32,
@@ -69,11 +69,11 @@ pub enum Warning {
         /// The most equally spaced planets that clear each other.
         most_planets: u32,
     },
-    /// The tips of adjacent planets clear each other by less than was asked for.
+    /// The tips of adjacent planets clear each other by less than the required gap.
     TipGapBelowWanted {
         /// Gap between the tip circles, mm.
         gap_mm: f64,
-        /// The least gap wanted, mm.
+        /// The required gap, mm.
         wanted_mm: f64,
     },
     /// The planets do not assemble at equal angles, and unequal ones were not allowed.
@@ -85,9 +85,9 @@ pub enum Warning {
         /// Greatest deviation from equal spacing, degrees.
         deviation_deg: f64,
     },
-    /// The given tooth numbers miss the wanted ratio by more than its tolerance.
+    /// The given tooth numbers miss the target ratio by more than its tolerance.
     RatioDeparts {
-        /// The ratio wanted.
+        /// Target ratio.
         wanted: f64,
         /// The ratio they have.
         ratio: f64,
@@ -110,7 +110,7 @@ pub enum Warning {
     PlanetBearingTooLarge {
         /// Designation of the bearing.
         bearing: &'static str,
-        /// Its outside diameter, mm.
+        /// Outside diameter of the bearing, mm.
         outside_mm: f64,
         /// Diameter of the pin, mm.
         pin_mm: f64,
@@ -142,7 +142,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Its name, which does not change: `shaft-too-thin`.
+    /// Name, which does not change: `shaft-too-thin`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {

@@ -7,14 +7,14 @@ use std::fmt;
 /// A mesh of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetMesh {
-    /// Of sun and planets.
+    /// Mesh of sun and planets.
     SunPlanet,
-    /// Of planets and ring.
+    /// Mesh of planets and ring.
     PlanetRing,
 }
 
 impl SetMesh {
-    /// Its gears.
+    /// Gears of the mesh, the first one first.
     #[must_use]
     pub const fn gears(self) -> [SimpleGear; 2] {
         match self {
@@ -33,7 +33,7 @@ impl fmt::Display for SetMesh {
     }
 }
 
-/// How grave it is that a check does not hold.
+/// Severity of a check that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing.
@@ -44,7 +44,7 @@ pub enum Severity {
     Error,
 }
 
-/// What is checked.
+/// Rule that a check applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Rule {
@@ -59,7 +59,7 @@ pub enum Rule {
     ToolTips,
     /// Tips of shaper and ring miss each other outside their mesh: angle of the ring, rad.
     ToolTrochoidal,
-    /// They miss each other when the shaper is fed radially: angle of the shaper, rad.
+    /// Tips of shaper and ring miss each other when the shaper is fed radially: angle of the shaper, rad.
     ToolFeed,
     /// Transverse contact ratio of a mesh.
     ContactRatio,
@@ -102,7 +102,7 @@ impl Rule {
         }
     }
 
-    /// How grave a miss is.
+    /// Severity of a failed check.
     #[must_use]
     pub const fn severity(self) -> Severity {
         match self {
@@ -122,7 +122,7 @@ impl Rule {
         }
     }
 
-    /// What helps.
+    /// Remedy for a failed check, in words.
     #[must_use]
     pub const fn remedy(self) -> &'static str {
         match self {
@@ -141,7 +141,7 @@ impl Rule {
         }
     }
 
-    /// By how much a value may fall short through rounding.
+    /// Amount by which a value may fall short through rounding.
     const fn slack(self) -> f64 {
         match self {
             Self::Backlash => PRESSED,
@@ -150,7 +150,7 @@ impl Rule {
     }
 }
 
-/// What a check is of.
+/// Part of a set to which a check applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
     /// A gear.
@@ -159,18 +159,18 @@ pub enum Place {
     Mesh(SetMesh),
     /// The tips of a gear in a mesh.
     Tips(SimpleGear, SetMesh),
-    /// So many planets beside each other.
+    /// Neighbouring planets of a set, by their number.
     Planets(u32),
 }
 
 /// A check: `value` must be at least `limit`, a gap between planets more.
-///
+/// Checks of a simple set name its gears by their kind; other gear sets have places `P` of their own.
 /// Of a simple set it names its gears by their kind; others have places `P` of their own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check<P = Place> {
-    /// What is checked.
+    /// The rule.
     pub rule: Rule,
-    /// Of what.
+    /// The part checked.
     pub place: P,
     /// The value.
     pub value: f64,
@@ -179,9 +179,10 @@ pub struct Check<P = Place> {
 }
 
 impl<P> Check<P> {
-    /// Whether it holds.
+    /// Whether the check passes.
     #[must_use]
     pub fn holds(&self) -> bool {
+        // Tip circles that touch would rub, so a gap equal to the limit fails, unlike every other value.
         if self.rule == Rule::PlanetGap {
             return self.value > self.limit;
         }
@@ -215,6 +216,7 @@ impl<P: fmt::Display> fmt::Display for Check<P> {
                 "the shaper cuts away the tips of {place}, by {:.3} modules of radius of curvature, at most 0 allowed",
                 -value
             ),
+            // An infinite angle has no figure: one tip circle encloses the other, which is said in words.
             Rule::ToolTrochoidal if value.is_infinite() => {
                 write!(
                     f,

@@ -5,7 +5,7 @@ use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::{Error, Quantity};
 
-/// What a set must keep; lengths in modules.
+/// Limits for the checks of a set; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Least normal thickness of a tip: 0.2 by default, 0.4 of case-hardened teeth.
@@ -80,8 +80,8 @@ pub fn mesh_checks<P: Clone>(
         check(Rule::TipClearance, tip, clearance, limits.tip_clearance);
     }
     check(Rule::Backlash, place, pair.backlash(), 0.0);
-    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's
-    // involute ends; on a ring it ends outwards.
+    // Radius of curvature at which each tip meets its mate's flank, and at which the involute of that flank
+    // ends; on a ring it ends outwards.
     let [first, second] = pair.gears();
     let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
     let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));
@@ -90,7 +90,7 @@ pub fn mesh_checks<P: Clone>(
         (&tips[1], first, at_first, at_first - first.cut().end),
         (&tips[0], second, at_second, outwards * (at_second - second.cut().end)),
     ] {
-        // Where a hob undercuts, it has taken away more than the tips of any external mate need.
+        // A hob that undercuts has removed more than the tips of any external mate need.
         if outwards > 0.0 && mate.cut().reach < 0.0 {
             continue;
         }

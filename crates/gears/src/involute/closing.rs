@@ -1,8 +1,8 @@
-//! Which tooth numbers near `z_r = z_s + 2·z_p` make a set with profile shift.
+//! Tooth numbers near `z_r = z_s + 2·z_p` that make a set with profile shift.
 //!
-//! A set closes where, at its centre distance, some shifts leave no fault by the [`Limits`]. Every ring
-//! within the offsets is tried; none is left out beforehand. How a stretch of shifts may be missed is told at
-//! [`Family::choose`].
+//! A set closes if, at its centre distance, some profile shifts leave no fault by the [`Limits`]. Every ring
+//! within the offsets is checked; none is excluded beforehand. [`Family::choose`] explains which short ranges
+//! of shifts may be missed.
 
 use super::family::{Aim, Choice, Family, natural_centre_distance};
 use super::profile::Profiles;
@@ -11,7 +11,7 @@ use crate::mesh::coaxial_ring;
 use crate::{Error, ToothCount};
 use std::ops::RangeInclusive;
 
-/// What sets must have in common; lengths in modules.
+/// Common data of the sets to be closed; lengths in modules.
 ///
 /// ```
 /// use epicyclic_gears::ToothCount;
@@ -34,9 +34,9 @@ pub struct Closing {
     pub profiles: Profiles,
     /// The centre distance; by default the [natural one](natural_centre_distance) of each set.
     pub centre_distance: Option<f64>,
-    /// What picks the shifts.
+    /// Aim that picks the shifts.
     pub aim: Aim,
-    /// What the sets must keep.
+    /// Limits for the checks of the sets.
     pub limits: Limits,
 }
 
@@ -65,8 +65,8 @@ impl Closing {
         Family::new(teeth, self.planets, self.profiles, a)?.choose(self.aim, &self.limits)
     }
 
-    /// For each offset `z_r − z_s − 2·z_p` the ring and its set, or why it does not close; rings without
-    /// teeth are passed over.
+    /// Ring and set for each offset `z_r − z_s − 2·z_p`, or the reason why the set does not close; rings
+    /// without teeth are skipped.
     #[must_use]
     pub fn rings(
         &self,

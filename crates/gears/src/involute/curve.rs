@@ -12,9 +12,9 @@
 //! Fillets are in [`tool`](super::tool) by their kind: by a hob, a shaper or a form tool.
 //!
 //! # Undercut
-//! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the
-//! involute and crosses it further out; there the outline goes over. Otherwise both have a tangent in common
-//! where the flank of the tool ends.
+//! If the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the
+//! involute. It crosses the involute further out, where the outline continues on it. Otherwise both have a
+//! common tangent where the flank of the tool ends.
 //!
 //! Left out: chamfers, the feed of the tool.
 
@@ -32,7 +32,8 @@ use std::f64::consts::PI;
 /// use epicyclic_gears::involute::{InvoluteGear, Profile};
 /// use epicyclic_gears::{ToothCount, geometry::GearKind};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
-/// let gear = |teeth, x| InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), x);
+/// let gear =
+///     |teeth, x| InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), x);
 /// // Without shift a rack undercuts 12 teeth; with x = 0.3 it does not.
 /// assert!(ToothCurve::new(gear(12, 0.0)?)?.is_undercut());
 /// assert!(!ToothCurve::new(gear(12, 0.3)?)?.is_undercut());
@@ -258,7 +259,7 @@ mod tests {
             prop_assert!((curve.root_radius() - root).abs() < 1e-10 * root);
         }
 
-        /// The envelope by steps: no point of the tool ever stands inside the tooth that it has cut.
+        /// Envelope by steps: no point of the tool is ever inside the tooth that it has cut.
         #[test]
         fn the_shaper_never_enters_the_tooth_that_it_leaves(
             teeth in 45..110_u32, cutter in 18..30_u32, shift in -0.3..0.5_f64, radius in 0.1..0.3_f64, ring in any::<bool>(),
@@ -282,7 +283,7 @@ mod tests {
                     };
                     let height = if ring { curve.root_radius() - from_axis } else { from_axis - curve.root_radius() };
                     if height > 1e-6 && (gear.sign() * (curve.joint_radius() - from_axis)) > 0.0 {
-                        // From the middle of the space to its edge.
+                        // Angle from the middle of the space to its edge.
                         let edge = PI / gear.teeth().as_f64() - curve.half_angle(from_axis);
                         nearest = nearest.min((edge - angle) * from_axis);
                     }
@@ -334,8 +335,8 @@ mod tests {
         ((turns.1 - turns.0) * first.gear().teeth().as_f64() / TAU).max(0.0)
     }
 
-    /// The deepest that a point of one outline stands in a tooth of the other, as an arc in modules; below 0
-    /// the nearest distance.
+    /// Greatest depth of a point of one outline inside a tooth of the other, as an arc in modules; below 0 it
+    /// is the smallest distance.
     fn overlap(pair: &Pair, curves: [&ToothCurve; 2]) -> f64 {
         let [first, second] = curves;
         let [z1, z2] = curves.map(|curve| curve.gear().teeth().as_f64());

@@ -1,15 +1,17 @@
-//! What a tool leaves of a gear: its root circle, the end of its involute, and where the tips of a shaper's
-//! work are spoilt.
+//! Gear as its tool cuts it: root circle, end of the involute, and the limit beyond which a shaper spoils
+//! tips.
 //!
 //! Lengths in modules, transverse section; index 0 the cutter.
 //!
 //! ```text
 //! hob         r_f = r − h_fP* + x_E             u = r·sin α_t − (h_fP* − ρ·(1 − sin α_n) − x_E)/sin α_t
-//! shaper      inv α_w0 = inv α_t + 2·tan α_n·(x_0 + x)/(z_0 ± z)      a_0 = (z ± z_0)/(2·cos β)·cos α_t/cos α_w0        − of a ring
+//! shaper      inv α_w0 = inv α_t + 2·tan α_n·(x_0 + x)/(z_0 ± z)
+//!             a_0 = (z ± z_0)/(2·cos β)·cos α_t/cos α_w0              − of a ring
 //!             r_f = a_0 ∓ r_a0,  r_a0 = r_0 + h_aP0* + x_0            + of a ring
 //!             g_0 = ρ_a0 + √((r_a0 − ρ_a0)² − r_b0²)                  u = ±(a_0·sin α_w0 ∓ g_0)
 //! form tool   r_f = r ∓ (h_fP* ∓ x)                                   u = ∓ρ + √((r_f ± ρ)² − r_b²)
-//! form circle d_Ff = 2·√(r_b² + u²) for u ≥ 0; below, the tool undercuts, and it is where fillet and involute cross
+//! form circle d_Ff = 2·√(r_b² + u²) for u ≥ 0
+//!             below, the tool undercuts: d_Ff is where fillet and involute cross
 //! ```
 //!
 //! # Source
@@ -34,16 +36,16 @@ pub(super) struct Cut {
     pub(super) root: f64,
     /// Radius of curvature of the flank where the involute ends at the root.
     pub(super) end: f64,
-    /// The same where the flank of the tool ends; below 0 it undercuts.
+    /// Radius of curvature of the flank where the flank of the tool ends; below 0 the tool undercuts.
     pub(super) reach: f64,
     /// The shaper in mesh, where one cuts the gear.
     pub(super) shaped: Option<Shaped>,
-    /// Why the tool does not cut the gear. Root and end are then those that a shaper without room for its
-    /// corners would leave, or the root circle of the basic rack.
+    /// Reason why the tool does not cut the gear. Root and end are then those that a shaper without room for
+    /// its corners would leave, or the root circle of the basic rack.
     pub(super) fault: Option<ToolFault>,
 }
 
-/// What a shaper leaves free of the tips of its work, each 0 or more where it spoils nothing.
+/// Room that a shaper leaves for the tips of its work: each value is 0 or more where no tip is spoilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Room {
     /// Radius of curvature between the tip and where the base circle of the shaper touches the line of
@@ -59,9 +61,9 @@ pub(super) struct Room {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Shaped {
     pub(super) shaper: Shaper,
-    /// Its addendum.
+    /// Addendum of the shaper.
     pub(super) addendum: f64,
-    /// Its tip radius and base radius.
+    /// Tip radius and base radius of the shaper.
     pub(super) tip: f64,
     pub(super) base: f64,
     /// Centre distance, without sign.
@@ -110,7 +112,7 @@ impl Cut {
         cut
     }
 
-    /// How far the shaper leaves the tips of a gear of this tip radius alone; `None` of other tools.
+    /// Room that the shaper leaves for the tips of a gear with this tip radius; `None` for other tools.
     pub(super) fn room(&self, flank: &Flank, tip: f64) -> Option<Room> {
         let shaped = self.shaped?;
         let flank_room = -flank.sign() * (flank.curvature(tip) - self.tip_end()?);
@@ -145,12 +147,12 @@ impl Cut {
 }
 
 impl Shaped {
-    /// Length `g_0` along the normal of its flank from the base circle to where its corner begins.
+    /// Length `g_0` along the normal of the shaper's flank from the base circle to where its corner begins.
     fn corner(&self) -> f64 {
         self.shaper.tip_radius + curvature(self.tip - self.shaper.tip_radius, self.base)
     }
 
-    /// Why its tips have no room for their corners; `None` where they have.
+    /// Reason why the tips of the shaper have no room for their corners; `None` where they have.
     fn without_room(&self, flank: &Flank) -> Option<ToolFault> {
         let has_room = |radius: f64| {
             let from_axis = self.tip - radius;
@@ -165,7 +167,7 @@ impl Shaped {
         })
     }
 
-    /// Its corner as a curve takes it.
+    /// Corner of the shaper's tooth as the fillet curve needs it.
     pub(super) fn cutter(&self, flank: &Flank) -> Cutter {
         let length = self.corner();
         let radius = self.shaper.tip_radius;

@@ -1,10 +1,11 @@
-//! The shifts with which sun, planets and ring of given teeth share a centre distance, and the ones that an
-//! aim picks.
+//! Profile shifts with which sun, planets and ring of given teeth share a centre distance, and the choice
+//! among them by an aim.
 //!
 //! At a centre distance the sum of the shifts in each mesh is fixed, so that one of the three shifts is free:
 //!
 //! ```text
-//! x_s + x_p = S_1 = (z_s + z_p)·(inv α_w1 − inv α_t)/(2·tan α_n)      cos α_w1 = (z_s + z_p)·cos α_t/(2·a·cos β)
+//! x_s + x_p = S_1 = (z_s + z_p)·(inv α_w1 − inv α_t)/(2·tan α_n)
+//! cos α_w1 = (z_s + z_p)·cos α_t/(2·a·cos β)
 //! x_p + x_r = S_2 = (z_p + z_r)·(inv α_w2 − inv α_t)/(2·tan α_n)      z_r and a below 0 in this line
 //! x_p = S_1 − x_s,    x_r = S_2 − S_1 + x_s
 //! ```
@@ -12,26 +13,26 @@
 //! This holds whether or not `z_r = z_s + 2·z_p`.
 //!
 //! # Tips
-//! The tips of sun and planets are shortened by `k = a − a_d − S_1` for the clearance of the basic rack,
-//! which the free shift does not change. Where a tip would still reach into the fillet of a mate it is
-//! shortened further, to where the involute of the mate ends: with fillets by a rack of `h_FfP* = h_aP*` the
-//! tips of a ring without shift always would. This costs no contact.
+//! The tips of sun and planets are shortened by `k = a − a_d − S_1` for the clearance of the basic rack. The
+//! free shift does not change this value. A tip that would still reach into the fillet of a mate is shortened
+//! further, to where the involute of the mate ends. With fillets by a rack of `h_FfP* = h_aP*` this is always
+//! necessary for the tips of a ring without shift. It does not reduce the contact ratio.
 //!
 //! # Centre distance
 //! [`natural_centre_distance`] is the one at which the meshes depart least from the clearance of the basic
-//! rack: the alteration `−k` of the sun–planet mesh and the additional clearance `|a_d| − a − S_2` of the
-//! planet–ring mesh, both 0 or more and convex in `a`, have the least sum. Their derivatives are
-//! `sin α_w1/sin α_t − 1` and `sin α_w2/sin α_t − 1`, so that there
+//! rack. Two values are 0 or more and convex in `a`: the alteration `−k` of the sun–planet mesh and the
+//! additional clearance `|a_d| − a − S_2` of the planet–ring mesh. Their sum is minimized. Their derivatives
+//! are `sin α_w1/sin α_t − 1` and `sin α_w2/sin α_t − 1`, so the minimum is where
 //!
 //! ```text
 //! sin α_w1 + sin α_w2 = 2·sin α_t
 //! ```
 //!
-//! Without an offset of the ring it is `(z_s + z_p)/(2·cos β)`, with sums of 0.
+//! Without an offset of the ring it is `(z_s + z_p)/(2·cos β)`; both values are then 0.
 //!
 //! # Aims
-//! [`Aim`] picks the free shift. Where the set that it picks has a fault, the nearest one without takes its
-//! place, and [`Choice::limited_by`] says which fault stands between.
+//! [`Aim`] picks the free shift. If the set that it picks has a fault, the nearest set without faults is
+//! taken instead, and [`Choice::limited_by`] names the fault.
 //!
 //! # Source
 //! Derived from the formulas of the [module](super). The course example 21/43/108 and the stages of the NREL
@@ -51,16 +52,16 @@ use epicyclic_numerics::roots::bisected;
 use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 
-/// What picks the free shift.
+/// Aim by which the free shift is picked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Aim {
     /// The specific sliding at the roots of sun and planet in their mesh is equal; tips are shortened for
     /// clearance and fillets alone.
     #[default]
     BalancedSliding,
-    /// Tips of all gears shortened as little as clearance, tip thickness and the fillets of their mates
-    /// allow, by the sum of the three, sought from the best of 64 equal steps of the range; of shifts with
-    /// equal sums the one with balanced sliding.
+    /// Tips of all gears are shortened as little as clearance, tip thickness and the fillets of their mates
+    /// allow, by the sum of the three. The search starts at the best of 64 equal steps of the range. Among
+    /// shifts with equal sums the one with balanced sliding is taken.
     LeastTipAlteration,
 }
 
@@ -97,7 +98,7 @@ pub struct Family {
 pub struct Choice {
     /// The set, free of faults.
     pub set: PlanetSet,
-    /// What keeps the aim from being met in full; `None` where it is met.
+    /// The check that keeps the aim from being met in full; `None` where it is met.
     pub limited_by: Option<Check>,
 }
 
@@ -161,7 +162,7 @@ impl Family {
         Ok(self.cleared(sun_shift)?)
     }
 
-    /// As [`at`](Self::at), with the gear that has no teeth left.
+    /// Set by [`at`](Self::at); its error also names the gear that has no teeth left.
     fn cleared(&self, sun_shift: f64) -> Result<PlanetSet, Refused> {
         self.with_tips(sun_shift, self.clear_tips(sun_shift))
     }
@@ -177,7 +178,8 @@ impl Family {
             .map_err(|error| Refused { gear: None, error })
     }
 
-    /// Shifts of the sun with which neither sun nor planets are undercut; empty where there are none.
+    /// Shifts of the sun with which neither sun nor planets are undercut; an empty range if there are no such
+    /// shifts.
     #[must_use]
     pub fn without_undercut(&self) -> RangeInclusive<f64> {
         let [sun, planet, _] = &self.gears;
@@ -214,7 +216,8 @@ impl Family {
         self.nearest(zero(&range, &at, imbalance), &range, limits, at)
     }
 
-    /// The shifts without undercut; where there are none, the one between that undercuts both alike.
+    /// Range of shifts without undercut; if it is empty, the middle shift, which undercuts sun and planets
+    /// alike.
     pub(super) fn searched(&self) -> RangeInclusive<f64> {
         let range = self.without_undercut();
         if range.is_empty() {
@@ -332,7 +335,7 @@ impl Family {
     }
 }
 
-/// A set of which one gear has no teeth left.
+/// A set in which one gear has no teeth left.
 struct Refused {
     gear: Option<SimpleGear>,
     error: Error,
@@ -345,7 +348,7 @@ impl From<Refused> for Error {
 }
 
 impl Refused {
-    /// As a fault of the set, where teeth are pointed.
+    /// Fault of the set, if teeth are pointed.
     fn fault(self, limits: &Limits) -> Result<Check, Error> {
         match (self.gear, self.error) {
             (Some(gear), Error::ShiftOutOfRange { fault: ShiftFault::Pointed { tip_thickness }, .. }) => {
@@ -361,7 +364,7 @@ impl Refused {
     }
 }
 
-/// Where a measure that rises with the shift is 0 within a range, or the end of the range that is nearest to
+/// Shift at which a measure that rises with the shift is 0 within a range, or the end of the range nearest to
 /// it.
 fn zero(
     range: &RangeInclusive<f64>,
@@ -395,8 +398,8 @@ fn imbalance_of_sliding(set: &PlanetSet) -> f64 {
 /// The centre distance at which the meshes of a set depart least from the clearance of the basic rack
 /// ([module](self)), in modules.
 ///
-/// With `C_1 = (z_s + z_p)·cos α_t/(2·cos β)`, `C_2 = (z_r − z_p)·cos α_t/(2·cos β)`, `P = C_1² + C_2²`,
-/// `D = C_1² − C_2²`, `s = 2·sin α_t` the condition `sin α_w1 + sin α_w2 = s` has the one solution
+/// Let `C_1 = (z_s + z_p)·cos α_t/(2·cos β)`, `C_2 = (z_r − z_p)·cos α_t/(2·cos β)`, `P = C_1² + C_2²`,
+/// `D = C_1² − C_2²` and `s = 2·sin α_t`. The condition `sin α_w1 + sin α_w2 = s` then has one solution:
 ///
 /// ```text
 /// a² = (s²·P + √(s⁴·P² + s²·(4 − s²)·D²))/(s²·(4 − s²))
@@ -480,7 +483,7 @@ mod tests {
         let [thicker, other, _] = limited.set.gears();
         assert!((thicker.tip_thickness() - limits.tip_thickness).abs() < 1e-6);
         assert!(thicker.shift() < sun.shift() && other.shift() > planet.shift());
-        // With tips that may be shortened there is no need to leave the balance of sliding far.
+        // Tips that may be shortened leave no need for a large departure from balanced sliding.
         let shortened = family.choose(Aim::LeastTipAlteration, &limits).unwrap();
         assert!(shortened.set.faults(&limits).is_empty());
     }
@@ -500,7 +503,7 @@ mod tests {
                 assert!(total(&set) <= total(&least) + 1e-9, "{shift}");
             }
         }
-        // Where clearance alone shortens them it is 2·k, and the ring is as it comes.
+        // If clearance alone shortens the tips, the sum is 2·k, and the ring is unaltered.
         let loose = family.choose(Aim::LeastTipAlteration, &Limits::default()).unwrap().set;
         assert!((total(&loose) - 2.0 * family.tip_alteration()).abs() < 1e-12);
     }

@@ -1,11 +1,11 @@
-//! Why a profile shift gives no gear, and why a tool cuts none.
+//! Faults of a profile shift that gives no gear, and of a tool that cuts none.
 
 use std::fmt;
 
-/// Why a shift gives no gear.
+/// Reason why a shift gives no gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShiftFault {
-    /// It is no number.
+    /// The shift or tip alteration is not a finite number.
     NotFinite,
     /// A root or tip circle of radius 0 or less.
     NoCircle,
@@ -18,7 +18,7 @@ pub enum ShiftFault {
     },
 }
 
-/// Why a tool does not cut a gear.
+/// Reason why a tool does not cut a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolFault {
     /// A shaper with as many teeth as the ring, or more.

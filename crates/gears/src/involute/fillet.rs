@@ -4,9 +4,9 @@
 //! in rad.
 //!
 //! # By a rack
-//! The corner of the rack, of radius `ρ` about `(ξ_c, η_c)` from the middle of its tooth and from the
-//! reference line of the gear, touches the gear where its normal passes through the pitch point. With the
-//! angle `θ` of the corner, from 0 at its crest to `90° − α_n` at its flank,
+//! The corner of the rack is an arc of radius `ρ` about `(ξ_c, η_c)`: `ξ_c` from the middle of the rack's
+//! tooth, `η_c` from the reference line of the gear. It touches the gear where its normal passes through the
+//! pitch point. The angle `θ` of the corner runs from 0 at its crest to `90° − α_n` at its flank:
 //!
 //! ```text
 //! x_E = x + q/sin α_n
@@ -19,8 +19,8 @@
 //! protuberance `p_r` moves it beyond the flank of the tool, a stock `q` moves the whole tool outwards.
 //!
 //! # By a shaper
-//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute;
-//! its centre has the radius `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal
+//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute.
+//! Its centre has the radius `r_c = r_a0 − ρ_a0` and the angle `θ_c` from the middle of the tooth. A normal
 //! of the arc in the direction `δ` passes through the pitch point when the cutter has turned by `γ`:
 //!
 //! ```text
@@ -28,8 +28,8 @@
 //! sin(δ + γ) = r_c·sin(δ − θ_c)/r_w0
 //! ```
 //!
-//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is the one of the fillet. `ρ_a0`
-//! is of the transverse section.
+//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is a point of the fillet. `ρ_a0`
+//! is the radius in the transverse section.
 //!
 //! # By a form tool
 //! One arc of radius `ρ` about a point at the radius `r_f ∓ ρ` (− of a ring) that touches the root circle and
@@ -70,10 +70,13 @@ pub(super) struct Fillet {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Corner {
-    /// Centre of the corner in the normal section, `η` from the reference line of the gear, its radius, the
-    /// last angle of the curve, and the parameter where the corner ends at the flank of the tool.
+    /// Rounded corner of a rack.
+    ///
+    /// `xi`, `eta` and `radius` are its centre in the normal section (`η` from the reference line of the
+    /// gear) and its radius. `end` is the last angle of the curve, `corner` the parameter where the corner
+    /// ends at the flank of the tool.
     Rack { xi: f64, eta: f64, radius: f64, end: f64, corner: f64 },
-    /// Of a cutter.
+    /// Corner of a cutter.
     Shaper(Cutter),
     /// Radius and angle from the middle of the space of the centre of the arc, its radius, and the angle of
     /// the arc.
@@ -135,7 +138,7 @@ impl Fillet {
         let flank_angle = pitch - flank.half_angle(shift, at_flank);
         let along = end + flank.sign() * radius;
         let centre_angle = flank_angle + flank.sign() * (libm::atan(end / base) - libm::atan(along / base));
-        // From the direction of the root, as seen from the axis, towards the flank.
+        // Angle from the direction of the root, as seen from the axis, towards the flank.
         let turned = flank_angle - centre_angle;
         let (sin, cos) = libm::sincos(turned);
         let end = libm::atan2(at_flank * sin, -flank.sign() * (at_flank * cos - centre_radius));
@@ -164,7 +167,8 @@ impl Fillet {
                 let (sin, cos) = libm::sincos(centre.angle + turned);
                 let x = centre.radius * cos + radius * libm::cos(direction);
                 let y = centre.radius * sin + radius * libm::sin(direction);
-                // From the axis of the gear, beyond the pitch point or, of a ring, behind the cutter.
+                // Distance from the axis of the gear, beyond the pitch point or, of a ring, behind the
+                // cutter.
                 let across = distance - x;
                 let (from_axis, angle) = (libm::hypot(across, y), libm::atan(y / across));
                 (from_axis, flank.sign() * angle - ratio * turned)
@@ -178,12 +182,12 @@ impl Fillet {
         Point { radius, angle: PI / flank.z.abs() - from_space }
     }
 
-    /// Parameter at which the involute takes over, and whether the fillet takes a part of it away, from the
-    /// radius of curvature of the flank at which the flank of the tool ends: below 0 the tool reaches below
-    /// the tangent point of the base circle.
+    /// Parameter at which the involute takes over, and whether the fillet removes a part of the involute.
     ///
-    /// There, and with a protuberance, the fillet crosses the involute further out; otherwise both have a
-    /// tangent in common where the flank of the tool ends.
+    /// `reach` is the radius of curvature of the gear's flank where the flank of the tool ends. Below 0 the
+    /// tool reaches below the tangent point of the base circle. In this case, and with a protuberance, the
+    /// fillet crosses the involute further out. Otherwise both have a common tangent where the flank of the
+    /// tool ends.
     pub(super) fn joint(&self, reach: f64) -> (f64, bool) {
         let excess = |t: f64| {
             let point = self.at(t);

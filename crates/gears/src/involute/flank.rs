@@ -12,14 +12,14 @@ use std::f64::consts::PI;
 pub(super) struct Flank {
     /// Teeth, negative of an internal gear.
     pub(super) z: f64,
-    /// Of the transverse pressure angle the involute function, cosine and sine.
+    /// Involute function, cosine and sine of the transverse pressure angle.
     pub(super) inv_alpha_t: f64,
     pub(super) cos_alpha_t: f64,
     pub(super) sin_alpha_t: f64,
-    /// Of the normal pressure angle.
+    /// Tangent and sine of the normal pressure angle.
     pub(super) tan_alpha_n: f64,
     pub(super) sin_alpha_n: f64,
-    /// Of the helix angle.
+    /// Cosine and tangent of the helix angle.
     pub(super) cos_beta: f64,
     pub(super) tan_beta: f64,
 }
@@ -67,7 +67,7 @@ impl Flank {
     /// Half the angle of a tooth of profile shift `x` at a radius, rad.
     ///
     /// ```text
-    /// ψ(r) = ±((π + 4·x·tan α_n)/(2·z) + inv α_t − inv α_yt)        − of an internal gear, whose z is below 0
+    /// ψ(r) = ±((π + 4·x·tan α_n)/(2·z) + inv α_t − inv α_yt)        − of an internal gear, z < 0
     /// ```
     pub(super) fn half_angle(&self, shift: f64, radius: f64) -> f64 {
         let half = (PI + 4.0 * shift * self.tan_alpha_n) / (2.0 * self.z);

@@ -13,7 +13,7 @@ use epicyclic_numerics::roots::bisected;
 use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Shifts that are tried for one without undercut.
+/// Largest absolute shift in the search for one without undercut.
 const MOST_SHIFT: f64 = 2.0;
 
 /// A gear as its shift makes it; lengths in modules.
@@ -57,11 +57,11 @@ impl InvoluteGear {
         Self { kind, teeth, profile, shift, tip_alteration: 0.0, tool, flank, cut }.checked()
     }
 
-    /// A gear without shift for a search: a shaper that has no addendum of its own has the dedendum of the
-    /// rack, since a cutter that exists cuts the candidates and none is made for each of them.
+    /// A gear without shift, for a search. A shaper without an addendum of its own gets the dedendum of the
+    /// rack: the candidates are cut by an existing cutter, and none is made for each of them.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn searched(kind: GearKind, teeth: ToothCount, profile: Profile) -> Result<Self, Error> {
         profile.check()?;
         let flank = Flank::new(kind, teeth, &profile);
@@ -70,7 +70,7 @@ impl InvoluteGear {
         Self::new(kind, teeth, Profile { tool, ..profile }, 0.0)
     }
 
-    /// The same with its tips moved by `k`, below 0 shorter.
+    /// Gear with its tips moved by `k`; below 0 the teeth become shorter.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
@@ -78,7 +78,7 @@ impl InvoluteGear {
         self.altered(self.shift, tip_alteration).checked()
     }
 
-    /// The same with another profile shift.
+    /// Gear with another profile shift.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`].
@@ -86,7 +86,7 @@ impl InvoluteGear {
         self.altered(shift, self.tip_alteration).checked()
     }
 
-    /// The same cut by another tool.
+    /// Gear cut by another tool.
     ///
     /// # Errors
     /// Those of [`Tool::check`]; [`Error::ShiftOutOfRange`] where it leaves no tooth. A tool that does not
@@ -98,7 +98,7 @@ impl InvoluteGear {
         Self { profile, tool, cut, ..self }.checked()
     }
 
-    /// The same with another shift and other tips, whether or not that leaves teeth.
+    /// Gear with another shift and other tips, whether or not that leaves teeth.
     pub(super) fn altered(self, shift: f64, tip_alteration: f64) -> Self {
         let cut = if shift.to_bits() == self.shift.to_bits() {
             self.cut
@@ -144,7 +144,7 @@ impl InvoluteGear {
         self.teeth
     }
 
-    /// What its teeth have in common with those of its mates.
+    /// Profile, which the gear shares with its mates.
     #[must_use]
     pub const fn profile(&self) -> &Profile {
         &self.profile
@@ -162,13 +162,13 @@ impl InvoluteGear {
         self.tip_alteration
     }
 
-    /// What cuts it.
+    /// Tool that cuts the gear.
     #[must_use]
     pub const fn tool(&self) -> &Tool {
         &self.tool
     }
 
-    /// Why its tool does not cut it; `None` where it does.
+    /// Reason why the tool does not cut the gear; `None` where it does.
     #[must_use]
     pub const fn tool_fault(&self) -> Option<ToolFault> {
         self.cut.fault
@@ -180,8 +180,10 @@ impl InvoluteGear {
         self.cut.shaped.map(|shaped| shaped.addendum)
     }
 
-    /// Tip alteration with which the tip is no longer than to a radius of curvature of the flank, of an
-    /// internal gear no further in, nor longer than its shaper leaves it.
+    /// Tip alteration that shortens the tip to a radius of curvature of the flank, and to where the shaper
+    /// leaves it.
+    ///
+    /// The tip of an internal gear moves outwards. A shorter tip stays as it is.
     pub(super) fn shortened_to(&self, curvature: f64) -> f64 {
         let sign = self.sign();
         let bound = match self.cut.tip_end() {
@@ -290,13 +292,15 @@ impl InvoluteGear {
     /// the root form diameter `d_Ff`.
     ///
     /// ```text
-    /// hob, without undercut      d_Ff² = d_b² + (d·sin α_t − 2·(h_FfP* − x_E)/sin α_t)²,    h_FfP* = h_fP* − ρ_fP*·(1 − sin α_n)
-    /// shaper of a ring           d_Ff² = d_b² + 4·(a_0·sin α_w0 + g_0)²,    g_0 = ρ_a0* + √((r_a0 − ρ_a0*)² − r_b0²)
+    /// hob, without undercut      d_Ff² = d_b² + (d·sin α_t − 2·(h_FfP* − x_E)/sin α_t)²
+    ///                            h_FfP* = h_fP* − ρ_fP*·(1 − sin α_n)
+    /// shaper of a ring           d_Ff² = d_b² + 4·(a_0·sin α_w0 + g_0)²
+    ///                            g_0 = ρ_a0* + √((r_a0 − ρ_a0*)² − r_b0²)
     /// form tool of a ring        d_Ff² = d_b² + 4·(ρ + √((d_f/2 − ρ)² − r_b²))²
     /// ```
     ///
-    /// Of an undercut gear it is where the fillet meets the involute. Where the tool does not cut the gear it
-    /// is the root circle.
+    /// The form diameter of an undercut gear is where the fillet meets the involute. Where the tool does not
+    /// cut the gear it is that of the root circle.
     #[must_use]
     pub fn form_diameter(&self) -> f64 {
         libm::hypot(self.base_diameter(), 2.0 * self.cut.end)
@@ -339,7 +343,7 @@ impl InvoluteGear {
         }
     }
 
-    /// Span over so many teeth, of an internal gear spaces, `W_k`, along the normal.
+    /// Span `W_k` over `k` teeth along the normal, for an internal gear over `k` spaces.
     ///
     /// ```text
     /// W_k = cos α_n·(π·(k − ½) + |z|·inv α_t) ± 2·x·sin α_n         − of an internal gear
@@ -357,7 +361,7 @@ impl InvoluteGear {
     pub fn spanned_teeth(&self) -> u32 {
         let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
         let beta_b = self.profile.base_helix_rad();
-        // Half the span stands on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
+        // Half the span lies on the tangent of the base circle: W_k = 2·√(r_y² − r_b²)/cos β_b.
         let span = 2.0 * self.curvature_radius(middle) / libm::cos(beta_b);
         let alpha_n = self.profile.rack.pressure_angle.si();
         let pitches = (span - self.sign() * 2.0 * self.shift * libm::sin(alpha_n)) / libm::cos(alpha_n)
@@ -440,8 +444,8 @@ mod tests {
     use uom::si::f64::Angle;
 
     proptest! {
-        /// Along the normal from the base circle the centre of the ball is its radius beyond the flank at
-        /// `d + 2·x`, and its measure says how far the centre is from the axis.
+        /// Measured along the normal from the base circle, the centre of the ball lies its radius beyond the
+        /// flank at `d + 2·x`. The measure over balls gives the distance of the centre from the axis.
         #[test]
         fn balls_touch_the_flanks_at_the_middle_circle(
             teeth in 17..120_u32, shift in -0.3..0.6_f64, helix in 0.0..30.0_f64, is_ring: bool,

@@ -1,8 +1,8 @@
-//! Whether an internal pair turns without its teeth meeting where they must not, and whether it can be put
-//! together.
+//! Interference of an internal pair: whether it turns without tooth contact outside the mesh, and whether it
+//! can be assembled.
 //!
-//! Between an internal gear and one with few teeth less, tips meet outside the line of action. Three ways are
-//! told apart:
+//! Tips of an internal gear and of a gear with only a few teeth less meet outside the line of action. Three
+//! kinds are distinguished:
 //!
 //! - *Involute interference*: the ring's tip reaches below the base circle of the pinion, or into its fillet.
 //! - *Trochoidal interference*: the tips meet after they have left the mesh.
@@ -13,9 +13,11 @@
 //!
 //! ```text
 //! trochoidal   θ_1·z_1/z_2 + inv α_wt − inv α_a2 ≥ θ_2
-//!              cos(θ_1 − inv α_a1 + inv α_wt) = (r_a2² − r_a1² − a²)/(2·a·r_a1),  cos θ_2 = (a² + r_a2² − r_a1²)/(2·a·r_a2)
+//!              cos(θ_1 − inv α_a1 + inv α_wt) = (r_a2² − r_a1² − a²)/(2·a·r_a1)
+//!              cos θ_2 = (a² + r_a2² − r_a1²)/(2·a·r_a2)
 //! trimming     θ_1 + inv α_a1 − inv α_wt ≥ (z_2/z_1)·(θ_2 + inv α_a2 − inv α_wt)
-//!              sin²θ_1 = (1 − (cos α_a1/cos α_a2)²)/(1 − (z_1/z_2)²),  sin²θ_2 = ((cos α_a2/cos α_a1)² − 1)/((z_2/z_1)² − 1)
+//!              sin²θ_1 = (1 − (cos α_a1/cos α_a2)²)/(1 − (z_1/z_2)²)
+//!              sin²θ_2 = ((cos α_a2/cos α_a1)² − 1)/((z_2/z_1)² − 1)
 //! ```
 //!
 //! # Source
@@ -25,19 +27,20 @@ use super::function::involute;
 use super::pair::Pair;
 use super::tips::Tips;
 
-/// What an internal pair keeps free, each 0 or more where nothing meets.
+/// Clearances of an internal pair against interference; each is 0 or more where nothing meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interference {
-    /// Radius of curvature of the lowest point of the pinion's flank that the ring's tip meets, modules;
-    /// below 0 beyond the base circle, where there is no involute.
+    /// Radius of curvature of the lowest point of the pinion's flank that the ring's tip meets, modules.
+    /// Below 0 the point would be beyond the base circle, where the involute ends.
     pub base: f64,
-    /// The same, less that at which the involute of the pinion ends and its fillet begins.
+    /// Radius `base` less the radius of curvature at which the involute of the pinion ends and its fillet
+    /// begins, modules.
     pub fillet: f64,
-    /// Angle of the ring, rad, by which the tips miss each other outside the mesh; −∞ where the tip circle of
-    /// the pinion encloses that of the ring, +∞ where the tip circles do not meet.
+    /// Angle of the ring, rad, by which the tips miss each other outside the mesh. It is −∞ where the tip
+    /// circle of the pinion encloses that of the ring, +∞ where the tip circles do not meet.
     pub trochoidal: f64,
-    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially; −∞
-    /// where the ring's tips reach within its base circle, +∞ where they never meet.
+    /// Angle of the pinion, rad, by which the tips miss each other when the pinion is moved radially. It is
+    /// −∞ where the ring's tips reach within its base circle, +∞ where they never meet.
     pub trimming: f64,
 }
 
@@ -48,7 +51,7 @@ impl Interference {
         self.base >= 0.0 && self.fillet >= 0.0 && self.trochoidal >= 0.0
     }
 
-    /// Whether it can also be put together radially.
+    /// Whether the pair turns and can also be assembled radially.
     #[must_use]
     pub fn can_be_put_together_radially(&self) -> bool {
         self.is_free() && self.trimming >= 0.0
@@ -56,7 +59,7 @@ impl Interference {
 }
 
 impl Pair {
-    /// What an internal pair keeps free; `None` of an external one.
+    /// Clearances of an internal pair against interference; `None` for an external pair.
     #[must_use]
     pub fn interference(&self) -> Option<Interference> {
         if !self.is_internal() {
@@ -94,8 +97,8 @@ mod tests {
         InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), Profile::default(), shift).ok()
     }
 
-    /// How far corners of tips of one gear stand inside teeth of the other at any angle, rad of the other: by
-    /// coordinates, step by step.
+    /// Greatest depth of tip corners of one gear inside teeth of the other at any angle, rad of the other
+    /// gear: by coordinates, step by step.
     fn deepest(pair: &Pair) -> f64 {
         let [pinion, ring] = pair.gears();
         let a = pair.centre_distance();
@@ -150,7 +153,7 @@ mod tests {
             prop_assume!(pair.is_ok());
             let pair = pair.unwrap();
             let found = pair.interference().unwrap();
-            // The condition speaks of rings with involute tips; what only grazes falls between the steps.
+            // The condition holds for rings with involute tips; grazing contact falls between the steps.
             prop_assume!(second.tip_diameter() > second.base_diameter());
             prop_assume!(found.trochoidal.abs() > 2e-3 && pair.tip_clearances().iter().all(|gap| *gap > 0.0));
             // Below the base circle the pinion has no involute to be stepped through.

@@ -6,7 +6,7 @@ use std::fmt;
 /// Sets that a check leaves out of a search: how many, and one of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LeftOut {
-    /// How many.
+    /// Number of sets.
     pub count: u64,
     /// Teeth of the first, as `18/12/42`.
     pub teeth: String,
@@ -17,7 +17,7 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// One more set that a check leaves out.
+    /// Adds a set that a check leaves out.
     pub fn add<P: fmt::Display>(
         all: &mut Option<Box<Self>>,
         teeth: impl FnOnce() -> String,

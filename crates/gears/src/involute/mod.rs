@@ -2,7 +2,7 @@
 //! interference.
 //!
 //! Names and signs are those of ISO 21771. All lengths are in normal modules `m_n`; multiply by the module
-//! for millimetres. Diameters and centre distances are given as positive numbers, of internal gears too; in
+//! for millimetres. Diameters and centre distances are given as positive numbers, also for internal gears. In
 //! formulas the teeth `z` of an internal gear, its diameters, and the centre distance of its mesh are
 //! negative.
 //!
@@ -18,7 +18,7 @@
 //! | `z` | teeth, negative of an internal gear | 1 |
 //! | `α_n`, `α_t`, `α_wt` | pressure angle: normal, transverse, working transverse | rad |
 //! | `β`, `β_b` | helix angle at the reference and at the base cylinder | rad |
-//! | `x` | profile shift coefficient; above 0 it moves the tip circle outwards of an external gear, inwards of an internal one | modules |
+//! | `x` | profile shift coefficient; above 0 it moves the tips outwards, of a ring inwards | modules |
 //! | `k` | tip alteration; below 0 it shortens the tooth | modules |
 //! | `h_aP*`, `c_P*`, `ρ_fP*` | [`Profile`] | modules |
 //! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 /// Halvings of a piece at most: 2^12 chords of a fillet or flank.
 const MOST_HALVINGS: u32 = 12;
 
-/// Halvings of every piece: three points tell the deviation of a chord only where the piece bends one way.
+/// Halvings of every piece: three points show the deviation of a chord only where the piece bends one way.
 const LEAST_HALVINGS: u32 = 2;
 
 impl ToothCurve {
@@ -136,7 +136,7 @@ mod tests {
         }
     }
 
-    /// By the shoelace formula, against teeth cut into thin rings.
+    /// Compares the area by the shoelace formula with teeth cut into thin rings.
     #[test]
     fn an_outline_encloses_the_area_of_its_teeth() {
         for curve in curves() {

@@ -59,7 +59,7 @@ impl Pair {
         Self { gears, alpha_wt, sin_wt, cos_wt }
     }
 
-    /// The same mesh of gears that differ from these in their tips alone.
+    /// Mesh of gears that differ from these in their tips alone.
     pub(super) const fn with_gears(self, gears: [InvoluteGear; 2]) -> Self {
         Self { gears, ..self }
     }
@@ -150,12 +150,13 @@ impl Pair {
         self.centre_distance() * self.sin_wt
     }
 
-    /// The radius of curvature of the mate's flank where that of one gear has a radius of curvature.
+    /// Radius of curvature of the mate's flank at the contact point where the first gear's flank has this
+    /// radius of curvature.
     pub(super) fn mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius + self.tangents() } else { self.tangents() - radius }
     }
 
-    /// The same, back.
+    /// Inverse of [`mate`](Self::mate): radius of curvature of the first gear's flank.
     pub(super) fn of_mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius - self.tangents() } else { self.tangents() - radius }
     }
@@ -203,14 +204,14 @@ impl Pair {
         [diameter(&self.gears[0], from), diameter(&self.gears[1], self.mate(to))]
     }
 
-    /// Specific sliding of each gear's flank at the end of contact at its tip, and at the one at its root.
+    /// Specific sliding of each gear's flank at both ends of contact: at its tip and at its root.
     ///
     /// ```text
     /// ζ_1 = 1 − ρ_2·z_1/(ρ_1·|z_2|),    ζ_2 = 1 − ρ_1·|z_2|/(ρ_2·z_1)
     /// ```
     ///
-    /// The first of each pair is at the tip, where it is at most 1, the second at the root, below 0 as a rule
-    /// and without end at the base circle.
+    /// The first value of each gear is at the tip, where it is at most 1. The second is at the root, usually
+    /// below 0, and tends to −∞ at the base circle.
     #[must_use]
     pub fn specific_sliding(&self) -> [[f64; 2]; 2] {
         let [from, to] = self.contact();
@@ -248,8 +249,8 @@ impl Pair {
         pitch - self.gears[0].thickness_at(working[0]) - self.gears[1].thickness_at(working[1])
     }
 
-    /// The same with the tips of an internal second gear shortened to where they stay out of the fillets of
-    /// the first, and its shaper leaves them; this costs no contact. External pairs stay as they are.
+    /// Pair whose internal second gear has tips short enough to stay out of the fillets of the first gear,
+    /// and within what its shaper leaves. The contact ratio does not change. External pairs stay as they are.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth vanish.
@@ -273,7 +274,7 @@ impl Pair {
         self.centre_distance() - self.reference_centre_distance() - sum
     }
 
-    /// The same gears with other tips, at the same centre distance.
+    /// Pair of the same gears with other tips, at the same centre distance.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
@@ -416,7 +417,7 @@ mod tests {
             // Tips of a ring within its base circle never meet the line of action.
             let second_has_involute_tip = !ring || second.tip_diameter() > second.base_diameter();
             let by_tips = contact_by_coordinates(&pair);
-            // Where fillets cut contact short there is less of it.
+            // Fillets that cut contact short reduce the contact ratio.
             prop_assert!(!second_has_involute_tip || pair.transverse_contact_ratio() <= by_tips.max(0.0) + 1e-9);
             if from == tips[0] && to == tips[1] && second_has_involute_tip {
                 prop_assert!((pair.transverse_contact_ratio() - by_tips.max(0.0)).abs() < 1e-9, "{by_tips}");

@@ -1,14 +1,15 @@
-//! How the gears of a set stand in mesh: the angles at which sun, planets and ring are drawn.
+//! Angles at which the sun, the planets and the ring of a set are drawn so that they mesh.
 //!
-//! A tooth of the sun points along the first axis, where the first planet stands. Planet `j` stands at `θ_j`;
-//! a space of it faces the sun's tooth there, so that it is turned by
+//! A tooth of the sun points along the first axis, where the first planet is. Planet `j` is at the angle
+//! `θ_j`. A space of it faces the sun there, so it is turned by
 //!
 //! ```text
 //! φ_j = θ_j·(1 + z_s/z_p) + π − π/z_p
 //! ```
 //!
-//! and the ring, whose spaces take the teeth of the first planet, by `(π − π/z_p)·z_p/z_r + π/z_r`. At the
-//! assembly positions, `θ_j = 2π·p_j/(z_s + z_r)`, this fits all planets.
+//! The spaces of the ring take the teeth of the first planet. The ring is therefore turned by
+//! `(π − π/z_p)·z_p/z_r + π/z_r`. At the assembly positions, `θ_j = 2π·p_j/(z_s + z_r)`, this fits all
+//! planets.
 
 use super::curve::ToothCurve;
 use super::set::PlanetSet;
@@ -16,7 +17,7 @@ use crate::{Error, ToothCount};
 use epicyclic_units::Physical;
 use std::f64::consts::PI;
 
-/// Where a planet stands, and how it is turned.
+/// Position of a planet and its angle of rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlacedPlanet {
     /// Angle of its centre about the main axis, rad.
@@ -60,7 +61,7 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::TAU;
 
-    /// How deep points of a gear's outline stand in the teeth of another at most, as an arc.
+    /// Greatest depth of points of a gear's outline inside the teeth of another, as an arc.
     fn deepest(
         of: &ToothCurve,
         at: [f64; 2],
@@ -75,7 +76,7 @@ mod tests {
             let (sin, cos) = libm::sincos(turn);
             let (x, y) = (x * cos - y * sin + at[0] - centre[0], x * sin + y * cos + at[1] - centre[1]);
             let (radius, angle) = (libm::hypot(x, y), libm::atan2(y, x) - mates_turn);
-            // Beyond its tips there is nothing of the other.
+            // The other gear has no material beyond its tips.
             let is_within = within.gear().sign() * (within.tip_radius() - radius) > 0.0;
             let from_tooth = (angle - (angle / pitch).round() * pitch).abs();
             is_within.then(|| (within.half_angle(radius) - from_tooth) * radius)

@@ -85,7 +85,8 @@ impl DoublePlanetMesh {
     }
 }
 
-/// The meshes of double-planet sets of one rack, each looked at once: the same come with many sets.
+/// Results for the meshes of double-planet sets of one rack: each mesh is checked once, since it occurs in
+/// many sets.
 #[derive(Debug)]
 pub struct DoublePlanetMeshes<'a> {
     rack: &'a BasicRack,
@@ -142,7 +143,7 @@ fn mesh_miss<P: Copy>(
     let profile = Profile::of_rack(*rack);
     let one = InvoluteGear::searched(GearKind::External, teeth[0], profile);
     let other = InvoluteGear::searched(second, teeth[1], profile);
-    // Teeth that are pointed or none are as little to be had.
+    // Pointed teeth and missing teeth are both faults of the gear.
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) => (one, other),
         (Err(_), _) => return Ok(Some(no_teeth(places.gears[0]))),

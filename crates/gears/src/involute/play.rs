@@ -1,19 +1,18 @@
-//! Backlash that tooth-thickness allowances and the tolerance of the centre distance leave, of a mesh and at
-//! the output of a set, and the torsional stiffness there.
+//! Backlash from tooth-thickness allowances and the centre-distance tolerance, and torsional stiffness.
 //!
-//! A gear whose teeth are thinner by `E_sn` is one that was generated with the smaller shift `x_E`, its tips
-//! where they were:
+//! Both are calculated for a mesh and for the output of a set. A gear whose teeth are thinner by `E_sn`
+//! equals one that was generated with the smaller shift `x_E` and kept its tips:
 //!
 //! ```text
 //! x_E  = x + E_sn/(2·tan α_n)                                   E_sn below 0: thinner
 //! j_wt = p_wt − s_w1 − s_w2                                     at the working circles
-//! j_bn = j_wt·cos α_wt·cos β_b                                  with allowances it grows by −(E_sn1 + E_sn2)·cos α_n
+//! j_bn = j_wt·cos α_wt·cos β_b                                  grows by −(E_sn1 + E_sn2)·cos α_n
 //! φ_1  = j_wt/r_w1                                              rotation of gear 1, its mate at rest
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | `E_sns`, `E_sni` | upper and lower allowance of the normal tooth thickness at the reference circle | modules |
+//! | `E_sns`, `E_sni` | upper, lower allowance of the normal tooth thickness, reference circle | modules |
 //! | `A_as`, `A_ai` | upper and lower deviation of the centre distance | modules |
 //! | `j_wt`, `j_bn` | circumferential backlash at the working circles, normal backlash | modules |
 //! | `φ` | angle of rotation that the backlash allows | rad |
@@ -27,14 +26,14 @@
 //! ```
 //!
 //! With the two other members held, the output turns by `φ = (j_bt1 + j_bt2)/r` and has the stiffness
-//! `T/φ = r²·N/(1/k_1 + 1/k_2)` with the lever `r = r_bs` of the sun, `r_br` of the ring, `r_bs + r_br` of
+//! `T/φ = r²·N/(1/k_1 + 1/k_2)`. The lever `r` is `r_bs` at the sun, `r_br` at the ring and `r_bs + r_br` at
 //! the carrier; `j_bt = j_wt·cos α_wt`, `k = c_γ·b`. Which of the other members is the input does not matter.
 //!
 //! Left out: play and deflection of bearings, pins, shafts and carrier, unequal planets; `c_γ` is given.
 //!
 //! # Gears in a train
-//! By virtual work a set on whose member the torque is `τ` times that at the output of the whole adds `|τ|·φ`
-//! to the play there and `τ²/k` to the compliance: [`at_output`].
+//! Let the torque on a member of a set be `τ` times that at the output of the whole train. By virtual work
+//! the set then adds `|τ|·φ` to the play at the output and `τ²/k` to the compliance: [`at_output`].
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; derived from the involute.
@@ -241,9 +240,10 @@ impl PlanetSet {
 pub struct Part {
     /// Torque `τ` on one of its members over that at the output, either sign.
     pub torque_share: f64,
-    /// What [`PlanetSet::torsional_stiffness`] gives for that member; `None` where it is not known.
+    /// Torsional stiffness by [`PlanetSet::torsional_stiffness`] for that member; `None` where it is not
+    /// known.
     pub stiffness: Option<Torque>,
-    /// What [`PlanetSet::backlash_at`] gives for it.
+    /// Backlash by [`PlanetSet::backlash_at`] for that member.
     pub backlash: Extent,
 }
 
@@ -254,8 +254,8 @@ pub struct Part {
 /// 1/k = Σ τ_j²/k_j        φ = Σ |τ_j|·φ_j
 /// ```
 ///
-/// The shares follow from the torques of that gear; a set without torque adds nothing. Without a set that has
-/// torque the stiffness is infinite, and where one of them has none that is known, there is none.
+/// The shares follow from the torques of that gear; a set without torque adds nothing. The stiffness is
+/// infinite if no set has torque, and `None` if a set with torque has no known stiffness.
 ///
 /// # Errors
 /// [`Error::NotPositive`] for a stiffness of 0 or less.

@@ -1,5 +1,4 @@
-//! What fixes the teeth of a gear beside their number and profile shift: its basic rack, its helix, and what
-//! cuts it.
+//! Data of a gear's teeth besides their number and profile shift: basic rack, helix angle and tool.
 
 use super::tool::Tool;
 use crate::checks::not_negative;
@@ -33,7 +32,7 @@ pub struct Profile {
     pub stock: f64,
     /// Helix angle `β`, without its hand.
     pub helix_angle: Angle,
-    /// What cuts the gear; by default the [usual tool](Tool::usual) of its kind.
+    /// Tool that cuts the gear; by default the [usual tool](Tool::usual) of its kind.
     pub tool: Option<Tool>,
 }
 
@@ -67,7 +66,7 @@ impl Default for Profiles {
 }
 
 impl Profiles {
-    /// What all three have in common: the sun's.
+    /// Profile whose pressure and helix angle all three gears share: the sun's.
     #[must_use]
     pub const fn shared(&self) -> &Profile {
         &self.0[0]
@@ -87,7 +86,7 @@ impl Profiles {
     }
 }
 
-/// How a gear departs from the basic rack and the usual tool of its set; lengths in modules.
+/// Deviations of a gear from the basic rack and the usual tool of its set; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cutting {
     /// Dedendum `h_fP*` of its basic rack.
@@ -98,7 +97,7 @@ pub struct Cutting {
     pub protuberance: f64,
     /// Stock `q*` that its hob leaves.
     pub stock: f64,
-    /// What cuts it.
+    /// Tool that cuts the gear.
     pub tool: Option<Tool>,
 }
 
@@ -123,7 +122,7 @@ impl Cutting {
 }
 
 impl Profiles {
-    /// Those of a set whose gears are cut so.
+    /// Profiles of a set whose gears are cut as `cutting` says.
     #[must_use]
     pub fn cut(profile: Profile, cutting: [Cutting; 3]) -> Self {
         Self(cutting.map(|cutting| cutting.of(profile)))
@@ -254,5 +253,5 @@ impl Profile {
 /// Helix angles of cylindrical gears stay below.
 const MOST_HELIX_DEG: f64 = 60.0;
 
-/// What the printed fillets of racks are rounded by.
+/// Rounding of the printed fillet radii of racks.
 const ROUNDED_FILLET: f64 = 0.01;

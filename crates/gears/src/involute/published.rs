@@ -26,7 +26,7 @@ fn is(value: f64, printed: &str) {
     is_but_for(value, 0.0, printed);
 }
 
-/// The same, where the rounding of printed inputs moves the value by so much.
+/// Whether a value rounds to the printed one, given that rounded inputs may move it by `inputs`.
 fn is_but_for(value: f64, inputs: f64, printed: &str) {
     let digits = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let unit = 10_f64.powi(-i32::try_from(digits).unwrap());

@@ -1,9 +1,9 @@
 //! Tooth numbers with profile shift: *every* simple set within bounds whose ring departs from `z_s + 2·z_p`
 //! by an offset, of a ratio or of any.
 //!
-//! Sun, planet, offset and number of planets are gone through, and each set whose ratio is near is
-//! [closed](super::closing). Nothing is left out beforehand but by ratio, bounds and assembly; what
-//! [`Family::choose`](super::family::Family::choose) may miss is told there.
+//! The search runs over sun, planet, offset and number of planets, and each set whose ratio is near is
+//! [closed](super::closing). Sets are excluded beforehand only by ratio, bounds and assembly.
+//! [`Family::choose`](super::family::Family::choose) explains what it may miss.
 //!
 //! [`ShiftedSearch::first_for_ratio`] ranks the sets of one ratio; [`ShiftedSearch::of_sun`] gives all of a
 //! sun to searches that combine sets.
@@ -23,14 +23,14 @@ use std::ops::{ControlFlow, RangeInclusive};
 /// The largest offset that is tried, either way: beyond some few teeth no shifts close a set.
 pub const MOST_OFFSET: i32 = 9;
 
-/// By how much rings may depart from equal centre distances without shift, and how such sets are closed, each
-/// at its [natural centre distance](super::family::natural_centre_distance).
+/// Offsets of rings from equal centre distances without shift, and the way in which such sets are closed,
+/// each at its [natural centre distance](super::family::natural_centre_distance).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileShift {
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// How the sets are closed; their number of planets is that of each set, and their centre distance the
-    /// natural one.
+    /// Data with which the sets are closed; their number of planets is that of each set, and their centre
+    /// distance the natural one.
     pub closing: Closing,
 }
 
@@ -67,7 +67,7 @@ impl ProfileShift {
     }
 }
 
-/// What is sought.
+/// Search for sets with profile shift: bounds, offsets of the ring, and how sets are closed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftedSearch {
     /// Ranges of teeth, planets and `k`, and how the planets may be placed. Its rack and tip gap are those of
@@ -75,22 +75,22 @@ pub struct ShiftedSearch {
     pub bounds: Bounds,
     /// Offsets `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// How the sets are closed; the number of planets is that of the bounds.
+    /// Data with which the sets are closed; the number of planets is that of the bounds.
     pub closing: Closing,
 }
 
 /// A set with profile shift for a ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shifted {
-    /// Its tooth numbers.
+    /// Tooth numbers of the set.
     pub teeth: ToothNumbers,
-    /// Ratio that they give.
+    /// Ratio of the tooth numbers.
     pub ratio: f64,
-    /// The same, exactly.
+    /// Ratio as an exact fraction.
     pub exact_ratio: Fraction,
-    /// Relative departure from the wanted ratio.
+    /// Relative deviation from the target ratio.
     pub ratio_error: f64,
-    /// Its gears with their shifts.
+    /// Gears of the set with their shifts.
     pub choice: Choice,
 }
 
@@ -103,9 +103,10 @@ impl Shifted {
 }
 
 impl ShiftedSearch {
-    /// How many sets there are for a ratio, and the first `most` of them: the most exact first, equally exact
-    /// ones by the size of the offset, ring, sun and number of planets. `done` is told, from 0 to 1, how much
-    /// of the bounds has been gone through; a break ends the search.
+    /// Number of sets for a ratio, and the first `most` of them.
+    ///
+    /// The most exact come first, equally exact ones by the size of the offset, ring, sun and number of
+    /// planets. `done` receives the completed share of the bounds, from 0 to 1; a break ends the search.
     ///
     /// ```
     /// use epicyclic_gears::involute::closing::Closing;
@@ -117,7 +118,8 @@ impl ShiftedSearch {
     /// let search = ShiftedSearch { bounds, offsets: -3..=3, closing: Closing::default() };
     /// let mode = Mode::new(Member::Sun, Member::Carrier)?;
     /// // i = 1 + 93/18: 18/36/93 and its neighbours.
-    /// let Ranked { found, first: sets, .. } = search.first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| std::ops::ControlFlow::Continue(()))?;
+    /// let Ranked { found, first: sets, .. } = search
+    ///     .first_for_ratio(111.0 / 18.0, mode, 0.0, 10, |_| std::ops::ControlFlow::Continue(()))?;
     /// let planets: Vec<u32> = sets.iter().map(|set| set.teeth.planet.get()).collect();
     /// assert_eq!((found, planets), (4, vec![37, 38, 36, 39]));
     /// # Ok(())
@@ -125,7 +127,7 @@ impl ShiftedSearch {
     /// ```
     ///
     /// # Errors
-    /// As [`Bounds::for_ratio`]; [`Error::Cancelled`]; [`Error::RingOffset`] for offsets beyond
+    /// Errors of [`Bounds::for_ratio`]; [`Error::Cancelled`]; [`Error::RingOffset`] for offsets beyond
     /// [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0; those of
     /// [`Profile::check`](super::Profile::check).
     pub fn first_for_ratio(
@@ -190,7 +192,7 @@ impl ShiftedSearch {
         Ok(Ranked { found, first: held, left_out })
     }
 
-    /// The sets of one sun whose ratio is wanted, by planet, ring and number of planets: those that close,
+    /// Sets of one sun whose ratio is accepted, by planet, ring and number of planets: those that close,
     /// ascending.
     ///
     /// ```
@@ -230,8 +232,8 @@ impl ShiftedSearch {
         Ok(found)
     }
 
-    /// How many combinations of sun, planet, ring and number of planets are gone through, before assembly and
-    /// shifts are looked at.
+    /// Number of combinations of sun, planet, ring and number of planets to be checked, before assembly and
+    /// shifts.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -247,7 +249,7 @@ impl ShiftedSearch {
         Ok(rings * self.bounds.planets.clone().count() as u64)
     }
 
-    /// Refuses what cannot be sought.
+    /// Refuses invalid bounds, offsets, limits and profiles.
     ///
     /// # Errors
     /// [`Error::RingOffset`] for offsets beyond [`MOST_OFFSET`]; [`Error::Negative`] for limits below 0;
@@ -270,7 +272,7 @@ impl ShiftedSearch {
         mut each: impl FnMut([ToothCount; 3]) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let bounds = &self.bounds;
-        // An offset of o asks for planets of up to o/2 teeth more or fewer within the ranges of ring and k.
+        // An offset of o requires planets of up to o/2 teeth more or fewer within the ranges of ring and k.
         let slack = self.offsets.start().abs().max(self.offsets.end().abs()).unsigned_abs().div_ceil(2);
         let planets = bounds.planets_of(sun.get());
         let from = planets.start().saturating_sub(slack).max(*bounds.planet.start());
@@ -305,7 +307,7 @@ impl ShiftedSearch {
                 Ok(choice) => each(ToothNumbers { sun, planet, ring, planets }, Ok(choice)),
                 Err(Error::NoShifts { fault, .. }) => {
                     each(ToothNumbers { sun, planet, ring, planets }, Err(fault));
-                    // More planets stand closer: of equally spaced ones none of the following clears.
+                    // More planets are closer together: of equally spaced ones none of the following clears.
                     if fault.rule == Rule::PlanetGap && is_equal {
                         break;
                     }

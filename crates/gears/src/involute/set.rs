@@ -4,19 +4,21 @@
 //! fewer ([`family`](super::family)). The number of assembly positions is `z_s + z_r` all the same.
 //!
 //! # Checks
-//! [`PlanetSet::checks`] has each with its numbers, by the limits of [`Limits`], [`PlanetSet::faults`] those
-//! that do not hold:
+//! [`PlanetSet::checks`] returns every check with its numbers, by the limits of [`Limits`].
+//! [`PlanetSet::faults`] returns those that fail:
 //!
 //! | check | condition |
 //! |---|---|
 //! | tool | the tool cuts the gear |
 //! | undercut | `x ≥ x_min` of sun and planet |
 //! | tip thickness | `s_an ≥ 0.2` of each gear, case-hardened `0.4` |
-//! | tips by a shaper | `√(r_a² − r_b²) ≥ a_0·sin α_w0` of a ring; tips of shaper and ring miss each other, also when it is fed radially |
+//! | tips by a shaper, of a ring | `√(r_a² − r_b²) ≥ a_0·sin α_w0`; tips of shaper and ring miss each other |
+//! | radial feed of the shaper | tips of shaper and ring miss each other when it is fed radially |
 //! | contact ratio | `ε_α ≥ 1.1` of both meshes |
 //! | tip clearance | tips of each gear from the roots of its mates, `≥ 0` |
 //! | backlash | `j_wt ≥ 0` of both meshes |
-//! | involute, fillet, trochoidal interference, radial assembly | as in [`interference`](super::interference) |
+//! | involute, fillet, trochoidal interference | as in [`interference`](super::interference) |
+//! | radial assembly | as in [`interference`](super::interference) |
 //! | planets | `2·a·sin(γ/2) − d_a > 0` |
 //!
 //! Roots and fillets are those that the [`tool`](super::tool) of each gear leaves. That planets do not enter
@@ -39,7 +41,8 @@ use crate::spacing::PlanetSpacing;
 /// use epicyclic_gears::involute::{InvoluteGear, Profile};
 /// use epicyclic_gears::{ToothCount, geometry::GearKind};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
-/// let gear = |kind, teeth, shift| InvoluteGear::new(kind, ToothCount::new(teeth)?, Profile::default(), shift);
+/// let gear =
+///     |kind, teeth, shift| InvoluteGear::new(kind, ToothCount::new(teeth)?, Profile::default(), shift);
 /// // 18 + 2·36 ≠ 93: the second stage of a wind gearbox, module 21 mm, centre distance 584 mm.
 /// let gears = [
 ///     gear(GearKind::External, 18, 0.3890)?,
@@ -61,7 +64,7 @@ pub struct PlanetSet {
 }
 
 impl PlanetSet {
-    /// Sun, planet and ring in mesh at a centre distance, so many planets at the assembly positions nearest
+    /// Sun, planet and ring in mesh at a centre distance, with the planets at the assembly positions nearest
     /// to equal angles.
     ///
     /// # Errors
@@ -78,8 +81,8 @@ impl PlanetSet {
         })
     }
 
-    /// The same with the tips of sun and planets moved to where they keep the clearance of the basic rack in
-    /// their mesh, and those of the ring as they come: towards the ring there is as much clearance or more.
+    /// Set whose sun and planet tips keep the clearance of the basic rack in their mesh. The tips of the ring
+    /// are not altered: towards the ring the clearance is as large or larger.
     ///
     /// ```text
     /// k_s = k_p = a − a_d − (x_s + x_p),    k_r = 0
@@ -92,7 +95,7 @@ impl PlanetSet {
         self.with_tip_alterations([alteration, alteration, 0.0])
     }
 
-    /// The same with other tips of sun, planets and ring.
+    /// Set with other tips of sun, planets and ring.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
@@ -137,7 +140,7 @@ impl PlanetSet {
         self.sun_mesh.centre_distance()
     }
 
-    /// Where the planets stand.
+    /// Spacing of the planets.
     #[must_use]
     pub fn spacing(&self) -> PlanetSpacing {
         let [sun, _, ring] = self.gears();
@@ -151,7 +154,7 @@ impl PlanetSet {
         TipCircle { centre_radius: self.centre_distance(), tip_radius: planet.tip_diameter() / 2.0 }
     }
 
-    /// Gap between the tip circles of the planets that stand nearest to each other; infinite of one planet.
+    /// Gap between the tip circles of the two planets nearest to each other; infinite for one planet.
     #[must_use]
     pub fn planet_gap(&self) -> f64 {
         if self.planets == 1 {
@@ -160,9 +163,9 @@ impl PlanetSet {
         self.planet_circle().gap_to_alike(self.spacing().half_gap_sine())
     }
 
-    /// The same with the tips of the ring shortened to where they stay out of the fillets of the planets and
-    /// its shaper leaves them; this costs no contact. With fillets by a rack of `h_FfP* = h_aP*` the tips of
-    /// a ring without shift always reach 0.05 to 0.15 modules into them.
+    /// Set whose ring has tips short enough to stay out of the fillets of the planets, and within what its
+    /// shaper leaves. The contact ratio does not change. With fillets by a rack of `h_FfP* = h_aP*` the tips
+    /// of a ring without shift always reach 0.05 to 0.15 modules into them.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth vanish.
@@ -170,8 +173,8 @@ impl PlanetSet {
         Ok(Self { ring_mesh: self.ring_mesh.with_clear_ring_tips()?, ..self })
     }
 
-    /// All that keeps the gears from being cut, put together and turned: the [checks](Self::checks) that do
-    /// not hold but for remarks.
+    /// Faults that keep the gears from being cut, assembled or turned: the failed [checks](Self::checks),
+    /// without remarks.
     #[must_use]
     pub fn faults(&self, limits: &Limits) -> Vec<Check> {
         let mut faults = Vec::new();
@@ -184,7 +187,7 @@ impl PlanetSet {
         faults
     }
 
-    /// All checks of its teeth, in the order of the module's table.
+    /// Checks of the teeth of the set, in the order of the module's table.
     #[must_use]
     pub fn checks(&self, limits: &Limits) -> Vec<Check> {
         let mut checks = Vec::new();

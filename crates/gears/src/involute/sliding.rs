@@ -2,19 +2,23 @@
 //!
 //! ```text
 //! η = 1 − H_V·μ_m
-//! H_V = 2·π·|u + 1|/(z_1·|u|·cos β_b)·∫ |ξ|/n(ξ) dξ        from −ε_2 to ε_1,  u = z_2/z_1, below 0 with an internal gear
+//! H_V = 2·π·|u + 1|/(z_1·|u|·cos β_b)·∫ |ξ|/n(ξ) dξ    from −ε_2 to ε_1
+//! u = z_2/z_1, below 0 with an internal gear
 //! ```
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
 //! | `μ_m` | `friction` | mean coefficient of friction, given | 1 |
-//! | `ξ` | | place on the path of contact from the pitch point, in base pitches; the teeth slide in proportion to it | 1 |
+//! | `ξ` | | place on the path of contact from the pitch point, in base pitches | 1 |
 //! | `n` | | pairs of teeth in contact, which share the load alike | 1 |
-//! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tip of the first and of the second gear; below 0 where the pitch point lies outside the path | 1 |
+//! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tips of the first, second gear | 1 |
 //!
-//! With one or two pairs in contact and the pitch point where there is one, `0 ≤ ε_1, ε_2 ≤ 1`, the integral
-//! is `(1 − ε_α + ε_1² + ε_2²)/2`: the loss factor after Ohlendorf. Elsewhere that formula does not hold; the
-//! integral is exact for any contact ratio of 1 and more.
+//! The sliding velocity is proportional to `ξ`. `ε_1` or `ε_2` is below 0 where the pitch point lies outside
+//! the path of contact.
+//!
+//! The integral is `(1 − ε_α + ε_1² + ε_2²)/2` if one or two pairs are in contact and the pitch point lies
+//! where only one is, `0 ≤ ε_1, ε_2 ≤ 1`. This is the loss factor after Ohlendorf. Elsewhere that formula
+//! does not hold; the integral is exact for any contact ratio of 1 and more.
 //!
 //! Left out: rolling friction, and whatever does not grow with the load. `μ_m` is an input: it depends on
 //! oil, roughness, speed and load.
@@ -66,7 +70,8 @@ pub fn loss_factor(pair: &Pair) -> Result<f64, Error> {
 /// use epicyclic_gears::{ToothCount, geometry::GearKind};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// // FZG test gear, type C.
-/// let gear = |teeth, shift| InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), shift);
+/// let gear = |teeth, shift|
+///     InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), shift);
 /// let pair = Pair::at_centre_distance(gear(16, 0.1817)?, gear(24, 0.1715)?, 91.5 / 4.5)?;
 /// assert!((sliding::loss_factor(&pair)? - 0.1986).abs() < 1e-3);
 /// assert!((sliding::mesh_efficiency(&pair, 0.05)?.get() - 0.9901).abs() < 1e-4);

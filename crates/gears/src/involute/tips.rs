@@ -1,5 +1,5 @@
-//! Where the tips of an external gear and of a ring about it meet outside their mesh: of a planet, or of the
-//! shaper that cuts the ring.
+//! Contact of the tips of an external gear and of a ring about it outside their mesh. The external gear is a
+//! planet, or the shaper that cuts the ring.
 //!
 //! Index 1 the external gear, 2 the ring; radii and centre distance in one unit, `r_b1/r_b2 = z_1/z_2`.
 
@@ -34,9 +34,10 @@ impl Tips {
         self.bases[1] / self.bases[0]
     }
 
-    /// Angle of the ring, rad, by which the tips miss each other after they have left the mesh: −∞ where the
-    /// tip circle of the external gear encloses that of the ring, so that some tooth is always in the way,
-    /// and +∞ where the tip circles do not meet.
+    /// Angle of the ring, rad, by which the tips miss each other after they have left the mesh.
+    ///
+    /// If the tip circle of the external gear encloses that of the ring, some tooth is always in the way and
+    /// the angle is −∞. If the tip circles do not meet, it is +∞.
     pub(super) fn trochoidal(&self) -> f64 {
         let ([r1, r2], a) = (self.tips, self.distance);
         if r1 >= r2 + a {
@@ -51,8 +52,8 @@ impl Tips {
         theta1 / self.ratio() + self.inv_w - inv2 - theta2
     }
 
-    /// Angle of the external gear, rad, by which the tips miss each other when it is moved radially; −∞ where
-    /// the tips of the ring reach within its base circle, +∞ where they never meet.
+    /// Angle of the external gear, rad, by which the tips miss each other when it is moved radially. It is −∞
+    /// where the tips of the ring reach within its base circle, +∞ where they never meet.
     pub(super) fn trimming(&self) -> f64 {
         if self.tips[1] < self.bases[1] {
             return f64::NEG_INFINITY;

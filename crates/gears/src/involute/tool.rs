@@ -1,4 +1,4 @@
-//! What cuts the teeth of a gear: a hob, a pinion-type cutter (shaper), or a form tool.
+//! Tools that cut the teeth of a gear: a hob, a pinion-type cutter (shaper), or a form tool.
 //!
 //! Hobs cut external gears, shapers both kinds, form tools (broaches, moulds, electrodes) both kinds. No rack
 //! cuts a ring.
@@ -6,7 +6,7 @@
 use crate::gear_kind::GearKind;
 use crate::{Error, Quantity, ToothCount};
 
-/// What cuts a gear; lengths in modules.
+/// Tool that cuts a gear; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tool {
     /// A hob with the basic rack of the gear, for external gears.
@@ -61,7 +61,7 @@ const USUAL_CORNER: f64 = 0.3;
 const MOST_SHAPER_SHIFT: f64 = 1.0;
 
 impl Shaper {
-    /// A cutter of so many teeth as they are bought: without shift, tips rounded by 0.3 modules.
+    /// Usual cutter with this number of teeth: without shift, tips rounded by 0.3 modules.
     #[must_use]
     pub const fn of_teeth(teeth: ToothCount) -> Self {
         Self { teeth, shift: 0.0, addendum: None, tip_radius: USUAL_CORNER }
@@ -69,10 +69,11 @@ impl Shaper {
 }
 
 impl Tool {
-    /// The tool of a gear whose own is not known: a hob for external gears; for rings a shaper with 30 teeth,
-    /// or with 18 less than the ring where that is fewer; for rings of fewer than 42 teeth, whose tips such a
-    /// shaper would cut away, a form tool. Corners are rounded by 0.3, or by what the cutter of a steep rack
-    /// has room for.
+    /// Usual tool of a gear whose own tool is not known.
+    ///
+    /// External gears have a hob. Rings have a shaper with 30 teeth, or with 18 less than the ring if that is
+    /// fewer. Rings of fewer than 42 teeth have a form tool, since such a shaper would cut away their tips.
+    /// Corners are rounded by 0.3, or by the radius that the cutter of a steep rack has room for.
     #[must_use]
     pub fn usual(kind: GearKind, teeth: ToothCount) -> Self {
         if kind == GearKind::External {
@@ -85,8 +86,8 @@ impl Tool {
         }
     }
 
-    /// The same, a shaper without an addendum of its own with this one: a search takes a cutter that exists,
-    /// not one made for each ring.
+    /// Tool with this addendum if it is a shaper without an addendum of its own. A search takes an existing
+    /// cutter, not one made for each ring.
     #[must_use]
     pub fn with_addendum(self, addendum: f64) -> Self {
         match self {
@@ -97,7 +98,7 @@ impl Tool {
         }
     }
 
-    /// Refuses a tool that does not cut gears of this kind, or that is none.
+    /// Refuses a tool that does not cut gears of this kind, or whose dimensions are invalid.
     ///
     /// # Errors
     /// [`Error::WrongGearKind`] for a hob of a ring; [`Error::Negative`] for radii; [`Error::NotPositive`]

@@ -1,9 +1,9 @@
 //! Costs as small whole numbers in the same order, sixteen at a time.
 //!
-//! A cost at or below another has a rank at or below its rank. So of what ranks rule out the costs need not
-//! be asked; where ranks do not decide, they are.
+//! A cost that is at or below another has a rank at or below its rank. Costs therefore need to be compared
+//! only where ranks do not decide.
 
-/// Designs of which the steps are taken.
+/// Number of designs from which the steps of a scale are chosen.
 const SAMPLE: usize = 2048;
 
 /// Steps of a scale.
@@ -12,7 +12,7 @@ const STEPS: usize = 256;
 /// Ranks of a step.
 const OF_STEP: u16 = 255;
 
-/// From a cost to its rank: steps that part the designs evenly, and between two of them a straight line.
+/// Scale from costs to ranks: steps that divide the designs evenly, and a straight line between two of them.
 #[derive(Debug)]
 struct Scale {
     steps: Vec<f64>,
@@ -28,8 +28,9 @@ impl Scale {
         Self { steps, slopes }
     }
 
-    /// Never falls where the cost rises: the steps are in order, and differences, products and their whole
-    /// parts keep it. What is not a number there, of a cost without end, counts as 0 for all of its step.
+    /// Rank of a cost, which never falls where the cost rises: the steps are in order, and differences,
+    /// products and their integer parts keep that order. NaN, the result for an infinite cost, counts as 0
+    /// within its step.
     #[inline]
     fn rank(&self, cost: f64) -> u16 {
         let Some(step) = self.steps.partition_point(|step| *step <= cost).checked_sub(1) else { return 0 };
@@ -43,7 +44,7 @@ impl Scale {
 pub(crate) struct Scales<const N: usize>([Scale; N]);
 
 impl<const N: usize> Scales<N> {
-    /// Those that suit some of the designs.
+    /// Scales that suit a sample of the designs.
     pub(crate) fn new(costs: &[[f64; N]], places: &[u32]) -> Self {
         let step = places.len() / SAMPLE + 1;
         let sample =
@@ -57,7 +58,7 @@ impl<const N: usize> Scales<N> {
     }
 }
 
-/// How many stand beside each other.
+/// Number of designs that are compared at once.
 pub(crate) const WIDE: usize = 16;
 
 /// A rank above that of any cost.
@@ -68,7 +69,7 @@ const NONE: u16 = u16::MAX;
 pub(crate) struct Columns<const N: usize>([[u16; WIDE]; N]);
 
 impl<const N: usize> Columns<N> {
-    /// Of nothing: above all.
+    /// No designs: ranks above those of any cost.
     pub(crate) const EMPTY: Self = Self([[NONE; WIDE]; N]);
 
     #[inline]
@@ -83,19 +84,19 @@ impl<const N: usize> Columns<N> {
         std::array::from_fn(|cost| self.0[cost][lane])
     }
 
-    /// Which are nowhere above some ranks, by bit.
+    /// Designs whose ranks are all at or below the given ones, as bits.
     #[inline]
     pub(crate) fn at_or_below(&self, ranks: &[u16; N]) -> u32 {
         self.lanes(|cost, rank| rank.saturating_sub(ranks[cost]))
     }
 
-    /// Which are nowhere below some ranks, by bit.
+    /// Designs whose ranks are all at or above the given ones, as bits.
     #[inline]
     pub(crate) fn at_or_above(&self, ranks: &[u16; N]) -> u32 {
         self.lanes(|cost, rank| ranks[cost].saturating_sub(rank))
     }
 
-    /// Of which no excess is above 0, by bit.
+    /// Designs for which every excess is 0, as bits.
     #[inline]
     fn lanes(&self, excess: impl Fn(usize, u16) -> u16) -> u32 {
         // Lane by lane and without a branch: for instructions that take several at once.

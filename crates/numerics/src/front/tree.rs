@@ -5,10 +5,10 @@ use crate::front::dominates;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-/// Designs of which the widest spread is taken.
+/// Number of designs from which the cost of the widest spread is found.
 const SAMPLE: usize = 32;
 
-/// Designs from which on the halves are sorted at the same time.
+/// Number of designs from which on the two halves are sorted in parallel.
 #[cfg(feature = "parallel")]
 const JOINT: usize = 1 << 12;
 
@@ -74,7 +74,7 @@ impl<const N: usize> Ends<N> {
 }
 
 impl<'a, const N: usize> Tree<'a, N> {
-    /// Over designs whose costs are all numbers.
+    /// Tree over designs whose costs are all numbers.
     pub(crate) fn new(costs: &'a [[f64; N]], places: &[u32]) -> Self {
         let scales = Scales::new(costs, places);
         let row = |&place: &u32| Row { ranks: scales.ranks(&costs[place as usize]), place };

@@ -1,7 +1,7 @@
 //! The ladder of ratios: all gears on one logarithmic scale, with the steps between them.
 //!
 //! On a logarithmic scale equal steps `φ = i_n/i_{n+1}` are equal distances, so an even gearbox is an even
-//! ladder. Gears of negative ratio turn the output against the input; they stand at `|i|`, dashed.
+//! ladder. Gears of negative ratio turn the output against the input; they are drawn dashed at `|i|`.
 
 use super::place::spread;
 use super::words::decimal;
@@ -12,7 +12,7 @@ use epicyclic_train::{Analysis, Gearbox};
 
 /// Height of the scale: of a drawing of its own, and on a page.
 const HEIGHTS_MM: [f64; 2] = [100.0, 70.0];
-/// From rung to rung of the labels.
+/// Distance of the labels from rung to rung.
 const PITCH_MM: f64 = 5.0;
 
 /// A gear on the ladder.
@@ -23,7 +23,8 @@ struct Rung<'a> {
 
 /// The ladder of a gearbox, from analyses of its gears.
 ///
-/// Steps are taken between neighbours of positive ratio, or where there are none, of negative ratio. Gears
+/// Steps are taken between neighbours of positive ratio, or, if there are no such gears, of negative ratio.
+/// Gears without a ratio are named below.
 /// without a ratio are named below.
 ///
 /// # Errors
@@ -32,7 +33,7 @@ pub fn scene(gearbox: &Gearbox, gears: &[Analysis], title: Option<&str>) -> Resu
     drawn(gearbox, gears, title, HEIGHTS_MM[0], true)
 }
 
-/// The same lower and without title, for a page that says it itself.
+/// Ladder of less height and without title, for a page with a title of its own.
 ///
 /// # Errors
 /// Those of [`scene`].
@@ -130,7 +131,7 @@ fn drawn(
     Ok(scene)
 }
 
-/// What stands below: the whole range, what reverses, what has no ratio.
+/// Text below the ladder: the whole range, the gears that reverse, and the gears without a ratio.
 fn words(gears: &[Analysis], rungs: &[Rung<'_>], counted: &[usize]) -> Vec<String> {
     let mut words = vec![];
     if let [first, .., last] = counted {

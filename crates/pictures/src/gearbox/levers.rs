@@ -1,10 +1,10 @@
-//! Sets as levers (lever analogy of Benford and Leising): the links of a set stand along a bar so that their
-//! speeds lie on a straight line across it.
+//! Sets as levers (lever analogy of Benford and Leising): the links of a set are points along a bar, and
+//! their speeds lie on a straight line across it.
 //!
-//! From the set's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier stands at 0, central gear 2 at −1
-//! and central gear 1 at `−i₀`: of a simple set the ring one unit on one side of the carrier, the sun `k`
-//! units on the other. Two sets with two links in common are one lever, its second set scaled to fit. A link
-//! in several levers is one thin line through its points; a link of no set is a point by itself.
+//! By the set's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier is at 0, central gear 2 at −1 and
+//! central gear 1 at `−i₀`. In a simple set the ring is one unit on one side of the carrier, the sun `k`
+//! units on the other. Two sets with two links in common are one lever, the second set scaled to fit. A link
+//! in several levers is one thin line through its points; a link of no set is a single point.
 //!
 //! | sign of a point | is |
 //! |---|---|
@@ -13,9 +13,9 @@
 //! | double circle | a link that an engaged clutch ties to another |
 //! | circle | any other |
 //!
-//! Which lever stands where, and which end of it is up, follows from a [stated cost](levers): ties cross as
-//! little as possible and are as level as possible. In a gear the speeds, over the input's, are offsets from
-//! the lever; the points of each lever lie on one line.
+//! The position of each lever, and which of its ends is up, follow from a [cost function](levers): ties cross
+//! as little as possible and are as level as possible. In a gear the speeds, over the input's, are offsets
+//! from the lever; the points of each lever lie on one line.
 //!
 //! # Source
 //! H. L. Benford, M. B. Leising: The lever analogy: a new tool in transmission analysis. SAE paper 810102,
@@ -39,17 +39,17 @@ pub use merge::{Lever, levers};
 
 /// Room of the fastest link on its side.
 const FASTEST_MM: f64 = 26.0;
-/// From what belongs to one lever to what belongs to the next.
+/// Distance from the parts of one lever to the parts of the next.
 const APART_MM: f64 = 9.0;
-/// The same on a page, whose width sets the size of the letters.
+/// Distance between the parts of two levers on a page, whose width sets the size of the letters.
 const APART_ON_PAGE_MM: f64 = 6.5;
-/// From a lever to the plate of its first brake, and from brake to brake of one link.
+/// Distance from a lever to the plate of its first brake, and from brake to brake of one link.
 const BRAKE_MM: f64 = 5.0;
-/// From the middle of a clutch to the mark of a speed.
+/// Distance from the middle of a clutch to the mark of a speed.
 const CLUTCH_CLEAR_MM: f64 = 4.0;
-/// From a lever to a clutch beside it.
+/// Distance from a lever to a clutch next to it.
 const BESIDE_MM: f64 = 8.0;
-/// The legend is at least so wide.
+/// Least width of the legend.
 const LEGEND_MM: f64 = 105.0;
 
 /// A node on paper.
@@ -57,7 +57,7 @@ const LEGEND_MM: f64 = 105.0;
 struct Node {
     link: LinkId,
     at: Point,
-    /// Its speed over the input's, and the point that stands for it.
+    /// Speed over the input's, and the point that represents it.
     speed: Option<(f64, Point)>,
 }
 
@@ -72,7 +72,7 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
     Ok(sheet.scene)
 }
 
-/// The same without title and words on the sets, for a page that says them itself; the signs stay explained.
+/// Levers without title and text on the sets, for a page that has its own; the signs stay explained.
 ///
 /// # Errors
 /// Those of [`scene`].
@@ -84,7 +84,7 @@ pub fn bare(gearbox: &Gearbox, gear: Option<&Analysis>) -> Result<Scene, Error> 
     Ok(sheet.scene)
 }
 
-/// All but the legend.
+/// Diagram without the legend.
 fn drawn<'a>(
     gearbox: &'a Gearbox,
     gear: Option<&'a Analysis<'a>>,
@@ -154,7 +154,7 @@ struct Sheet<'a> {
     ties: Vec<Tie>,
     /// The points of each column.
     placed: Vec<Vec<Node>>,
-    /// What links are, the links in the order of the gearbox.
+    /// Roles of the links, in the order of the gearbox.
     roles: Vec<Role>,
     scene: Scene,
     layers: Layers,
@@ -180,14 +180,14 @@ impl Sheet<'_> {
             .map(|(place, _)| place)
     }
 
-    /// The name of a point: its link and, of a lever, the members of sets that it stands for.
+    /// Name of a point: its link and, on a lever, the members of sets that it represents.
     fn name(&self, lever: usize, link: LinkId) -> String {
         let members = self.levers[lever].members(self.gearbox, link);
         let name = self.gearbox.link_name(link);
         if members.is_empty() { name.to_owned() } else { format!("{name} ({members})") }
     }
 
-    /// Levers side by side, each as far from the one before as what stands beside both needs.
+    /// Places the levers side by side, each far enough from the previous one for the parts of both.
     fn place(&mut self, apart_mm: f64) {
         let clutches = self.clutches();
         self.columns = arrange::arrange(&self.levers, &clutches);
@@ -222,7 +222,8 @@ impl Sheet<'_> {
         self.placed = placed;
     }
 
-    /// Brakes stand at the first point of their link, which no tie of it reaches from the left.
+    /// Whether the brakes of a link are drawn at this column: at the first point of the link, which no tie
+    /// reaches from the left.
     fn is_braked_at(&self, column: usize, link: LinkId) -> bool {
         let has = |column: &Column| column.points.iter().any(|point| point.0 == link);
         self.columns.iter().position(has) == Some(column)

@@ -1,4 +1,4 @@
-//! What labels may not stand on, by the cells of a grid: a place for a label meets a few of them, a picture
+//! Obstacles for labels, sorted by the cells of a grid: a place for a label meets a few of them, a picture
 //! has hundreds.
 
 use epicyclic_drawing::Bounds;
@@ -10,7 +10,7 @@ const CELL_MM: f64 = 5.0;
 /// Cells along a side at most, a metre.
 const MOST_CELLS: f64 = 200.0;
 
-/// What a label may not stand on.
+/// Obstacle that a label may not cover.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Obstacle {
     /// The box of a label or a fill, or one around a line of its width.
@@ -19,7 +19,7 @@ pub(super) struct Obstacle {
     pub(super) line: Option<usize>,
 }
 
-/// All of them. What lies outside the grid belongs to the cells at its edge.
+/// Obstacles of a picture. Parts outside the grid belong to the cells at its edge.
 pub(super) struct Obstacles {
     all: Vec<Obstacle>,
     area: Bounds,
@@ -27,12 +27,12 @@ pub(super) struct Obstacles {
     rows: usize,
     /// Places of the obstacles that reach into each cell, row by row.
     cells: Vec<Vec<usize>>,
-    /// The obstacle that was met last: what shuts out one place mostly shuts out the next.
+    /// The obstacle that was met last: it often blocks the next place as well.
     last: Cell<usize>,
 }
 
 impl Obstacles {
-    /// None yet, with cells over an area.
+    /// No obstacles, with cells over an area.
     pub(super) fn over(area: Bounds) -> Self {
         // NaN would give 0.
         let count = |length: f64| ((length / CELL_MM).ceil().clamp(1.0, MOST_CELLS) as usize).max(1);
@@ -70,7 +70,7 @@ impl Obstacles {
 
     /// Columns and rows of the cells that a box reaches into.
     fn reach(&self, of: Bounds) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
-        // From below 0 and from NaN the conversion gives 0.
+        // The conversion gives 0 for negative values and for NaN.
         let cell = |length: f64, count: usize| ((length / CELL_MM) as usize).min(count - 1);
         let column = |x: f64| cell(x - self.area.left, self.columns);
         let row = |y: f64| cell(y - self.area.bottom, self.rows);

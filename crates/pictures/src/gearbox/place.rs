@@ -12,19 +12,19 @@ const CLEAR_MM: f64 = 0.5;
 
 /// Least distance of a leader from lines and labels that are not its own.
 const LEADER_CLEAR_MM: f64 = 0.25;
-/// How far from its point a leader may run beside the lines that meet there.
+/// Distance from its point over which a leader may run close to the lines that meet there.
 const OWN_MM: f64 = 0.8;
-/// How far a label may be from its point, in half millimetres: first near, then anywhere.
+/// Distances of a label from its point, in half millimetres: first near, then anywhere.
 const NEAR: u32 = 50;
 const FAR: u32 = 400;
 
-/// What labels have to keep clear of.
+/// Lines, labels and signs that labels and leaders have to keep clear of.
 pub(super) struct Places {
     /// Lines, and half their widths.
     lines: Vec<(Shape, f64, Bounds)>,
     /// Boxes of labels, which no leader may cross.
     labels: Vec<Bounds>,
-    /// What a label may not stand on: labels, fills and lines.
+    /// Obstacles for labels: labels, fills and lines.
     obstacles: Obstacles,
     /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and
     /// brakes, teeth in mesh.
@@ -34,24 +34,24 @@ pub(super) struct Places {
 /// The point where a leader begins.
 struct Start {
     at: Point,
-    /// From here on it keeps clear of its own lines.
+    /// Distance from which on the leader keeps clear of its own lines.
     off: f64,
-    /// Which lines meet at the point, in the order of [`Places::lines`].
+    /// Whether each line meets at the point, in the order of [`Places::lines`].
     own: Vec<bool>,
 }
 
-/// How a leader runs.
+/// Course of a leader.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Clear,
-    /// Over a line that is not its own.
+    /// The leader crosses a line that is not its own.
     Crossing,
     /// Through a label or a sign, or along its own line.
     Blocked,
 }
 
 impl Places {
-    /// Around everything that a scene holds so far.
+    /// Places around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
         let obstacles = Obstacles::over(scene.bounds());
         let mut places = Self { lines: vec![], labels: vec![], obstacles, signs: vec![] };
@@ -152,7 +152,7 @@ impl Places {
                 }
             }
             if let Some((middle, at, end)) = found.or(crossing) {
-                // None to a label around its point.
+                // A label around its point needs no leader.
                 if at != end {
                     let leader = Shape::line(at, end);
                     scene.add_styled(layer, LEADER, leader.clone());
@@ -180,7 +180,7 @@ impl Places {
         Start { at, off, own }
     }
 
-    /// How a leader would run from its point to the end.
+    /// Course of a leader from its point to the end.
     fn way(&self, start: &Start, end: Point) -> Way {
         let at = start.at;
         let length = libm::hypot(end.x - at.x, end.y - at.y);
@@ -221,7 +221,7 @@ impl Places {
     }
 }
 
-/// How leaders are drawn.
+/// Style of leaders.
 const LEADER: Style = Style::line(0.18).color(Color::GREY);
 
 /// The point of a box, a little outside of it, that is nearest to a point.
@@ -236,14 +236,14 @@ pub(super) fn beside(at: Point, words: &str, gap: f64) -> [Point; 2] {
     [Point::new(at.x + gap + half, at.y), Point::new(at.x - gap - half, at.y)]
 }
 
-/// Places near those wanted, ascending as they are, at least `pitch` apart: each run that is too close is
+/// Places near the desired ones, in ascending order, at least `pitch` apart: each run that is too close is
 /// spread about its middle.
 ///
 /// ```text
 /// wanted 0 1 9, pitch 3  →  −1 2 9
 /// ```
 pub(super) fn spread(wanted: &[f64], pitch: f64) -> Vec<f64> {
-    // Runs: (sum of wanted − place within the run, members).
+    // Runs: (sum of desired − place within the run, members).
     let mut runs: Vec<(f64, usize)> = vec![];
     let first = |&(sum, count): &(f64, usize)| sum / count as f64;
     for &place in wanted {
@@ -316,7 +316,7 @@ mod tests {
             let places = spread(&wanted, pitch);
             prop_assert_eq!(places.len(), wanted.len());
             prop_assert!(places.windows(2).all(|pair| pair[1] - pair[0] >= pitch - 1e-9));
-            // Nothing is moved without need, and the middle stays.
+            // Places move only as far as needed, and the middle stays.
             let middle = |all: &[f64]| all.iter().sum::<f64>();
             prop_assert!((middle(&places) - middle(&wanted)).abs() < 1e-6);
             if wanted.windows(2).all(|pair| pair[1] - pair[0] >= pitch) {

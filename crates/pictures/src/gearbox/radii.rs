@@ -36,8 +36,8 @@ pub(super) fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
         SetKind::DoublePlanet => {
             let outwards = |pin: f64| (pin > 1.0).then_some(pin - 1.0);
             let inwards = |pin: f64| (pin < size).then_some(size - pin);
-            // Of one that is given the other gets the same pin radius; of none, both are equal, one outside
-            // the other.
+            // If one planet is given, the other gets the same pin radius. If none is given, both are equal,
+            // one outside the other.
             let radius = [
                 g.or_else(|| outwards(size - f?)).unwrap_or(0.25 * (size - 1.0)),
                 f.or_else(|| inwards(1.0 + g?)).unwrap_or(0.25 * (size - 1.0)),

@@ -9,19 +9,20 @@
 //! | two plates apart | a clutch; a brake, where one plate is the housing's |
 //! | hatched line | the housing |
 //! | dashes and dots | the axis |
-//! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
+//! | circle at the end of a shaft | a machine or train at the housing, for power in some gears only |
 //!
-//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii but in a
-//! layout [`to_scale`]. Planets of a stepped set have two rims side by side, double planets are two on a
+//! Central gears are drawn at the places of the [layout](epicyclic_layout::Layout). Heights are radii only in
+//! a layout [`to_scale`]. Planets of a stepped set have two rims side by side, double planets are two on a
 //! forked carrier, a pair on fixed axes is drawn about one axis. Two stepped suns or rings, meshing suns and
-//! bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind. A
-//! Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by
-//! side: the planet that they have in common through both, the gear in common once. The lines below the
-//! drawing say so, or that the halves are drawn apart.
+//! bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
 //!
-//! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is
-//! as wide as the power that passes it, `|Σ T·ω|` over the power that enters; what of it circulates stands
-//! inside in another colour.
+//! A Ravigneaux set and a Wolfrom drive are drawn as one set if the layout has their two halves side by side.
+//! The planet that they have in common passes through both, and the common gear is drawn once. The lines
+//! below the drawing say so, or that the halves are drawn apart.
+//!
+//! In a gear the engaged shift elements are filled and the parts at rest are grey. With the power flow each
+//! line is as wide as the power that passes it, `|Σ T·ω|` over the power that enters. The circulating part is
+//! drawn inside in another colour.
 
 mod along;
 mod flow;
@@ -52,7 +53,7 @@ pub const UP_MM: f64 = 12.0;
 /// The least of [`Options::along_mm`] in [`narrow`]: the signs of neighbouring sets stay apart.
 const LEAST_ALONG_MM: f64 = 7.0;
 
-/// How much wider the next trial of [`narrow`] is.
+/// Additional width of the next trial of [`narrow`].
 const WIDER_MM: f64 = 0.25;
 
 /// Width of shafts, and of gears' rims.
@@ -65,34 +66,34 @@ const WIDEST_MM: f64 = 4.5;
 /// Width of what turns without power.
 const IDLE_MM: f64 = 0.3;
 
-/// The scale bar is at most so long, and stands so far beyond the right end of the axis.
+/// Longest scale bar, and its distance beyond the right end of the axis.
 const LONGEST_BAR_MM: f64 = 30.0;
 const BAR_OFF_MM: f64 = 17.0;
 
-/// What is shown of a gear.
+/// State of a gear that is shown.
 #[derive(Debug, Clone, Copy)]
 pub enum Show<'a> {
     /// No gear: the structure alone.
     Structure,
-    /// What is engaged and what rests.
+    /// The engaged elements and the parts at rest.
     Gear(&'a Analysis<'a>),
-    /// The same with the power as width of lines: with losses, where they follow.
+    /// The engaged elements, and the power as width of the lines: with losses if they are known.
     Power(&'a Analysis<'a>),
 }
 
-/// How a scheme is drawn.
+/// Options of the drawing of a scheme.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The title; `None` for the gearbox's name and the gear's ratio.
     pub title: Option<String>,
-    /// Both halves, the lower a mirror image.
+    /// Whether both halves are drawn, the lower as a mirror image.
     pub whole: bool,
     /// Whether the lines of the sets say `k` or teeth.
     pub gearing: bool,
-    /// Without title, sets and what the colours mean, for a page that says them itself.
+    /// Whether title, sets and the meaning of the colours are left out, for a page that gives them.
     pub bare: bool,
-    /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without
-    /// signs stand closer still.
+    /// Millimetres to a unit of the layout along the axis. If it is less than [`ALONG_MM`], lines without
+    /// signs are drawn even closer together.
     pub along_mm: f64,
     /// The scale of a layout that has one: see [`to_scale`].
     pub scale: Option<Scale>,
@@ -123,7 +124,8 @@ impl Default for Options {
 ///     unreachable!("I can be drawn");
 /// };
 /// let slow = gearbox.analyze("slow")?;
-/// let image = epicyclic_drawing::svg::write(&scene(&gearbox, &layout, Show::Power(&slow), &Options::default())?)?;
+/// let image =
+///     epicyclic_drawing::svg::write(&scene(&gearbox, &layout, Show::Power(&slow), &Options::default())?)?;
 /// assert!(image.contains("K1"));
 /// # Ok(())
 /// # }
@@ -175,8 +177,8 @@ fn unnamed<'a>(
     Ok(sheet)
 }
 
-/// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then
-/// meets anything: for a page. Of a layout [to scale](to_scale) with its scale.
+/// Scheme for a page: [bare](Options::bare), and compressed along the axis to about this width, as far as the
+/// labels have room. A layout [to scale](to_scale) needs its scale.
 ///
 /// # Errors
 /// Those of [`scene`].
@@ -199,7 +201,7 @@ pub fn narrow(
     while along_mm < ALONG_MM {
         let options = bare(along_mm);
         let mut sheet = unnamed(gearbox, layout, show, &options)?;
-        // Names move nothing that stands: what overlaps without them does so with them.
+        // Names move no other part: an overlap without them remains with them.
         if overlaps(&sheet.scene).is_empty() {
             sheet.names();
             sheet.legend(&options);
@@ -245,7 +247,7 @@ pub(super) fn title(gearbox: &Gearbox, gear: Option<&Analysis>) -> String {
     format!("{}, gear {}: {ratio}", gearbox.name(), gear.gear().name())
 }
 
-/// How a line of a link looks.
+/// Colour and widths of a line of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Look {
     color: Color,
@@ -328,7 +330,8 @@ impl<'a> Sheet<'a> {
         self.gear.is_some_and(|gear| gear.gear().engaged().contains(&shift_element))
     }
 
-    /// How a line looks that is `width` wide without powers and passes this power, of which some circulates.
+    /// Colour and width of a line: `width` without powers, else in proportion to `power`. The circulating
+    /// part is drawn inside.
     fn look(&self, link: LinkId, width: f64, power: Option<f64>, circulating: f64) -> Look {
         let color = if self.rests(link) { RESTING } else { Color::BLACK };
         if self.load.is_none() || link == LinkId::GROUND {
@@ -387,7 +390,7 @@ impl<'a> Sheet<'a> {
         self.pieces = pieces;
     }
 
-    /// The direction of a power that is not small, where there is room for an arrow.
+    /// Draws the direction of a power that is not small, if an arrow has room.
     fn arrow(&mut self, piece: &Piece) {
         let (from, to) = (self.at(piece.from), self.at(piece.to));
         let length = libm::hypot(to.x - from.x, to.y - from.y);

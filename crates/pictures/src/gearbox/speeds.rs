@@ -1,16 +1,17 @@
 //! The speed diagram of a gear (Kutzbach): peripheral velocity over radius for each set, and the rays of
 //! angular speed.
 //!
-//! A point of a link at radius `r` moves at `v = ω·r`: drawn over `r`, a link is a line through the axis with
-//! the slope `ω`, and a planet a line through its three points, where it meets central gear 1 and central
-//! gear 2 and where its planet pin is. Rays parallel to these lines from a pole cut a line at the speeds `ω`.
+//! A point of a link at radius `r` moves at `v = ω·r`. Drawn over `r`, a link is a line through the axis with
+//! the slope `ω`. A planet is a line through its three points: the contacts with central gears 1 and 2, and
+//! the planet pin. Rays parallel to these lines from a pole cut a line at the speeds `ω`.
 //!
-//! Radii are in units of each set's central gear 1; of a simple set `r_b = k` and the planet pins stand at
+//! Radii are in units of each set's central gear 1. In a simple set `r_b = k`, and the planet pins are at
 //! `(1 + k)/2`. All sets have one slope for one speed. Each of two planets in mesh is drawn in the section
-//! through its own pin, from its contact with a central gear to its far side. Sizes of planets follow from
-//! teeth. Where these are not given, sizes are assumed that fit, which changes the planet's own speed but
-//! none of the links', and the planet's name gets a star. Planets of bevel sets turn about other axes and
-//! have no line.
+//! through its own pin, from its contact with a central gear to its far side.
+//!
+//! Sizes of planets follow from teeth. If these are not given, sizes that fit are assumed, and the planet's
+//! name gets a star. The assumption changes the planet's own speed but none of the links'. Planets of bevel
+//! sets turn about other axes and have no line.
 
 mod lines;
 
@@ -36,16 +37,16 @@ struct Size {
     rays_mm: [f64; 2],
     /// Length of a label of the speeds, beyond which it goes on in a further line.
     label_mm: f64,
-    /// From the names of the levels to the gears, from there to the axis of velocities at least, and beyond
-    /// the fastest.
+    /// Distances from the names of the levels to the gears, from there to the axis of velocities at least,
+    /// and beyond the fastest.
     gaps_mm: [f64; 3],
-    /// From one diagram of a row to the next.
+    /// Distance from one diagram of a row to the next.
     apart_mm: f64,
-    /// Beside the rays.
+    /// Distance beside the rays.
     beside_rays_mm: f64,
-    /// Where a row of diagrams ends. The rays stand in the last row, if they have room there.
+    /// Width of a row of diagrams. The rays are in the last row if they have room there.
     row_mm: f64,
-    /// Whether the page says what the diagrams are.
+    /// Whether the page explains the diagrams.
     is_bare: bool,
 }
 
@@ -97,13 +98,13 @@ const SMALL: [Size; 3] = [
         is_bare: true,
     },
 ];
-/// From the lowest of a row to the top of what stands in the next.
+/// Distance from the lowest part of a row to the highest part of the next.
 const ROWS_APART_MM: f64 = 9.0;
 /// The explanations have lines of at least this length.
 const LEAST_WORDS_MM: f64 = 100.0;
-/// From a section with gears to the next.
+/// Distance from a section with gears to the next.
 const SECTIONS_MM: f64 = 5.5;
-/// From label to label of the speeds.
+/// Distance from label to label of the speeds.
 const PITCH_MM: f64 = 4.2;
 
 /// The speed diagram of a gear.
@@ -120,8 +121,8 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     Ok(scene)
 }
 
-/// The same as small as its labels have room, without title and explanations, in rows of about this width:
-/// for a page that says them itself.
+/// Speed diagrams for a page: as small as the labels allow, without title and explanations, in rows of about
+/// this width.
 ///
 /// # Errors
 /// Those of [`scene`].
@@ -201,7 +202,7 @@ struct Layers {
     labels: LayerId,
 }
 
-/// How a line is drawn: links by their number, planets dashed.
+/// Style of a line: links by their number, planets dashed.
 fn style(line: &Line) -> Style {
     match line.link {
         Some(link) => Style::line(0.5).color(COLORS[(link.index() + COLORS.len() - 1) % COLORS.len()]),
@@ -209,7 +210,7 @@ fn style(line: &Line) -> Style {
     }
 }
 
-/// What all diagrams of a drawing share.
+/// Data that all diagrams of a drawing share.
 struct Paper<'a> {
     layers: &'a Layers,
     gearbox: &'a Gearbox,
@@ -218,7 +219,8 @@ struct Paper<'a> {
 }
 
 impl Paper<'_> {
-    /// One set: its gears on the left, velocities over radius on the right. Returns where the next may begin.
+    /// Draws one set: its gears on the left, velocities over radius on the right. Returns where the next may
+    /// begin.
     fn panel(&self, scene: &mut Scene, diagram: &SpeedDiagram, set: usize, corner: Point) -> f64 {
         let Self { layers, gearbox, size, slope } = *self;
         let Point { x: left, y: base } = corner;
@@ -298,13 +300,13 @@ impl Paper<'_> {
 
 /// Rays from a pole, parallel to the lines of the diagrams, to the scale of speeds.
 struct Rays {
-    /// Each speed once, from the least.
+    /// Speeds in ascending order, each once.
     speeds: Vec<(f64, Style)>,
     /// Lines of their labels, each with the place of its speed.
     labels: Vec<(usize, String)>,
     /// Width of the longest line.
     longest_mm: f64,
-    /// Where the labels stand, from the pole.
+    /// Positions of the labels, from the pole.
     places: Vec<f64>,
     height_mm: f64,
     /// Millimetres to a speed of 1.
@@ -367,7 +369,7 @@ impl Rays {
         last - first + 2.0 * self.beside_mm
     }
 
-    /// Below and to the right of a corner; returns the room that they take.
+    /// Draws the rays below and to the right of a corner; returns the room that they take.
     fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Bounds {
         let scale_y = corner.y - self.longest_mm - 7.0;
         let [least, most, first, _] = self.ends();
@@ -394,7 +396,7 @@ impl Rays {
     }
 }
 
-/// Names after what stands before the first, in lines of about a length.
+/// Names after the text `first`, in lines of about this length.
 fn lines_of(first: &str, names: &[String], length_mm: f64) -> impl Iterator<Item = String> + use<> {
     let mut lines = vec![first.to_owned()];
     for (place, name) in names.iter().enumerate() {
@@ -409,7 +411,7 @@ fn lines_of(first: &str, names: &[String], length_mm: f64) -> impl Iterator<Item
     lines.into_iter()
 }
 
-/// What the diagrams and the rays are, in lines of a width below a point.
+/// Writes the explanation of the diagrams and rays, in lines of a width below a point.
 fn explain(scene: &mut Scene, layers: &Layers, at: Point, width_mm: f64, diagrams: &[SpeedDiagram]) {
     let mut words = vec![
         "Each set: the velocity of its links and planets over their distance from the axis, which is 1 at the first central gear. A link is a \

@@ -25,7 +25,7 @@ pub(super) fn set_name(gearbox: &Gearbox, place: usize) -> String {
     if id == number { format!("set {number}") } else { format!("set {number} ({id})") }
 }
 
-/// The same with its kind and gearing: `set 1 (P1): simple, z 48/96, k = 2.000`.
+/// Drawn set with its kind and gearing: `set 1 (P1): simple, z 48/96, k = 2.000`.
 pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
     let drawn = &gearbox.drawn_sets()[place];
     let mut words = format!("{}: {}", set_name(gearbox, place), drawn.kind);
@@ -43,7 +43,7 @@ pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
     words
 }
 
-/// Words in lines of at most a width, in the letters of the drawings; a longer word stands by itself.
+/// Words in lines of at most this width, in the letters of the drawings; a longer word has a line of its own.
 pub(super) fn wrapped(words: &str, width_mm: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in words.split_whitespace() {
@@ -58,7 +58,7 @@ pub(super) fn wrapped(words: &str, width_mm: f64) -> Vec<String> {
     lines
 }
 
-/// How wide words are in the letters of the drawings.
+/// Width of words in the letters of the drawings.
 pub(super) fn width_of(words: &str) -> f64 {
     Text::new([0.0, 0.0], LETTERS_MM, words).width_mm()
 }

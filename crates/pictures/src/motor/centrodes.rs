@@ -14,7 +14,7 @@ use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, millimetres, number};
 use crate::Error;
 
-/// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
+/// Distance outside the stator, over its greatest radius, up to which a centre of arc 1 is drawn.
 const REACH: f64 = 1.9;
 
 /// The centrodes after a rotation of the rotor, with what they are constructed from.
@@ -153,7 +153,7 @@ fn junctions(
     Ok(())
 }
 
-/// Centres, distances, radii and angles of the first crest and the trough beside it.
+/// Draws centres, distances, radii and angles of the first crest and the trough next to it.
 fn construct(
     sheet: &mut Sheet,
     layer: epicyclic_drawing::LayerId,

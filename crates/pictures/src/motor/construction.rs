@@ -1,9 +1,9 @@
 //! The construction of half a lobe: the stator's two arcs by system (1), and `P₁`, where the rotor's arcs
 //! meet, by (2)–(8).
 //!
-//! The satellite stands where the stator's arcs meet, at `P`. By Kennedy's theorem the line `OP` meets its
-//! circle in `P` and in `P₁`, its contact with the rotor; `T` is the angle from the stator's trough to that
-//! line, `Π` from the rotor's trough.
+//! The satellite is where the stator's arcs meet, at `P`. By Kennedy's theorem the line `OP` meets its circle
+//! in `P` and in `P₁`, its contact with the rotor. `T` is the angle from the stator's trough to that line,
+//! `Π` from the rotor's trough.
 
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ use uom::si::f64::{Angle, Length};
 use super::sheet::{AUXILIARY, Sheet, millimetres, name, number};
 use crate::Error;
 
-/// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
+/// Distance outside the stator, over its greatest radius, up to which a centre of arc 1 is drawn.
 const REACH: f64 = 1.9;
 
 /// Points of the rotor's curve on the image of each arc.
@@ -249,7 +249,7 @@ fn within(sheet: &mut Sheet, layer: LayerId, letter: &str, at: Point, radius: f6
     }
 }
 
-/// Puts a letter close to a line, to the right of its direction where there is room.
+/// Writes a letter close to a line, to the right of its direction if it has room there.
 fn along(sheet: &mut Sheet, layer: LayerId, letter: &str, from: Point, to: Point) {
     let direction = libm::atan2(to.y - from.y, to.x - from.x);
     let part = |part: f64| Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));

@@ -23,27 +23,27 @@ use uom::si::f64::Length;
 use crate::Error;
 use crate::tolerance::CURVE;
 
-/// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a
-/// kilometre a ten-billionth of its length, which no coordinate holds better.
+/// The greatest distance between a curve that is no arc and the arcs drawn for it. For a curve longer than a
+/// kilometre it is a ten-billionth of its length, the precision of coordinates.
 pub const TOLERANCE_MM: f64 = 1e-4;
 
-/// Places of a piece at which its distance is looked at.
+/// Number of places of a piece at which its distance is evaluated.
 const PLACES: u32 = 9;
 
-/// How often a piece is halved at most.
+/// Largest number of halvings of a piece.
 const MOST_HALVINGS: u32 = 16;
 
 /// A closed curve of arcs, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Its vertices, each with the bulge of the arc that follows.
+    /// Vertices, each with the bulge of the arc that follows.
     pub vertices: Vec<Vertex>,
-    /// Greatest distance of the exact curve from it; 0 of exact arcs.
+    /// Greatest distance of the exact curve from the outline; 0 of exact arcs.
     pub deviation_mm: f64,
 }
 
 impl Outline {
-    /// The same turned about the axis.
+    /// Outline turned about the axis.
     pub(super) fn turned(mut self, angle_rad: f64) -> Self {
         for vertex in &mut self.vertices {
             vertex.at = turned(vertex.at, angle_rad);
@@ -139,8 +139,8 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     Ok(Outline { vertices: vertices.collect(), deviation_mm })
 }
 
-/// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how
-/// far the curve is from them.
+/// Start points of the pieces of the curve, and the distance of the curve from the pieces. Pieces are halved
+/// until each is near enough or [`MOST_HALVINGS`] are reached.
 fn pieces(
     curve: &Centrode<'_>,
     [from, to]: [f64; 2],
@@ -227,7 +227,7 @@ impl Biarc {
         ]
     }
 
-    /// Distance of a point from the arc beside it.
+    /// Distance of a point from the nearer arc.
     fn distance(&self, point: Vector) -> f64 {
         let second = usize::from(dot(less(point, self.middle), self.along[1]) > 0.0);
         let (t, kappa) = (self.along[second], self.curvatures[second]);

@@ -17,18 +17,18 @@ use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, name, number};
 use crate::Error;
 
-/// From the drawing to the first dimension line, and from line to line, in units of the sheet.
+/// Distance from the drawing to the first dimension line, and from line to line, in units of the sheet.
 const FIRST: f64 = 8.0;
 const NEXT: f64 = 6.0;
 /// Length and half the width of an arrowhead.
 const ARROW: [f64; 2] = [2.2, 0.4];
 /// Height of a row of the table, over that of its letters.
 const ROW: f64 = 2.0;
-/// The most that a centre of arc 1 is away to be shown, over the stator's greatest radius.
+/// Largest distance of a centre of arc 1 that is still shown, over the stator's greatest radius.
 const REACH: f64 = 1.5;
 
-/// The motor with its dimensions after a rotation of the rotor; teeth and width stand in the table where they
-/// are given.
+/// The motor with its dimensions after a rotation of the rotor; the table shows teeth and width if they are
+/// given.
 ///
 /// # Errors
 /// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a
@@ -79,7 +79,7 @@ pub fn dimensions(
     sheet.line(axes, Point::new(-far, 0.0), Point::new(far, 0.0));
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
 
-    // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table
+    // Diameters below, the smallest nearest; one that leaves no room for its number is given in the table
     // alone.
     let curves = [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer]
         .map(Physical::mm);
@@ -170,7 +170,7 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     for x in [0.0, a] {
         sheet.line(layer, Point::new(x, 0.0), Point::new(x, y + 1.2 * unit));
     }
-    // Between narrow extension lines the arrows stand outside.
+    // Between narrow extension lines the arrows are outside.
     let wide = a > 8.0 * unit;
     let [low, high] = if wide { [0.0, a] } else { [-4.0 * unit, a + 4.0 * unit] };
     sheet.line(layer, Point::new(low, y), Point::new(high, y));
@@ -178,7 +178,7 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     arrow(sheet, layer, Point::new(a, y), if wide { 0.0 } else { PI });
     numbers.push((Point::new(high.max(a + unit), y), format!("a = {}", number(a))));
     trough_distance(sheet, layer, motor, l, outer, &mut numbers);
-    // Where there is no room, the table has them.
+    // Numbers without room are given in the table.
     for (at, words) in numbers {
         sheet.label(layer, at, &words);
     }
@@ -197,7 +197,7 @@ fn trough_distance(
 ) {
     let lobes = motor.numbers().stator_lobes();
     let unit = sheet.unit;
-    // Troughs stand at odd multiples of π/N.
+    // Troughs are at odd multiples of π/N.
     let (ray, is_beside) = match lobes % 4 {
         1 | 3 => (PI, true),
         2 => (FRAC_PI_2, true),
@@ -239,7 +239,7 @@ fn called(sheet: &mut Sheet, layer: LayerId, places: &[Point], radius: f64, word
                 _ => None,
             });
             let clear = 0.5 * sheet.letter();
-            // Its own leader comes from the drawing and must end before the words.
+            // The leader of the label comes from the drawing and must end before the words.
             if text::is_free(&sheet.scene, &label, clear)
                 && !text::line_meets(&line, label.bounds())
                 && !others.any(|other| text::line_meets(&line, other))

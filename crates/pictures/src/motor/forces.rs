@@ -13,11 +13,11 @@ use super::sheet::{AUXILIARY, Sheet, number};
 use crate::Error;
 use crate::tolerance::BALANCED;
 
-/// Of the pressure.
+/// Forces of the pressure.
 const OF_PRESSURE: Color = Color::new(30, 30, 30);
-/// Of flanks.
+/// Forces of flanks.
 const OF_FLANKS: Color = Color::new(0, 120, 70);
-/// On the bearing.
+/// Forces on the bearing.
 const OF_BEARING: Color = Color::new(170, 80, 0);
 
 /// Forces of so much pressure on a motor of a width, with ideal ports and contacts at the pitch points.
@@ -67,7 +67,7 @@ pub fn forces(
                 sheet.circle(marks, at, 0.3 * sheet.unit);
             }
         }
-        // Where the force of the pressure does not go.
+        // The side away from the force of the pressure.
         let side = if on_flank.push == Some(Push::Forward) { -0.5 } else { 0.5 };
         let beside =
             Point::polar(centre, 0.55 * r, libm::atan2(centre.y, centre.x) + side * std::f64::consts::PI);
@@ -135,7 +135,7 @@ impl Frame {
         })
     }
 
-    /// From the frame into the drawing.
+    /// Rotates a vector from the frame into the drawing.
     fn turned(&self, [along, across]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = libm::sincos(self.ray);
         [along * cos - across * sin, along * sin + across * cos]

@@ -4,7 +4,7 @@
 //! | function | draws |
 //! |---|---|
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
-//! | [`construction`] | half a lobe of stator and rotor: system (1) and formulas (2)–(8) with letters and angles |
+//! | [`construction`] | half a lobe of stator and rotor: system (1), formulas (2)–(8), letters and angles |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
 //! | [`plate`] | ports as they are made, with the motor behind them and their timing |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
@@ -13,10 +13,10 @@
 //! | [`teeth`] | outlines of all teeth in mesh at an angle |
 //! | [`outline`] | a centrode as a closed polyline of arcs |
 //!
-//! One unit is a millimetre; the frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x
-//! axis, angles counter-clockwise. The stator of two arcs is drawn with its exact arcs; a curve that is none,
-//! the rotor above all, with biarcs within [`TOLERANCE_MM`]. Text and lines are as large as the motor asks
-//! for.
+//! One unit is a millimetre. The frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x
+//! axis, angles counter-clockwise. The stator of two arcs is drawn with its exact arcs. Curves that are not
+//! arcs, above all the rotor, are drawn with biarcs within [`TOLERANCE_MM`]. Text and lines are scaled to the
+//! size of the motor.
 //!
 //! # Example
 //! ```

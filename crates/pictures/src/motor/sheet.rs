@@ -1,4 +1,4 @@
-//! What the pictures of a motor share: layers, sizes, words beside them, labels where there is room.
+//! Common parts of the pictures of a motor: layers, sizes, text, and labels where they have room.
 
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text, text};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
@@ -12,19 +12,19 @@ use crate::Error;
 pub(super) const HIGH: Color = Color::new(200, 50, 47);
 /// Low pressure.
 pub(super) const LOW: Color = Color::new(38, 110, 184);
-/// Neither.
+/// Pressure that is neither high nor low.
 pub(super) const IDLE: Color = Color::new(150, 150, 150);
 /// Bodies.
 pub(super) const STEEL: Color = Color::new(226, 229, 233);
-/// What is constructed.
+/// Auxiliary lines of a construction.
 pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
 
 /// A picture of a motor in the making.
 #[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) scene: Scene,
-    /// A hundredth of the stator's greatest diameter, or of a picture's width: sizes of text and lines are
-    /// so many.
+    /// Unit of the sizes of text and lines: a hundredth of the stator's greatest diameter, or of a picture's
+    /// width.
     pub(super) unit: f64,
     words: Option<LayerId>,
     pen: Point,
@@ -36,13 +36,13 @@ impl Sheet {
         Self::of(&name(motor.numbers(), motor.module()), view, unit)
     }
 
-    /// Of the motor with this name.
+    /// Sheet for the motor with this name.
     pub(super) fn of(name: &str, view: &str, unit: f64) -> Self {
         let title = format!("{name}: {view}");
         Self { scene: Scene::new(title), unit, words: None, pen: Point::default() }
     }
 
-    /// A layer; its line is so many units wide.
+    /// Adds a layer; the width of its line is in units of the sheet.
     pub(super) fn layer(&mut self, name: &str, style: Style) -> Result<LayerId, Error> {
         let style = style.width(style.width_mm * self.unit);
         Ok(self.scene.layer(name, style)?)
@@ -122,7 +122,7 @@ impl Sheet {
         self.pen.y -= 1.8 * height;
     }
 
-    /// A label beside a point, at the first place around it that is free; none where there is no room.
+    /// Writes a label near a point, at the first free place around it. Returns whether a place was free.
     pub(super) fn label(&mut self, layer: LayerId, at: Point, words: &str) -> bool {
         let height = self.letter();
         let around = [1.6, 2.4, 3.4, 4.6].into_iter().flat_map(move |ring| {

@@ -112,7 +112,7 @@ fn round_up(value: f64) -> f64 {
     (value / digit).ceil() * digit
 }
 
-/// How far the curve bulges beyond its sides: a quarter of the distance of a vertex from the chord of its
+/// Height of the curve beyond its sides: a quarter of the distance of a vertex from the chord of its
 /// neighbours, where all three are of one part.
 fn sagitta(points: &[Point], segments: &[profile::Segment]) -> f64 {
     let ends = segments.iter().skip(1).map(|segment| segment.start).chain([points.len()]);

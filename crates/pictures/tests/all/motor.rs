@@ -133,8 +133,8 @@ fn no_label_of_the_known_motors_meets_a_line() {
     }
 }
 
-/// Diameters, radii and counts stand in the drawing as the motor has them, each diameter between its two
-/// arrows; tolerances are blank.
+/// Diameters, radii and counts are drawn as the motor has them, each diameter between its two arrows;
+/// tolerances are blank.
 #[test]
 fn the_dimensions_are_those_of_the_motor() {
     let motor = two_arcs([5, 3, 55, 10], 2.0, 80.0);
@@ -266,7 +266,8 @@ proptest! {
             let curve = motor.centrode(wheel);
             let point = curve.at(curve.length() * part).unwrap();
             let off = distance(&drawn.vertices, [point.x, point.y].map(|x| x.get::<millimeter>()));
-            // Between the nine places of a piece that were looked at it may be a little greater.
+            // The deviation may be a little greater between the nine places of a piece at which it is
+            // evaluated.
             let slack = 1e-10 * curve.length().get::<millimeter>();
             prop_assert!(off <= 1.1 * drawn.deviation_mm + slack, "{wheel:?} {off:e} {:e}", drawn.deviation_mm);
         }

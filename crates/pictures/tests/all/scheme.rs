@@ -25,7 +25,7 @@ fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service()).chain(examples())
 }
 
-/// Sets of all of them stand side by side.
+/// Sets of every gearbox are side by side.
 #[test]
 fn all_sets_stand_in_one_band() {
     let bands = |gearbox: &Gearbox| layout(gearbox).cost(gearbox).bands;
@@ -77,7 +77,7 @@ fn halves_of_one_set_show_no_power_that_only_passes_between_them() {
         assert!((from.y, to.y) != (pin, pin), "the carrier passes no power: {from:?} {to:?}");
         widths.push(style.width_mm);
     }
-    // Nothing is wider than the input.
+    // No line is wider than the input's.
     let input = widths.iter().copied().fold(0.0, f64::max);
     assert!(widths.iter().all(|width| *width <= input) && (input - 2.2).abs() < 1e-9, "{widths:?}");
 }
@@ -111,7 +111,7 @@ fn no_label_of_a_gear_meets_anything() {
     }
 }
 
-/// For a page: drawn together to about the width asked for, all labels with their room.
+/// Checks schemes for a page: compressed to about the required width, with room for all labels.
 #[test]
 fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
     for gearbox in all() {
@@ -128,7 +128,7 @@ fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
     }
 }
 
-/// The same for all structures of two sets that can be drawn, with input and output on one side or two.
+/// Labels of all drawable structures of two sets, with input and output on one side or two.
 #[test]
 fn no_label_of_any_two_set_structure_meets_anything() {
     let eta = MeshEfficiency::new(0.97).unwrap();

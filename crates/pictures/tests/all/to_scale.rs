@@ -69,7 +69,7 @@ fn nothing_crosses_and_no_label_meets_anything() {
     }
 }
 
-/// All structures of two sets that can be drawn, with input and output on one side or two.
+/// Tests every drawable structure of two sets, with input and output on one side or two.
 #[test]
 fn no_two_set_structure_crosses_to_scale() {
     let eta = MeshEfficiency::new(0.97).unwrap();
@@ -148,8 +148,8 @@ fn a_stepped_planet_has_both_its_radii() {
     near(stack.ring_mesh / stack.sun_mesh, 34.0 / 10.0, "ring");
 }
 
-/// Both suns and the ring of a Ravigneaux set stand in the proportion of their teeth, the rings of a Wolfrom
-/// drive as the common pin leaves them.
+/// Suns and ring of a Ravigneaux set have the proportion of their teeth, the rings of a Wolfrom drive the
+/// proportion that the common pin leaves them.
 #[test]
 fn gears_of_one_set_keep_their_proportion() {
     let of = |name: &str| all().find(|(gearbox, _)| gearbox.name() == name).unwrap().0;

@@ -254,7 +254,7 @@ impl Picture {
         Color::new(color.red(), color.green(), color.blue())
     }
 
-    /// How many pixels have a colour.
+    /// Number of pixels of a colour.
     pub(crate) fn count(&self, color: Color) -> usize {
         let same =
             |p: &&resvg::tiny_skia::PremultipliedColorU8| Color::new(p.red(), p.green(), p.blue()) == color;

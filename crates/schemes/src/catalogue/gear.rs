@@ -15,7 +15,7 @@ impl SchemeGear {
     /// The braked gears.
     pub const BRAKED: [Self; 2] = [Self::First, Self::Second];
 
-    /// Its name in a scheme's gearbox.
+    /// Name of the gear in a scheme's gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -25,7 +25,7 @@ impl SchemeGear {
         }
     }
 
-    /// The one shift element engaged in it.
+    /// The one shift element that is engaged in the gear.
     #[must_use]
     pub const fn engaged(self) -> SchemeElement {
         match self {
@@ -48,7 +48,7 @@ pub enum SchemeElement {
 }
 
 impl SchemeElement {
-    /// Its name in a scheme's gearbox.
+    /// Name of the element in a scheme's gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -67,7 +67,7 @@ fn is_name(of_scheme: &str, name: &str) -> bool {
     of_scheme.eq_ignore_ascii_case(&name)
 }
 
-/// What a link is in a scheme.
+/// Role of a link in a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
     /// `D`, the driving shaft.

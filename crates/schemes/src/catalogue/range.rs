@@ -1,4 +1,4 @@
-//! Which ring-to-sun ratios are used, and what a ratio does over them.
+//! Ranges of ring-to-sun ratios, and the values that a ratio takes over them.
 
 use crate::Error;
 use epicyclic_gears::simple_set::RingToSunRatio;
@@ -11,11 +11,12 @@ pub struct RingToSunRange {
 }
 
 impl RingToSunRange {
-    /// What the source computes its ranges of ratios over: 1.7 to 7.
+    /// Range over which the source computes its ratios: 1.7 to 7.
     pub const USED: Self = Self { low: 1.7, high: 7.0 };
-    /// What it recommends: 1.3 to 10. Below, planets are too small for their bearings; above, the sun.
+    /// Range that the source recommends: 1.3 to 10. Below, planets are too small for their bearings; above,
+    /// the sun.
     pub const RECOMMENDED: Self = Self { low: 1.3, high: 10.0 };
-    /// Where it finds size and mass best: 2.5 to 3.
+    /// Range in which the source finds size and mass best: 2.5 to 3.
     pub const BEST: Self = Self { low: 2.5, high: 3.0 };
 
     /// A range.
@@ -30,13 +31,13 @@ impl RingToSunRange {
         }
     }
 
-    /// Its lower end.
+    /// Lower end.
     #[must_use]
     pub fn low(self) -> f64 {
         self.low
     }
 
-    /// Its upper end.
+    /// Upper end.
     #[must_use]
     pub fn high(self) -> f64 {
         self.high
@@ -62,25 +63,25 @@ pub(crate) fn limits(fraction: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     [at_one.min(at_infinity), at_one.max(at_infinity)]
 }
 
-/// What a ratio does while the ring-to-sun ratios run over a range.
+/// Values of a ratio while the ring-to-sun ratios run over a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach {
-    /// It takes every value between these, ends included, and keeps its sign.
+    /// The ratio takes every value between these, ends included, and keeps its sign.
     Between {
         /// The least.
         least: f64,
         /// The greatest.
         greatest: f64,
     },
-    /// It takes every value between these and changes its sign through 0: there the input is blocked while
-    /// the output could turn.
+    /// The ratio takes every value between these and changes its sign through 0. At 0 the input is blocked
+    /// while the output could turn.
     ThroughZero {
         /// The least, below 0 or 0.
         least: f64,
         /// The greatest, above 0 or 0.
         greatest: f64,
     },
-    /// It changes its sign through ±∞, where the output rests, and takes every value *outside* these.
+    /// The ratio changes its sign through ±∞, where the output rests, and takes every value *outside* these.
     ThroughInfinity {
         /// The greatest below the gap.
         below: f64,
@@ -90,7 +91,7 @@ pub enum Reach {
 }
 
 impl Reach {
-    /// Of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in `k₁` and in `k₂`.
+    /// Values of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in `k₁` and in `k₂`.
     ///
     /// A function linear in each of two variables takes its extremes over a rectangle at the corners, so
     /// corners show every change of sign of `N` and `D`. Between zeros and poles the ratio is monotonous
@@ -142,7 +143,7 @@ impl Reach {
         self.slows_with_sign_of(1.0) || self.slows_with_sign_of(-1.0)
     }
 
-    /// Whether it takes a value between two, `slack` of these aside.
+    /// Whether the ratio takes a value between `from` and `to`, both widened by `slack`.
     #[must_use]
     pub fn meets(self, from: f64, to: f64, slack: f64) -> bool {
         match self {

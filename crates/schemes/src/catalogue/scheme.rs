@@ -26,12 +26,12 @@ pub enum Scheme {
 }
 
 impl Scheme {
-    /// All fourteen, in the source's order.
+    /// Schemes of the catalogue, fourteen in the source's order.
     pub fn all() -> impl Iterator<Item = Self> {
         TwoSpeed::ALL.into_iter().map(Self::Two).chain(ThreeSpeed::ALL.into_iter().map(Self::Three))
     }
 
-    /// Its name, as in the source.
+    /// Name as in the source.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

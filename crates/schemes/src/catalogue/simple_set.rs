@@ -1,4 +1,4 @@
-//! A simple set by itself: its six ratios over a range of k, and the four relations of its speeds.
+//! A single simple set: its six ratios over a range of k, and the four relations of its speeds.
 //!
 //! # Source
 //! multispeed-gearboxes, tables 2.2 and 2.3, (2.22)–(2.25).

@@ -24,13 +24,13 @@ pub struct ClosedForm {
 }
 
 impl ClosedForm {
-    /// Its value; a form of one set does not look at `k₂`, and a ratio not at `η₀`.
+    /// Value of the form; a form of one set ignores `k₂`, and a ratio ignores `η₀`.
     #[must_use]
     pub fn value(&self, k1: f64, k2: f64, eta0: f64) -> f64 {
         (self.of)(k1, k2, eta0)
     }
 
-    /// How it is written, in `k1`, `k2`, `eta0`: `(k1+1)*(k2+1)/(k1+k2+1)`.
+    /// Text of the form in `k1`, `k2`, `eta0`: `(k1+1)*(k2+1)/(k1+k2+1)`.
     #[must_use]
     pub fn text(&self) -> String {
         self.text.split_whitespace().collect::<String>().replace(".0", "")

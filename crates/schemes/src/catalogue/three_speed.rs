@@ -45,7 +45,7 @@ pub enum ThreeSpeed {
 }
 
 impl ThreeSpeed {
-    /// All eleven.
+    /// Three-speed schemes of the catalogue, eleven in the source's order.
     pub const ALL: [Self; 11] = [
         Self::I1,
         Self::I2,
@@ -64,13 +64,13 @@ impl ThreeSpeed {
         &THREE_SPEED[self as usize]
     }
 
-    /// Its name, as in the source.
+    /// Name as in the source.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.line().name
     }
 
-    /// The scheme of its gear 1, in which set 1 works alone.
+    /// Scheme of gear 1, in which set 1 works alone.
     #[must_use]
     pub fn first_stage(self) -> TwoSpeed {
         TwoSpeed::of_set(self.sets()[0])
@@ -83,13 +83,13 @@ impl ThreeSpeed {
         [self.line().sets[0], self.line().sets[1]]
     }
 
-    /// Its second ratio as a formula in `k1` and `k2`.
+    /// Ratio of gear 2 as a formula in `k1` and `k2`.
     #[must_use]
     pub fn ratio_formula(self) -> ClosedForm {
         self.line().ratio
     }
 
-    /// Its second efficiency as a formula in `k1`, `k2` and `eta0`.
+    /// Efficiency of gear 2 as a formula in `k1`, `k2` and `eta0`.
     #[must_use]
     pub fn efficiency_formula(self) -> ClosedForm {
         self.line().efficiency

@@ -34,7 +34,7 @@ pub enum TwoSpeed {
 }
 
 impl TwoSpeed {
-    /// All of them.
+    /// Two-speed schemes of the catalogue, in the source's order.
     pub const ALL: [Self; 3] = [Self::I, Self::II, Self::III];
 
     fn line(self) -> &'static Line {
@@ -47,7 +47,7 @@ impl TwoSpeed {
         Self::ALL.into_iter().find(|scheme| scheme.set() == set)
     }
 
-    /// Its name, as in the source.
+    /// Name as in the source.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.line().name
@@ -69,13 +69,13 @@ impl TwoSpeed {
             .unwrap_or_else(|| unreachable!("D and B are different members of each, by test"))
     }
 
-    /// Its ratio as a formula in `k1`.
+    /// Ratio as a formula in `k1`.
     #[must_use]
     pub fn ratio_formula(self) -> ClosedForm {
         self.line().ratio
     }
 
-    /// Its efficiency as a formula in `k1` and `eta0`.
+    /// Efficiency as a formula in `k1` and `eta0`.
     #[must_use]
     pub fn efficiency_formula(self) -> ClosedForm {
         self.line().efficiency

@@ -10,11 +10,11 @@ use crate::objectives::{Costs, Objectives, Order};
 use epicyclic_numerics::front::{dominates, nowhere_worse, thinned};
 use std::sync::{Mutex, PoisonError};
 
-/// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes
-/// forward while designs are tried.
+/// Costs from which on designs are left out if only the first entries in an order are required. The bound
+/// comes forward while designs are tried.
 ///
-/// It is always the costs of some design, and before it stand more entries of the front of what was tried
-/// than are wanted. What is tried later may dominate them and leave fewer than wanted; then the bound came
+/// The bound is always the costs of some design. More entries of the front so far than are required come
+/// before it. Designs tried later may dominate these and leave fewer than required; the bound has then come
 /// too far.
 #[derive(Debug)]
 pub(super) struct Bound {
@@ -24,17 +24,17 @@ pub(super) struct Bound {
 }
 
 impl Bound {
-    /// Behind so many entries of what was tried.
+    /// Bound behind `kept` entries of the front of the designs tried.
     pub(super) fn new(order: Order, kept: usize) -> Self {
         Self { order, kept, costs: Mutex::new(None) }
     }
 
-    /// Where it is.
+    /// Costs of the bound.
     pub(super) fn costs(&self) -> Option<Costs> {
         *self.costs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether it comes after these costs.
+    /// Whether the bound comes after these costs.
     pub(super) fn is_after(&self, costs: &Costs) -> bool {
         self.costs().is_none_or(|bound| self.order.compare(costs, &bound).is_lt())
     }
@@ -53,7 +53,7 @@ pub(super) struct Contenders {
     rivals: Vec<Costs>,
     pub(super) costs: Vec<Costs>,
     pub(super) points: Vec<Point>,
-    /// From how many on they are narrowed.
+    /// Number of designs from which on they are narrowed.
     enough: usize,
 }
 
@@ -89,7 +89,7 @@ impl Contenders {
         self.points.truncate(from + places.len());
     }
 
-    /// Where they have become many, [narrows](Self::narrow) them.
+    /// [Narrows](Self::narrow) the designs once they have become many.
     pub(super) fn narrow_many(&mut self, bound: &Bound) {
         if self.costs.len() >= self.enough.max(ENOUGH) {
             self.narrow(bound);
@@ -116,9 +116,10 @@ impl Contenders {
         self.keep(&places);
     }
 
-    /// Keeps the first designs in an order, at most `count`, in the places that they had among each other:
-    /// all whose costs stand before the costs returned, which are the first left out. There must be more than
-    /// `count`.
+    /// Keeps the first designs in an order, at most `count`, in their present order.
+    ///
+    /// All designs whose costs come before the returned costs are kept; the returned costs are the first left
+    /// out. There must be more than `count` designs.
     pub(super) fn first(&mut self, count: usize, order: Order) -> Costs {
         let mut places: Vec<u32> = (0..self.costs.len() as u32).collect();
         let compare = |a: &u32, b: &u32| order.compare(&self.costs[*a as usize], &self.costs[*b as usize]);
@@ -137,7 +138,7 @@ impl Contenders {
     #[inline]
     pub(super) fn gather(&mut self, costs: Costs, point: Point) {
         if let Some(rival) = self.rivals.iter().position(|rival| dominates(rival, &costs)) {
-            // What dominated one is likely to dominate the next.
+            // A rival that dominated one design is likely to dominate the next.
             self.rivals[..=rival].rotate_right(1);
             return;
         }

@@ -1,8 +1,8 @@
 //! Numbers of twice a double's digits: the sum of two doubles, exact to some 2⁻¹⁰⁰ of itself.
 //!
 //! Sums and products of doubles are split into the rounded value and its exact error (Dekker), and the errors
-//! are carried along. For the few objectives of which a double does not tell to which point of the grid they
-//! belong.
+//! are carried along. These numbers serve the few objectives whose point of the grid a double does not
+//! decide.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,15 +1,15 @@
-//! The best design of each structure by itself.
+//! Best design of each single structure.
 
 use super::patch::Patch;
 use super::{Found, ToothSearch, Watch};
 use crate::Error;
 
 impl ToothSearch {
-    /// The first entry of the front of each structure by itself, where it has any; the best first by the
-    /// order. Another structure may dominate it.
+    /// First entry of the front of each single structure that has one; the best first by the order. Another
+    /// structure may dominate it.
     ///
     /// # Errors
-    /// As [`front_watched`](Self::front_watched).
+    /// Errors of [`front_watched`](Self::front_watched).
     pub fn best_of_each_watched(&self, watch: &Watch) -> Result<Vec<Found>, Error> {
         let all = self.prepared(watch)?;
         let mut best = vec![];

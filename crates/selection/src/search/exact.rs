@@ -5,7 +5,7 @@ use crate::objectives::{on_grid, on_relative_grid};
 use crate::tolerance::{GRID_STEP, RELATIVE_STEP, TIE};
 use epicyclic_schemes::structures::SetRoles;
 
-/// Coefficients of a set with losses by role, times the teeth of its sun, and times `η₀` where it divides;
+/// Coefficients of a set with losses by role, times the teeth of its sun, and times `η₀` where it divides.
 /// `exponent` is the direction of its rolling power, 1 from sun to ring.
 pub(super) fn coefficients(set: SetRoles, teeth: [f64; 2], exponent: i8, eta0: f64) -> [Double; 4] {
     let eta0 = Double::from(eta0);

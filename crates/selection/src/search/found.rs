@@ -1,4 +1,4 @@
-//! What a search found: its entries, and the designs behind each.
+//! Result of a search: its entries, and the designs behind each.
 
 use super::levels::Level;
 use super::patch::{Allowed, Patch};
@@ -14,7 +14,7 @@ use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::Length;
 
-/// What a search found.
+/// Result of a search over teeth.
 #[derive(Debug, Clone)]
 pub struct Found {
     pub(super) entries: Vec<Entry>,
@@ -29,7 +29,7 @@ pub struct Found {
     pub(super) rating: Rating,
 }
 
-/// How many designs there were.
+/// Numbers of designs of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Combinations of tooth numbers of a set.
@@ -38,13 +38,13 @@ pub struct Counts {
     pub levels: usize,
     /// Structures with an assignment of ratios.
     pub patches: usize,
-    /// Those with anything to try.
+    /// Patches with any pair to try.
     pub patches_tried: usize,
     /// Designs in all: pairs of combinations of tooth numbers, times `patches`.
     pub designs: u128,
     /// Pairs of ring-to-sun ratios tried in full.
     pub tried: u64,
-    /// Of these, pairs that meet every required criterion.
+    /// Pairs tried that meet every required criterion.
     pub feasible: u64,
 }
 
@@ -52,9 +52,9 @@ pub struct Counts {
 /// except where [`pairs`](Self::pairs) says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToothDesign {
-    /// Which structure.
+    /// The structure.
     pub structure: Structure,
-    /// Ratios wanted of gears 1 and 2.
+    /// Target ratios of gears 1 and 2.
     pub wanted: [f64; 2],
     /// Ring-to-sun ratios.
     pub k: [f64; 2],
@@ -76,7 +76,7 @@ pub(super) struct SizeLimits {
 }
 
 impl SizeLimits {
-    /// Those of lengths, at the load of a rating.
+    /// Limits of size from lengths, at the load of a rating.
     pub(super) fn new(
         module: Option<&RangeInclusive<Length>>,
         ring_diameter: Option<Length>,
@@ -127,7 +127,7 @@ impl Found {
         &self.entries
     }
 
-    /// How many designs there were.
+    /// Numbers of designs of the search.
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts

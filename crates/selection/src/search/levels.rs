@@ -1,11 +1,11 @@
-//! Tooth numbers by their ring-to-sun and planet-to-sun ratios: all that objectives can tell apart.
+//! Tooth numbers by their ring-to-sun and planet-to-sun ratios, on which alone the objectives depend.
 //!
 //! Ratios, speeds of links, torques and losses of a gearbox depend on its tooth numbers through `k = z_b/z_a`
-//! alone, speeds of planets and the size on `r = z_g/z_a` too, and the size on the number of planets. So the
-//! tooth numbers of one `k` and one `r` are one *level*; within it only the share `K_γ/N` of the most loaded
-//! planet tells them apart, and those whose share is not the least make a design no better than those of the
-//! least. Without profile shift `r = (k − 1)/2`, and of the 8016 combinations within the default bounds 2696
-//! `k` are distinct; with offsets of the ring one `k` may have several `r`.
+//! alone. Speeds of planets and the size also depend on `r = z_g/z_a`, and the size on the number of planets.
+//! The tooth numbers of one `k` and one `r` are therefore one *level*. Within it they differ only in the
+//! share `K_γ/N` of the most loaded planet, and those with a larger share than the least make a design no
+//! better. Without profile shift `r = (k − 1)/2`. The 8016 combinations within the default bounds have 2696
+//! distinct `k`. With offsets of the ring one `k` may have several `r`.
 
 use crate::Error;
 use crate::requirements::Limits;
@@ -29,7 +29,7 @@ pub(crate) struct Level {
     pub(crate) planet_to_sun: f64,
     /// Working over reference diameters of sun and planets, `w`.
     pub(crate) working: f64,
-    /// How far `k` is from the preferred range: as a fraction, times a limit of that range or 1.
+    /// Distance of `k` from the preferred range: as a fraction, times a limit of that range or 1.
     pub(crate) distance: Distance,
     /// `k³·(1 + 1/r)/(w²·min(1, r))`.
     pub(crate) cube: f64,
@@ -71,7 +71,7 @@ impl Distance {
     }
 }
 
-/// All levels within the limits, ascending by `k`, then by `r`, and the tooth numbers by level.
+/// Levels within the limits, ascending by `k`, then by `r`, and the tooth numbers by level.
 pub(crate) fn levels(
     mut tooth_sets: Vec<ToothNumbers>,
     limits: &Limits,
@@ -79,7 +79,7 @@ pub(crate) fn levels(
     shift: Option<&ProfileShift>,
 ) -> Result<(Vec<Level>, Vec<ToothNumbers>), Error> {
     tooth_sets.retain(|teeth| limits.ring_to_sun.contains(&teeth.ring_to_sun_ratio()));
-    // By k and r as fractions: exact, and without a thought of rounding.
+    // Fractions compare k and r exactly, without rounding.
     let cross = |one: &ToothNumbers, other: &ToothNumbers| {
         let of = |gear: fn(&ToothNumbers) -> ToothCount| {
             let product =

@@ -1,71 +1,69 @@
-//! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the exact
-//! Pareto front and the best, with nothing missed. For two speeds all tooth numbers of one set and all ways
-//! to use it: [`OneSetSearch`].
+//! Search over teeth: the exact Pareto front and the best designs for given ratios, with nothing missed.
+//!
+//! It covers all tooth numbers of both sets and all two-set structures. For two speeds [`OneSetSearch`]
+//! covers all tooth numbers of one set and all ways to use it.
 //!
 //! # Why nothing is missed
-//! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
-//! 2.8·10¹⁰ designs. What is left out is left out for a reason that holds for each:
+//! 6.4·10⁷ pairs of tooth numbers for each structure, 111 structures, both orders and signs of the ratios
+//! make 2.8·10¹⁰ designs. Designs are left out only for reasons that hold for each of them:
 //!
-//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂`, of planet speeds and size on the planets'
-//!    teeth over the suns' `r₁`, `r₂`, and of the size on the number of planets. Tooth numbers of one `k` and
-//!    one `r` are one level, the best share of planets stands for it; others of the level are no better, and
-//!    where they are equal they are listed as members of the same entry.
-//! 2. **Reach.** A structure is left out where, by the corners of the range of `k`, a ratio cannot come
-//!    within tolerance: a quotient of bilinear functions, monotonous in each between zeros and poles.
-//! 3. **Windows.** Beside each `k₁` only the interval of `k₂` is tried outside which a ratio, a link speed
-//!    or a planet speed breaks its limit: quotients of linear functions of `k₂`.
-//! 4. **Drawing.** Unless the limits lift that criterion, structures that cannot be drawn without
-//!    self-crossing are left out, and of the options for the direct-drive clutch those
-//!    that cannot be drawn with the rest.
-//! 5. **Symmetry.** Of the six structures that are their own mirror image under exchange of sets and
-//!    brakes only one order of the ratios is tried: the other is the same design.
+//! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂`. Planet speeds and size also depend on the
+//!    ratios of planet to sun `r₁`, `r₂`, and the size on the number of planets. Tooth numbers of one `k` and
+//!    one `r` are one level, represented by the best share of planets. Others of the level are no better;
+//!    equal ones are members of the same entry.
+//! 2. **Reach.** A structure is left out if a ratio cannot come within tolerance, by the corners of the range
+//!    of `k`. The ratio is a quotient of bilinear functions, monotonous in each between zeros and poles.
+//! 3. **Windows.** For each `k₁` only an interval of `k₂` is tried. Outside it a ratio, a link speed or a
+//!    planet speed breaks its limit: quotients of linear functions of `k₂`.
+//! 4. **Drawing.** Structures that cannot be drawn without self-crossing are left out, and of the options for
+//!    the direct-drive clutch those that cannot be drawn with the rest. The limits may lift this criterion.
+//! 5. **Symmetry.** Six structures are their own mirror image under exchange of sets and brakes. Only one
+//!    order of the ratios is tried for them: the other is the same design.
 //!
-//! All that remains is measured and judged in full; the front is found by asking of each design whether
-//! any other dominates it ([`epicyclic_numerics::front`]). Brute force over reduced ranges is the
-//! oracle of tests and benches.
+//! All remaining designs are measured and judged in full. A design is on the front if no other dominates it
+//! ([`epicyclic_numerics::front`]). Brute force over reduced ranges is the reference of tests and benches.
 //!
 //! # Sets with profile shift
 //! With [`ToothSearch::shift`] the tooth numbers are those of sets that some shifts close without a fault,
-//! found set by set before levels are made; sets without an offset of the ring are closed in the same way.
-//! With the default bounds and offsets of −3 to 3 there are 38 437 with 21 380 levels, for 8016 with 2696,
-//! and 60 times as many pairs.
+//! found set by set before levels are made. Sets without an offset of the ring are closed in the same way.
+//! With the default bounds and offsets of −3 to 3 there are 38 437 sets with 21 380 levels instead of 8016
+//! with 2696, and 60 times as many pairs.
 //!
 //! # The first designs without the rest
-//! What dominates a design stands before it in any order of objectives. So whether a design before some bound
-//! is on the front depends on the designs before that bound alone, and [`ToothSearch::best`] need not hold,
-//! nor compute to the point of the grid, what comes after it. The bound is the costs of a design: of a sample
-//! first, then of what was tried, so far down the front of these that more entries stand before it than are
-//! wanted. A first look (`screen`) decides for most pairs that they come after it and whether they meet the
-//! criteria; all others are measured. If in the end fewer entries than wanted stand before the bound, because
-//! later designs dominate those by which it was set, the search is repeated with one farther off, and at last
-//! without any. So the answer is that of the whole front, and the bound only costs or saves time.
+//! A design that dominates another comes before it in any order of objectives. Whether a design before some
+//! bound is on the front therefore depends only on the designs before that bound. [`ToothSearch::best`] need
+//! not hold later designs, nor compute them to the point of the grid. The bound is the costs of a design,
+//! first of a sample, then of those tried. It lies so far down their front that more entries than required
+//! come before it. A first look (`screen`) decides for most pairs that they come after it and whether they
+//! meet the criteria; all others are measured. If later designs dominate so many that fewer entries than
+//! required remain, the search is repeated with a farther bound, at last without one. The result is therefore
+//! that of the whole front; the bound only changes the time.
 //!
-//! # What is equal
-//! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an
-//! objective in common, reached by different figures. They must not be parted by rounding, or one would
-//! dominate the other. Teeth are whole numbers, and what ratios and speeds have above and below the line is
-//! so too: the only rounding is that of the quotient, and equal ones are equal to the bit. Of efficiencies
-//! and sizes the rounding is bounded; where it could carry one over to the next point of the grid of
-//! [objectives](crate::objectives), it is computed with twice the digits. So the point is that of the exact
-//! value, whatever way led to it.
+//! # Equal designs
+//! Objectives often do not depend on one of the sets, or do so through a product. Many designs therefore have
+//! an objective in common, reached by different figures. Rounding must not separate them, or one would
+//! dominate the other. Numerators and denominators of ratios and speeds are whole numbers, as teeth are. Only
+//! the quotient is rounded, and equal ones are equal to the bit. The rounding of efficiencies and sizes is
+//! bounded. Where it could lead to the next point of the grid of [objectives](crate::objectives), the value
+//! is computed with twice the digits. The point is then that of the exact value, however it was computed.
 //!
-//! # What it costs
-//! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
-//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 087 entries
-//! are on the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Within a
-//! strip neighbours dominate most of what is dominated; that is left out as it comes. The first of the front
-//! ([`ToothSearch::best`]) needs a sort.
+//! # Effort
+//! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to
+//! try, and 1.5·10⁶ pairs of ring-to-sun ratios are tried. 1.2·10⁶ meet the criteria, and of these 215 087
+//! entries are on the front: five objectives over two ring-to-sun ratios leave many non-dominated designs.
+//! Most dominated designs are dominated by neighbours within a strip and are left out at once. The first of
+//! the front ([`ToothSearch::best`]) needs a sort.
 //!
-//! # What it refuses
-//! More than [`MOST_TOOTH_SETS`] combinations of tooth numbers a set, [`MOST_WINDOWS`] windows or
-//! [`MOST_PAIRS`] pairs of ring-to-sun ratios, all counted before anything is tried, with their numbers.
-//! Within these limits a search takes less than 1 GiB: one patch is tried after another, and where the
-//! designs held become more than 4·10⁶ those that cannot be among the first entries are left out
-//! ([`ToothSearch::best`]), or those that others dominate ([`ToothSearch::front`]). Where that would leave
-//! too few to answer, the search is refused and nothing is left out in silence.
+//! # Limits
+//! The search refuses more than [`MOST_TOOTH_SETS`] combinations of tooth numbers for each set,
+//! [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of ring-to-sun ratios. All are counted before anything is
+//! tried. Within these limits a search takes less than 1 GiB, since patches are tried one after another. If
+//! more than 4·10⁶ designs are held, those that cannot be among the first entries ([`ToothSearch::best`]) or
+//! that others dominate ([`ToothSearch::front`]) are left out. If too few would remain, the search is
+//! refused; nothing is left out without a message.
 //!
-//! Results do not depend on the number of threads: work is cut into pieces by content and put together in
-//! their order. With the feature `parallel` (default) a `rayon::ThreadPool` around it sets their number.
+//! Results do not depend on the number of threads: work is divided by content and joined in order. With the
+//! feature `parallel` (default) a `rayon::ThreadPool` around the search sets the number of threads.
 //!
 //! ```
 //! use epicyclic_selection::search::ToothSearch;
@@ -120,12 +118,12 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
 
-/// How far a search has come: pieces of work done, and all of them.
+/// Progress of a search: pieces of work done, and all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// Done.
     pub done: usize,
-    /// Of so many.
+    /// Number of pieces.
     pub of: usize,
     /// Numbers of what is searched, 0 until counted; the number of feasible designs is 0 until the end.
     pub counts: Counts,
@@ -138,7 +136,7 @@ pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 /// Directions of rotation of the output that a search tries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Directions {
-    /// Those that the requirements allow.
+    /// Directions that the requirements allow.
     #[default]
     Any,
     /// The output turns alike in all gears, direct drive among them.
@@ -163,9 +161,9 @@ impl Directions {
 /// A search over teeth.
 #[derive(Debug, Clone)]
 pub struct ToothSearch {
-    /// What is wanted: two ratios.
+    /// Requirements with two ratios.
     pub requirements: Requirements,
-    /// Which of the signs that the requirements allow are searched, all by default.
+    /// Signs that are searched, of those that the requirements allow; by default all.
     pub directions: Directions,
     /// Structures to search, all 111 by default.
     pub structures: Vec<Structure>,
@@ -173,8 +171,8 @@ pub struct ToothSearch {
     pub bounds: Bounds,
     /// Sets with profile shift in place of those without; `None` by default.
     pub shift: Option<ProfileShift>,
-    /// Order of objectives by which entries are sorted; circulating power, which is not compared here, stands
-    /// last.
+    /// Order of objectives by which entries are sorted. Circulating power, which is not compared here, must
+    /// be last.
     pub order: Order,
     /// Module that each set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -196,8 +194,8 @@ pub const MOST_WINDOWS: u64 = 20_000_000;
 /// The most pairs of ring-to-sun ratios that are tried, a minute or two of work.
 pub const MOST_PAIRS: u64 = 1_000_000_000;
 
-/// One in so many strips, and in these one in so many pairs, is tried for a first bound; of more than some
-/// `SAMPLE_PAIRS` fewer.
+/// Share of the strips, and of the pairs in these, that are tried for a first bound: one in `SAMPLE`. If they
+/// are more than some `SAMPLE_PAIRS`, fewer are tried.
 const SAMPLE: usize = 8;
 const SAMPLE_PAIRS: u64 = 1 << 15;
 
@@ -217,7 +215,7 @@ fn check_order(order: Order) -> Result<(), Error> {
 }
 
 impl ToothSearch {
-    /// All structures, default tooth bounds and order, no limits of size.
+    /// Search over all structures, with default tooth bounds and order and no limits of size.
     #[must_use]
     pub fn new(requirements: Requirements) -> Self {
         Self {
@@ -242,14 +240,14 @@ impl ToothSearch {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched.
+    /// Front with reports of progress.
     ///
     /// # Errors
-    /// As [`front`](Self::front), and [`Error::Cancelled`].
+    /// Errors of [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared(watch)?;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
-            // Nothing on the front of all is off the front of a part.
+            // A design on the front of all is also on the front of every part.
             held.keep(&non_dominated(&held.costs));
             let most = self.most_held / 4 * 3;
             if held.costs.len() > most {
@@ -273,10 +271,10 @@ impl ToothSearch {
         self.best_watched(count, &|_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched.
+    /// First entries of the front, with reports of progress.
     ///
     /// # Errors
-    /// As [`front_watched`](Self::front_watched).
+    /// Errors of [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, Error> {
         self.best_of(self.prepared(watch)?, count, watch)
     }
@@ -289,12 +287,12 @@ impl ToothSearch {
                 return Ok(found);
             }
         }
-        // The first design in the order that was left out. All before it are held, and what dominates a
-        // design stands before it; so entries before it are those of the front of all.
+        // The first design in the order that was left out. All designs before it are held, and a design that
+        // dominates another comes before it. Entries before it are therefore those of the whole front.
         let mut left_out: Option<Costs> = None;
         let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             let first_out = held.first(self.most_held / 2, self.order);
-            // What was left out earlier may stand before what is left out now.
+            // Designs left out earlier may come before those left out now.
             if left_out.is_none_or(|before| self.order.compare(&first_out, &before).is_lt()) {
                 left_out = Some(first_out);
             }
@@ -312,9 +310,8 @@ impl ToothSearch {
         Ok(found)
     }
 
-    /// Puts the first entries into what is found, if they can be had without holding the rest: all that
-    /// stands before the bound is held, so entries before it are those of the front of all. `false` where
-    /// they are fewer than wanted.
+    /// Finds the first entries without holding the rest, if possible. All designs before the bound are held,
+    /// so entries before it are those of the whole front. Returns `false` if they are fewer than required.
     fn first_before(
         &self,
         bound: &Bound,
@@ -340,7 +337,7 @@ impl ToothSearch {
         if bound.costs().is_some() && entries.len() < count {
             return Ok(false);
         }
-        // What else is held depends on how far the bound was, and that on the threads.
+        // The other designs held depend on the bound, and the bound on the threads.
         for member in entries.iter_mut().flat_map(|entry| &mut entry.members) {
             found.points.push(held.points[*member]);
             *member = found.points.len() - 1;
@@ -423,8 +420,8 @@ impl ToothSearch {
     /// these together in the order of the pieces. Where more come together than are held, `reduce` leaves
     /// some out; what is not before the bound may be left out at any time.
     ///
-    /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a
-    /// batch and what is held.
+    /// Patches are tried one after another and in batches of pairs, so that memory holds no more than a batch
+    /// and the designs kept.
     fn each(
         &self,
         found: &mut Found,

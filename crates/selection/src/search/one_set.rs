@@ -1,9 +1,9 @@
-//! The same search for two speeds: all tooth numbers of one set, in all ways to use it.
+//! Search over teeth for two speeds: all tooth numbers of one set, in all ways to use it.
 //!
-//! With one set every objective is a function of one ring-to-sun ratio, so nothing has to be left out to be
-//! quick: all tooth numbers whose ratio is within tolerance in any of the ways are tried, once for each `k`.
-//! Ratios and speeds are quotients of whole numbers, and efficiency and size are placed on their grid by
-//! twice a double's digits, so what is equal is equal to the bit ([`super`]).
+//! With one set every objective is a function of one ring-to-sun ratio, so the search is fast without leaving
+//! anything out. All tooth numbers whose ratio is within tolerance in any of the ways are tried, once for
+//! each `k`. Ratios and speeds are quotients of whole numbers, and efficiency and size are placed on their
+//! grid by twice a double's digits. Equal values are therefore equal to the bit ([`super`]).
 //!
 //! With coefficients `c = (z_a, z_b, −(z_a + z_b))` at the links of sun, ring and carrier, and T₁ at rest,
 //!
@@ -11,8 +11,8 @@
 //! i = −c_B/c_D      ω_D = 1      ω_B = 1/i      T_a = z_a/c_D      η = î/i
 //! ```
 //!
-//! speeds and torques as multiples of the input's; `î` and `T_a` with losses are those of a set with
-//! `k·η₀^x`, `x` the sign of its rolling power.
+//! Speeds and torques are multiples of the input's. `î` and `T_a` with losses are those of a set with
+//! `k·η₀^x`, where `x` is the sign of its rolling power.
 
 use super::double::Double;
 use super::exact;
@@ -38,9 +38,9 @@ use uom::si::f64::Length;
 /// A search over the teeth of one set.
 #[derive(Debug, Clone)]
 pub struct OneSetSearch {
-    /// What is wanted: one ratio.
+    /// Requirements with one ratio.
     pub requirements: Requirements,
-    /// Which of the signs that the requirements allow are searched, all by default.
+    /// Signs that are searched, of those that the requirements allow; by default all.
     pub directions: Directions,
     /// Ways to use the set, all six by default.
     pub sets: Vec<SetRoles>,
@@ -48,8 +48,8 @@ pub struct OneSetSearch {
     pub bounds: Bounds,
     /// Sets with profile shift in place of those without; `None` by default.
     pub shift: Option<ProfileShift>,
-    /// Order of objectives by which entries are sorted; circulating power, of which one set has none, stands
-    /// last.
+    /// Order of objectives by which entries are sorted. Circulating power, which one set does not have, must
+    /// be last.
     pub order: Order,
     /// Module that the set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -57,7 +57,7 @@ pub struct OneSetSearch {
     pub ring_diameter: Option<Length>,
 }
 
-/// What a search over the teeth of one set found.
+/// Result of a search over the teeth of one set.
 #[derive(Debug, Clone)]
 pub struct OneSetFound {
     entries: Vec<Entry>,
@@ -76,7 +76,7 @@ pub struct OneSetFound {
 pub struct OneSetDesign {
     /// Links of sun, ring and carrier.
     pub set: SetRoles,
-    /// Ratio wanted.
+    /// Target ratio.
     pub wanted: f64,
     /// Ring-to-sun ratio.
     pub k: f64,
@@ -84,7 +84,7 @@ pub struct OneSetDesign {
     pub teeth: Vec<ToothNumbers>,
 }
 
-/// A way to use a set, with the ratio wanted of it.
+/// A way to use a set, with its target ratio.
 #[derive(Debug, Clone)]
 struct Way {
     set: SetRoles,
@@ -109,24 +109,24 @@ struct Measured {
     cube: Double,
 }
 
-/// Tooth numbers whose ratio is near a wanted one.
+/// Tooth numbers whose ratio is near the target.
 struct Nearby {
     /// Tooth numbers near the ratio whose gears can be cut and turned together.
     near: Vec<ToothNumbers>,
-    /// How many there are within the bounds, near or not.
+    /// Number of sets of tooth numbers within the bounds, near or not.
     tooth_sets: usize,
     /// Tooth numbers near the ratio whose gears cannot be cut or turned together.
     left_out: Option<Box<LeftOut>>,
 }
 
-/// From so many designs on those that others dominate are left out before all are there.
+/// Number of designs from which on those that others dominate are left out before all are known.
 const MANY: usize = 1 << 20;
 
-/// Sets of tooth numbers after which whoever watches a search is asked.
+/// Number of sets of tooth numbers between two reports of progress.
 const LEVELS: u32 = 256;
 
 impl OneSetSearch {
-    /// All six ways, default tooth bounds and order, no limits of size.
+    /// Search over all six ways, with default tooth bounds and order and no limits of size.
     #[must_use]
     pub fn new(requirements: Requirements) -> Self {
         Self {
@@ -150,11 +150,11 @@ impl OneSetSearch {
         self.front_watched(|_| ControlFlow::Continue(()))
     }
 
-    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through; a break ends the
-    /// search.
+    /// Front with reports of progress: `done` receives the completed share of the bounds, from 0 to 1; a
+    /// break ends the search.
     ///
     /// # Errors
-    /// As [`front`](Self::front).
+    /// Errors of [`front`](Self::front).
     pub fn front_watched(&self, mut done: impl FnMut(f64) -> ControlFlow<()>) -> Result<OneSetFound, Error> {
         self.requirements.check()?;
         check_order(self.order)?;
@@ -207,8 +207,8 @@ impl OneSetSearch {
         Ok(OneSetFound { entries, points, ways, levels, tooth_sets: near, left_out, counts, size, rating })
     }
 
-    /// Ways to use the set, with the ratio wanted of each; none that cannot be drawn, unless that does not
-    /// matter.
+    /// Ways to use the set, with the target ratio of each; without those that cannot be drawn, unless that
+    /// does not matter.
     fn ways(&self) -> Result<Vec<Way>, Error> {
         let limits = &self.requirements.limits;
         let mut found = vec![];
@@ -230,7 +230,7 @@ impl OneSetSearch {
         Ok(found)
     }
 
-    /// Tooth numbers whose ratio is near what is wanted of any way.
+    /// Tooth numbers whose ratio is near the target of any way.
     fn near(
         &self,
         ways: &[Way],
@@ -341,7 +341,7 @@ impl Way {
 }
 
 impl Measured {
-    /// On the points of the grids where the exact values belong.
+    /// Costs on the points of the grids where the exact values belong.
     fn costs(&self, level: &Level, share: f64) -> Costs {
         [
             exact::efficiency_cost(self.efficiency),
@@ -361,7 +361,7 @@ impl OneSetFound {
         &self.entries
     }
 
-    /// How many designs there were; `tried` and `feasible` are ring-to-sun ratios in a way to use the set.
+    /// Numbers of designs; `tried` and `feasible` are ring-to-sun ratios in a way to use the set.
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts
@@ -381,7 +381,7 @@ impl OneSetFound {
 
     fn design(&self, point: Point, entry: &Entry) -> Option<OneSetDesign> {
         let (way, level) = (&self.ways[point.way as usize], &self.levels[point.level as usize]);
-        // What met the criteria once meets them again.
+        // The criteria were met before, so they are met again.
         let measured = way.measure(level, &Allowed::ANY)?;
         let fits = |teeth: &&ToothNumbers| {
             let share = self.rating.share(teeth.planets);

@@ -48,7 +48,7 @@ pub(crate) struct Measured {
     pub(crate) ratio_error: f64,
     /// Largest torque on the suns over the gears.
     pub(crate) sun_torques: [f64; 2],
-    /// What rounding may have added to efficiency and torques, relative.
+    /// Relative error that rounding may have added to efficiency and torques.
     doubt: f64,
 }
 
@@ -112,7 +112,7 @@ impl Patch {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        // By how much r is above (k − 1)/2: without offsets of the ring by nothing.
+        // Excess of r over (k − 1)/2: 0 without offsets of the ring.
         let above = |level: &Level| {
             let [sun, ring] = level.teeth;
             (2.0 * level.planet - (ring - sun)) / (2.0 * sun)
@@ -130,7 +130,7 @@ impl Patch {
                 strips.push([place as u32, from as u32, to as u32]);
             }
         }
-        // Signs of rolling powers are those of any pair whose ratios have the wanted signs.
+        // Signs of rolling powers are those of any pair whose ratios have the required signs.
         let witness = strips.iter().find_map(|&[one, from, to]| {
             let signs_fit = |&two: &u32| {
                 let k = [levels[one as usize].k, levels[two as usize].k];
@@ -247,17 +247,17 @@ impl Patch {
         {
             return None;
         }
-        // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products
-        // make eight times the rounding of the terms, and five more operations follow.
+        // A loaded k is rounded twice, 1 + k once more. A product of two such and a difference of products
+        // make eight times the rounding of the terms. Five more operations follow.
         let doubt = ROUNDING * (9.0 * cancelled + 6.0);
         Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques, doubt })
     }
 
     /// Costs of a measured pair of levels with the shares `K_γ/N` of its sets.
     ///
-    /// Each on the point of its grid where the exact value belongs: of ratios and speeds by construction; of
-    /// efficiency and size by the double, unless rounding may have carried that over half the way to the next
-    /// point, and then by twice the digits.
+    /// Each cost is on the point of its grid where the exact value belongs. For ratios and speeds this holds
+    /// by construction. For efficiency and size the double decides, unless rounding may have carried it over
+    /// half the way to the next point; then twice the digits decide.
     #[inline]
     pub(crate) fn costs(&self, measured: &Measured, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
         let cube = measured.cube(0, levels[0], shares[0]).max(measured.cube(1, levels[1], shares[1]));
@@ -280,7 +280,7 @@ impl Patch {
     }
 
     /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its
-    /// free link; a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
+    /// free link. A set's coefficients are times the teeth of its sun, and times `η₀` where it divides.
     fn exact_parts(&self, levels: [&Level; 2], gear: usize) -> ([Double; 2], [Double; 2]) {
         let eta0 = self.eta0;
         let x = [Role::T2.index(), Role::T1.index()][gear];
@@ -343,16 +343,17 @@ impl Measured {
     }
 }
 
-/// What circulates in a gear between two sets, with losses, over what enters.
+/// Circulating power of a gear between two sets, with losses, over the power that enters.
 ///
-/// Each set gives or takes power at each link. What one gives and the other takes at a link can go round if
-/// as much comes back at other links: of two sets there is no other loop. As the definition asks
-/// ([`epicyclic_train::power_flow`]), it is the most that goes through the link with the most.
+/// Each set gives or takes power at each link. The power that one gives and the other takes at a link can
+/// circulate if as much returns at other links; two sets have no other loop. By the definition
+/// ([`epicyclic_train::power_flow`]), the circulating power is the largest that passes the link with the
+/// most.
 fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f64 {
     let x = [Role::T2.index(), Role::T1.index()][gear];
     let (one, two) = (&one.loaded[gear], &two.loaded[gear]);
     let [_, d] = fraction(one, two, gear);
-    // What enters set 1 and set 2 at each link, where 1 enters the gear at D.
+    // Power that enters set 1 and set 2 at each link, where 1 enters the gear at D.
     let enters =
         |role: usize| [one[role] * two[x], -two[role] * one[x]].map(|torque| torque / d * speeds[role]);
     let passes = |role: usize, from: usize| {

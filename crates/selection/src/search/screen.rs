@@ -1,18 +1,18 @@
-//! A first look at pairs of levels: which of them need no measuring, because rounding cannot matter to what
-//! decides.
+//! First look at pairs of levels: finds those that need no measuring, because rounding cannot change the
+//! decision.
 //!
 //! The first designs in an order ([`best`](super::ToothSearch::best)) are few, and the rest need only be
-//! counted. Beside a set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact
-//! here as in a measure, minors with losses are the same to the bit, and all that follows misses its value by
-//! less than 1e-14 of it. So
+//! counted. For one set 1 the look takes several sets 2 at once, from columns. Minors of teeth are exact here
+//! as in a measure, and minors with losses are the same to the bit. All further values are wrong by less than
+//! 1e-14 of themselves. Therefore
 //!
-//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too, and where all figures keep to
-//!   their limits by as much, the pair is feasible;
+//! - a figure beyond its limit by [`LOOK`] breaks the limit in a measure too. If all figures keep to their
+//!   limits by as much, the pair is feasible.
 //! - a first objective beyond that of a bound by [`BEHIND`] is beyond it on the grid of objectives as well,
-//!   whose step is 1e-12. Torques and ratios with losses lose digits where their terms cancel; a pair of
-//!   which more than [`CANCELLED`] cancels is measured, and of the others the loss is below 2e-10.
+//!   whose step is 1e-12. Torques and ratios with losses lose digits where their terms cancel. A pair in
+//!   which more than [`CANCELLED`] cancels is measured; for the others the loss is below 2e-10.
 //!
-//! Whatever is neither is measured. So no pair is judged otherwise than by a measure.
+//! All other pairs are measured, so every judgement is that of a measure.
 
 use super::levels::Level;
 use super::patch::{Allowed, Patch, Side};
@@ -38,14 +38,14 @@ pub(super) const AT_ONCE: usize = 16;
 
 type Column = [f64; AT_ONCE];
 
-/// What a look says of a pair.
+/// Result of a look at a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Verdict {
     /// A limit is broken.
     Infeasible,
-    /// All criteria are met, and the bound comes first.
+    /// The criteria are all met, and the bound comes first.
     Behind,
-    /// To be measured.
+    /// The pair has to be measured.
     Open,
 }
 
@@ -61,7 +61,7 @@ pub(super) struct Columns {
 
 impl Columns {
     pub(super) fn new(sides: &[Side], levels: &[Level]) -> Self {
-        // The last look may reach beyond the end; what it says of that is nobody's.
+        // The last look may reach beyond the end; its results there are not used.
         let padded = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
             values.chain(std::iter::repeat_n(0.0, AT_ONCE)).collect()
         };
@@ -130,9 +130,9 @@ pub(super) struct Screen<'a> {
     link_speed: Ceiling,
     planet_speed: Ceiling,
     clutch_slip: Ceiling,
-    /// Of `1 − η`.
+    /// Limit of `1 − η`.
     loss: Ceiling,
-    /// Above 0 where circulating power has a limit, which a look does not judge.
+    /// Value above 0 where circulating power has a limit, which a look does not judge.
     circulation: f64,
     first: Objective,
     /// A first objective as a cost is behind the bound from here on.
@@ -188,7 +188,7 @@ impl<'a> Screen<'a> {
             // The order of a search over teeth has circulation last.
             Objective::Size | Objective::Circulation => self.figures::<SIZE>(side, level, from),
         };
-        // What is not a number is open.
+        // A value that is not a number leaves the pair open.
         std::array::from_fn(|place| {
             if excess[place] > LOOK {
                 Verdict::Infeasible
@@ -200,8 +200,7 @@ impl<'a> Screen<'a> {
         })
     }
 
-    /// By how much limits are broken, the most of all, and by how much the first objective is behind the
-    /// bound.
+    /// Largest excess over the limits, and the distance of the first objective behind the bound.
     #[inline]
     fn figures<const FIRST: usize>(&self, one: &Side, level: &Level, from: usize) -> [Column; 2] {
         let at = |column: &'a [f64]| -> &'a Column {

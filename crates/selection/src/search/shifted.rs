@@ -1,15 +1,15 @@
 //! Tooth numbers of sets with profile shift: all that close, sun by sun on all threads.
 //!
-//! The ring departs from `z_s + 2·z_p` by an offset, and some shifts leave no fault
-//! ([`involute::search`](epicyclic_gears::involute::search)): undercut, tip thickness, contact ratio,
-//! interference and the clearance between planets are decided by the geometry of the shifted gears. What a
-//! closing may miss is a stretch of shifts shorter than 1/64 of those without undercut
+//! The ring deviates from `z_s + 2·z_p` by an offset, and some shifts leave no fault
+//! ([`involute::search`](epicyclic_gears::involute::search)). Undercut, tip thickness, contact ratio,
+//! interference and the clearance between planets are decided by the geometry of the shifted gears. A closing
+//! may miss a range of shifts shorter than 1/64 of those without undercut
 //! ([`Family::choose`](epicyclic_gears::involute::family::Family::choose)); nothing else is left out.
 //!
 //! Ratios, torques and losses depend on `k` alone as without shifts, since the efficiency of a set is given.
-//! Planets turn by `r = z_p/z_s`, and the size is that at the working circles, which follow from `k` and `r`
-//! by the natural centre distance; so levels of `k` and `r` lose nothing. The shifts themselves are no
-//! objective, and the aim picks them of each set that is told.
+//! Planets turn by `r = z_p/z_s`. The size is that at the working circles, which follow from `k` and `r` by
+//! the natural centre distance. Levels of `k` and `r` therefore lose nothing. The shifts themselves are no
+//! objective; the aim picks them for each set that is reported.
 
 use super::MOST_TOOTH_SETS;
 use crate::Error;
@@ -21,7 +21,7 @@ use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use std::ops::ControlFlow;
 
-/// Suns that are closed before it is told how far the search is.
+/// Number of suns that are closed between two reports of progress.
 const SUNS: usize = 16;
 
 /// Number of sets whose teeth are checked between two reports of progress.
@@ -78,12 +78,12 @@ const fn gears(set: &ToothNumbers) -> [ToothCount; 3] {
     [set.sun, set.planet, set.ring]
 }
 
-/// All within the bounds, ascending by sun; `done` is told, from 0 to 1, how much of the bounds has been gone
-/// through; a break ends it.
+/// Sets within the bounds, ascending by sun. `done` receives the completed share of the bounds, from 0 to 1;
+/// a break ends the search.
 ///
 /// # Errors
 /// Those of [`ShiftedSearch::check`](epicyclic_gears::involute::search::ShiftedSearch::check);
-/// [`Error::TooManyToothSets`] by what would be gone through, before anything is.
+/// [`Error::TooManyToothSets`] by the number of sets to be checked, before any is checked.
 pub(super) fn shifted(
     bounds: &Bounds,
     shift: &ProfileShift,

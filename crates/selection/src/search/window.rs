@@ -1,21 +1,21 @@
-//! Which ring-to-sun ratios `k₂` are worth a look beside a given `k₁`: every bound that prunes.
+//! Window of ring-to-sun ratios `k₂` that are worth trying with a given `k₁`: every bound that prunes.
 //!
 //! With `k₁` given every minor of [`pair`](epicyclic_schemes::pair) is linear in `k₂`, so ratios and link
 //! speeds are quotients of linear functions of `k₂`. Such a quotient is monotonous on either side of its pole
-//! and passes each limit at most once; so between limits and pole it keeps to its limits or breaks them
-//! throughout, and the parts that keep to them are found by a look into the middle of each. The window is the
-//! least interval that holds these parts for all of
+//! and passes each limit at most once. Between limits and pole it therefore keeps to its limits or breaks
+//! them throughout. A look into the middle of each part decides. The window is the least interval that holds
+//! the parts within the limits for all of
 //!
 //! 1. both ratios within tolerance;
 //! 2. both free braked links within the limit of link speeds (D has 1, and B the reciprocal of a ratio);
 //! 3. planets of set 1 within theirs: `(ω_a − ω_H)/r₁`, of the same kind;
-//! 4. planets of set 2: for `k₂` up to the window's end `e` they have `r₂ ≤ (e − 1)/2 + δ`, with `δ` the most
-//!    by which an offset of the ring puts `r` above `(k − 1)/2`; so `|ω_a − ω_H| ≤ limit·((e − 1)/2 + δ)`
-//!    must hold.
+//! 4. planets of set 2: for `k₂` up to the window's end `e` they have `r₂ ≤ (e − 1)/2 + δ`. Here `δ` is the
+//!    most by which an offset of the ring puts `r` above `(k − 1)/2`. The condition is
+//!    `|ω_a − ω_H| ≤ limit·((e − 1)/2 + δ)`.
 //!
-//! Outside the window some required criterion fails; inside, every pair is tried in full. Limits are
-//! widened by 2·10⁻⁹ of themselves, twice what the trial allows for rounding, so rounding can only let
-//! too much through.
+//! Outside the window some required criterion fails; inside, every pair is tried in full. Limits are widened
+//! by 2·10⁻⁹ of themselves, twice what the trial allows for rounding. Rounding can therefore only let too
+//! many pairs through.
 
 use crate::requirements::Limits;
 use crate::tolerance::{HAIR, WIDER};
@@ -25,17 +25,17 @@ use epicyclic_schemes::structures::{Role, SetRoles};
 /// `[m, n]` of `m + n·k`.
 type Linear = [f64; 2];
 
-/// What is wanted of a structure's gears.
+/// Target ratios of a structure's gears, and their tolerance.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wanted {
     pub(crate) ratios: [f64; 2],
     pub(crate) tolerance: f64,
 }
 
-/// What is known of the planets' teeth over the sun's, `r`.
+/// Known limits of the planets' teeth over the sun's, `r`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Planets {
-    /// Of set 1.
+    /// `r` of set 1.
     pub(crate) first: f64,
     /// The most by which that of any set 2 is above `(k₂ − 1)/2`, 0 or more.
     pub(crate) above: f64,

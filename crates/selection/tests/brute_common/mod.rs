@@ -33,7 +33,7 @@ pub(crate) fn designs(
     designs_of(requirements, structures, &that_turn_by_trial(bounds), None)
 }
 
-/// All tooth numbers without profile shift whose gears can be cut and turned together.
+/// Tooth numbers without profile shift whose gears can be cut and turned together.
 pub(crate) fn that_turn_by_trial(bounds: &Bounds) -> Vec<ToothNumbers> {
     let mut all = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
     all.retain(|set| bounds.can_turn(set, &mut None).expect("the rack is one"));
@@ -70,8 +70,7 @@ pub(crate) fn designs_of(
     (found, tried)
 }
 
-/// All tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is
-/// closed.
+/// Tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is closed.
 pub(crate) fn shifted_by_trial(bounds: &Bounds, shift: &ProfileShift) -> Vec<ToothNumbers> {
     let count = |teeth| ToothCount::new(teeth).expect("the bounds have teeth");
     let mut found = vec![];
@@ -204,8 +203,8 @@ fn values(k: [f64; 2], requirements: &Requirements) -> Values {
     Values { ratios: k.map(ratio).into(), efficiencies: vec![requirements.eta0; 2] }
 }
 
-/// For each structure and assignment of ratios the point of a grid of ring-to-sun ratios, so many a side,
-/// whose ratios come nearest.
+/// Points of a grid of ring-to-sun ratios, `side` on each side, whose ratios come nearest: one for each
+/// structure and assignment of ratios.
 pub(crate) fn nearest_on_a_grid(
     requirements: &Requirements,
     structures: &[Structure],

@@ -8,19 +8,21 @@
 //! Y_B = 1.15·ln(8.324·m_n/s_R), from s_R = 3.5·m_n on 1             internal gears, s_R above 1.75·m_n
 //! Y_DT = 2.366 − 0.666·ε_αn from ε_αn = 2.05 to 2.5 and accuracy grade 4 or better, else 1
 //! Y_δrelT = (1 + √(ρ'·χ))/(1 + √(ρ'·1.2))         χ = (1 + 2·q_s)/5, ρ' in mm by class and strength
-//! Y_RrelT = 1.674 − 0.529·(R_z + 1)^0.1           V, GGG (perl.), GTS, Eh, IF; R_z in µm up to 40; below 1 µm 1.12
+//! Y_RrelT = 1.674 − 0.529·(R_z + 1)^0.1           V, GGG (perl.), GTS, Eh, IF; below R_z = 1 µm 1.12
 //!         = 5.306 − 4.203·(R_z + 1)^0.01          St; 1.07
 //!         = 4.299 − 3.259·(R_z + 1)^0.0058        GG, GGG (ferr.), NT, NV; 1.025
 //! Y_X = 1.03 − 0.006·m_n, at least 0.85           St, V, GGG (perl.), GTS; 1 up to m_n = 5 mm
 //!     = 1.05 − 0.01·m_n, at least 0.80            Eh, IF, NT, NV
 //!     = 1.075 − 0.015·m_n, at least 0.70          GG, GGG (ferr.)
-//! Y_M = 1/(1 − R·(1 − M)/(1 + M))                 R ratio of least to greatest root stress, M sensitivity to mean stress
+//! Y_M = 1/(1 − R·(1 − M)/(1 + M))
 //! ```
 //!
-//! `s_R` is the thickness of the rim, `h_t` the height of the teeth, `ρ'` the slip-layer thickness. Between
-//! its listed strengths `ρ'` is interpolated, beyond them it is that of the nearest. For static strength
-//! `Y_δrelT` of case-hardened steel is `0.44·Y_S + 0.12`; of the other classes the formula was not available,
-//! and the factor is given.
+//! `s_R` is the thickness of the rim, `h_t` the height of the teeth. `R_z` in `Y_RrelT` is in µm, up to 40.
+//! `R` is the ratio of the least to the greatest root stress, `M` the sensitivity to mean stress.
+//!
+//! `ρ'` is the slip-layer thickness. Between its listed strengths it is interpolated, beyond them it is that
+//! of the nearest. For static strength `Y_δrelT` of case-hardened steel is `0.44·Y_S + 0.12`. For the other
+//! classes the formula was not available, and the factor is given.
 //!
 //! # Source
 //! ISO 6336-3:2006, clauses 6 to 10 and 13 to 15, annex B.
@@ -101,7 +103,7 @@ pub fn deep_tooth_factor(virtual_contact_ratio: f64, accuracy_grade: u8) -> f64 
 /// `Y_δrelT`.
 ///
 /// # Errors
-/// [`Error::MissingFactor`] where the class asks for a strength that the material does not name.
+/// [`Error::MissingFactor`] where the class needs a strength that the material does not give.
 pub fn notch_sensitivity(material: &Material, notch_parameter: f64) -> Result<f64, Error> {
     let slip = slip_layer(material)?;
     let root = |gradient: f64| 1.0 + (slip * gradient).sqrt();
@@ -196,15 +198,15 @@ pub fn size_factor(class: Class, module_mm: f64) -> f64 {
     }
 }
 
-/// How a tooth is bent.
+/// Bending of a tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Bending {
-    /// To one side alone: `Y_M` = 1.
+    /// Bending to one side alone: `Y_M` = 1.
     #[default]
     OneWay,
-    /// To both sides alike in each revolution, as the teeth of a planet or an idler: `Y_M` = 0.7.
+    /// Bending to both sides alike in each revolution, as the teeth of a planet or an idler: `Y_M` = 0.7.
     Reversed,
-    /// With a ratio of the least to the greatest stress.
+    /// Bending with a ratio of the least to the greatest stress.
     Ratio {
         /// Stress ratio `R`, −1.2 to 0.5; below 0 the tooth is bent back.
         stress_ratio: f64,

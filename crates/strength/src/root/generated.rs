@@ -66,8 +66,8 @@ fn by_shaper(ring: &InvoluteGear, shaper: Shaper, angle: f64) -> Point {
     upright(point, (angle - own) * z0 / z + PI / z)
 }
 
-/// The section on a curve of points that runs from the root to the flank, by bisection on the angle between
-/// tangent and centre line. The tooth stands upwards, or downwards of a ring.
+/// Section on a curve of points that runs from the root to the flank, by bisection on the angle between
+/// tangent and centre line. The tooth points upwards, of a ring downwards.
 fn on(
     curve: impl Fn(f64) -> Point,
     up: f64,
@@ -99,7 +99,7 @@ fn on(
     (here, radius)
 }
 
-/// Where the load at a diameter crosses the centre line, and its angle, from points of the flank.
+/// Point at which the load at a diameter crosses the centre line, and its angle, from points of the flank.
 fn load(gear: &InvoluteGear, diameter: f64) -> (f64, f64) {
     let flank = |diameter: f64| {
         let angle = gear.thickness_at(diameter) / diameter;

@@ -7,7 +7,8 @@
 //! z_n = z/(cos²β_b·cos β)   ε_αn = ε_α/cos²β_b   d_n = z_n   d_bn = d_n·cos α_n   d_an = d_n + d_a − d
 //! ρ_v = ρ_fP                                     external gears, cut by a rack
 //! ρ_v = ρ_fP + (x_0 + h_fP − ρ_fP)^1.95/(3.156·1.036^z_0)     internal gears, cut by a shaper
-//! E = π/4 − h_fP·tan α_n + s_pr/cos α_n − (1 − sin α_n)·ρ_v/cos α_n     s_pr = p_r − q, not below 0, of external gears
+//! E = π/4 − h_fP·tan α_n + s_pr/cos α_n − (1 − sin α_n)·ρ_v/cos α_n
+//!                                                s_pr = p_r − q, not below 0, of external gears
 //! G = ρ_v − h_fP + x
 //! H = 2/z_n·(π/2 − E) − T                        T = π/3, internal π/6
 //! θ = 2·G/z_n·tan θ − H
@@ -17,13 +18,14 @@
 //! α_en = arccos(d_bn/d_en)
 //! γ_e = (π/2 + 2·x·tan α_n)/z_n + inv α_n − inv α_en
 //! α_Fen = α_en − γ_e
-//! h_Fe = ½·((cos γ_e − sin γ_e·tan α_Fen)·d_en − z_n·cos(T − θ) − w'·(G/cos θ − ρ_v))     w' = 1, internal √3
+//! h_Fe = ½·((cos γ_e − sin γ_e·tan α_Fen)·d_en − z_n·cos(T − θ) − w'·(G/cos θ − ρ_v))
+//!                                                w' = 1, internal √3
 //! ```
 //!
 //! With `z_n` below 0 the fillet radius of a ring is that of the fillet which the virtual rack makes. A
-//! commercial program prints a larger one (0.418 instead of 0.380 for the ring of the NREL reference
-//! gearbox), which follows with `|z_n|`; a shaper's true fillet is sharper still (0.370). The radius enters
-//! `Y_S` alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
+//! commercial program prints a larger one, which follows with `|z_n|`: 0.418 instead of 0.380 for the ring of
+//! the NREL reference gearbox. A shaper's true fillet is sharper still (0.370). The radius enters `Y_S`
+//! alone, and `s_Fn`, `h_Fe` and `α_Fen` agree to all printed digits.
 //!
 //! Left out: notches from grinding (`Y_Sg`), which stock without as much protuberance leaves.
 //!
@@ -92,7 +94,7 @@ pub fn section(
     section_of(gear, contact_ratio, shaper, gear.profile().base_helix_rad())
 }
 
-/// The same with the helix angle at the base cylinder, rad, known.
+/// Root section by [`section`] with a known helix angle at the base cylinder, rad.
 pub(crate) fn section_of(
     gear: &InvoluteGear,
     contact_ratio: f64,
@@ -118,7 +120,7 @@ pub(crate) fn section_of(
         profile.fillet
     };
     let (sin, cos, tan) = (libm::sin(alpha), libm::cos(alpha), libm::tan(alpha));
-    // What the protuberance leaves of undercut when the stock is taken off.
+    // Undercut that the protuberance leaves when the stock is taken off.
     let residual = if is_internal { 0.0 } else { (profile.protuberance - profile.stock).max(0.0) };
     let e = FRAC_PI_4 - depth * tan + residual / cos - (1.0 - sin) * fillet / cos;
     let g = fillet - depth + gear.shift();
@@ -161,7 +163,7 @@ const ROOT_3: f64 = 1.732_050_807_568_877_2;
 /// The standard's formulas hold below.
 const MOST_CONTACT_RATIO: f64 = 2.5;
 
-/// Fillet radius of the virtual rack that stands for a shaper.
+/// Fillet radius of the virtual rack that replaces a shaper.
 fn virtual_fillet(depth: f64, fillet: f64, shaper: Shaper) -> Result<f64, Error> {
     let teeth = positive(Quantity::ShaperTeeth, f64::from(shaper.teeth), "teeth")?;
     let reach =

@@ -21,7 +21,7 @@ use uom::si::f64::{Force, Length};
 pub struct Bearing {
     /// Designation, `6309`.
     pub designation: String,
-    /// What rolls in it.
+    /// Rolling elements.
     pub rolling: Rolling,
     /// Bore `d`: diameter of the pin.
     pub bore: Length,
@@ -37,12 +37,12 @@ pub struct Bearing {
 
 /// Exponent of the number of rows in the load rating of ball bearings, `(i·cos α)^0.7`.
 const ROWS_OF_BALLS: f64 = 0.7;
-/// The same of roller bearings.
+/// Exponent of the number of rows in the load rating of roller bearings.
 const ROWS_OF_ROLLERS: f64 = 7.0 / 9.0;
 
 impl Bearing {
-    /// Two of it side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C` with balls,
-    /// `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
+    /// Pair of this bearing side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C`
+    /// with balls, `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
     ///
     /// ```
     /// use epicyclic_strength::sizing::bearing;
@@ -112,11 +112,11 @@ pub fn listed_rollers() -> &'static [Bearing] {
 /// Columns of a table; the last may be missing.
 const COLUMNS: [&str; 7] = ["designation", "rolling", "d_mm", "D_mm", "B_mm", "C_kN", "C0_kN"];
 
-/// The bearings of a table in the form of the [module](self).
+/// Bearings of a table in the form of the [module](self).
 ///
 /// # Errors
-/// [`Error::BearingColumn`] for a column that is missing, unknown or named twice, [`Error::BearingCell`],
-/// with line and column, for a cell that is missing or wrong, [`Error::NoBearings`] for a table without
+/// [`Error::BearingColumn`] for a column that is missing, unknown or named twice; [`Error::BearingCell`],
+/// with line and column, for a cell that is missing or wrong; [`Error::NoBearings`] for a table without
 /// lines.
 pub fn parse(text: &str) -> Result<Vec<Bearing>, Error> {
     let mut lines = text
@@ -132,7 +132,7 @@ pub fn parse(text: &str) -> Result<Vec<Bearing>, Error> {
     if bearings.is_empty() { Err(Error::NoBearings) } else { Ok(bearings) }
 }
 
-/// Where each column stands.
+/// Position of each known column in the header.
 fn columns(line: usize, header: &str) -> Result<[Option<usize>; COLUMNS.len()], Error> {
     let mut places = [None; COLUMNS.len()];
     for (place, name) in header.split(',').map(str::trim).enumerate() {
@@ -213,7 +213,8 @@ mod tests {
         }
     }
 
-    /// Each row as another maker has it: the same dimensions, and ratings that differ as makers' do.
+    /// Compares each row with the bearing of another maker: equal dimensions, and ratings that differ as
+    /// makers' do.
     #[test]
     fn each_roller_bearing_was_read_twice() {
         let kilonewtons = |rating: Force| rating.si() / 1e3;

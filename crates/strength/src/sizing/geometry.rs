@@ -24,7 +24,7 @@ pub(super) struct Geometry {
     pub(super) centre_mm: f64,
     pub(super) set: PlanetSet,
     pub(super) limited_by: Option<Check>,
-    /// Of sun and planets, of planets and ring.
+    /// Meshes of sun and planets, and of planets and ring.
     pub(super) pairs: [Pair; 2],
     pub(super) planet_root_mm: f64,
     pub(super) planet_height_mm: f64,

@@ -1,67 +1,70 @@
-//! The size of a simple set of given teeth: the best of a stated discrete space that holds over a duty.
+//! Size of a simple set of given teeth: the best design of a discrete space that is strong enough over a
+//! duty.
 //!
 //! # Space
 //! Every combination of
 //!
-//! | of | symbol | field |
-//! |---|---|---|
-//! | modules | `m` | [`Space::modules`] |
-//! | face widths | `b` | [`Space::face_widths`] |
-//! | numbers of planets | `p` | [`Space::planets`] |
-//! | centre distances: whole multiples of a step, from `a_0 − r·m` to `a_0 + r·m` | `a` | [`Space::centre_distance_step`], [`Space::reach`] |
-//! | planet bearings, or none | `D`, `B`, `C` | [`Space::bearings`] |
+//! - modules `m`: [`Space::modules`];
+//! - face widths `b`: [`Space::face_widths`];
+//! - numbers of planets `p`: [`Space::planets`];
+//! - centre distances `a`, integer multiples of a step from `a_0 − r·m` to `a_0 + r·m`:
+//!   [`Space::centre_distance_step`], [`Space::reach`];
+//! - planet bearings `D`, `B`, `C`, or none: [`Space::bearings`].
 //!
-//! `a_0` is the [natural centre distance](epicyclic_gears::involute::family::natural_centre_distance). The
-//! shifts are no choice of their own: at a centre distance they are the ones that the aim picks among those
-//! without faults ([`Family::choose`]). Given shifts are held; then each module has the one centre distance
+//! `a_0` is the [natural centre distance](epicyclic_gears::involute::family::natural_centre_distance).
+//! Profile shifts are not varied: at a centre distance they are the ones that the aim picks among those
+//! without faults ([`Family::choose`]). Given shifts are kept; then each module has the one centre distance
 //! at which they have no backlash.
 //!
-//! # What a design must keep
+//! # Requirements of a design
 //!
-//! | requirement | condition |
-//! |---|---|
-//! | spacing | the planets stand at equal angles, `(z_s + z_r)/p` is whole, or at stated ones ([`Sizing::least_planet_angle`]) |
-//! | geometry | some shifts at this centre distance have no fault by [`Limits`]: undercut, thin tips, interference, planets that touch … |
-//! | face width | `b ≤ (b/d_s)_max·m·z_s`, where [`Space::width_ratio`] bounds it |
-//! | bearing fits | `(d_fp − D)/2 ≥` the least rim of the planets, `B ≤ b` |
-//! | flanks, roots | `S_H`, `S_F` of both gears of both meshes over the duty ([`rate_duty`]) |
-//! | overload | `S_H`, `S_F` of the same gears against the greatest torques of the life, static ([`overload`]) |
-//! | bearing life | `L_10` over the duty, of 90 % ([`life_over_duty`]) |
+//! - Spacing: the planets are at equal angles, `(z_s + z_r)/p` is an integer, or at given ones
+//!   ([`Sizing::least_planet_angle`]).
+//! - Geometry: some shifts at this centre distance have no fault by [`Limits`], such as undercut, thin tips,
+//!   interference or planets that touch.
+//! - Face width: `b ≤ (b/d_s)_max·m·z_s`, where [`Space::width_ratio`] bounds it.
+//! - Bearing fits: `(d_fp − D)/2 ≥` the least rim of the planets, `B ≤ b`.
+//! - Flanks, roots: `S_H`, `S_F` of both gears of both meshes over the duty ([`rate_duty`]).
+//! - Overload: `S_H`, `S_F` of the same gears against the greatest torques of the life, static
+//!   ([`overload`]).
+//! - Bearing life: `L_10` over the duty, of 90 % ([`life_over_duty`]).
 //!
 //! # Objective
 //! The mass of the gears or the ring's outside diameter `D_r`:
 //!
 //! ```text
-//! M   = b·π/4·(ρ_s·Ø_s² + p·ρ_p·(Ø_p² − D²) + ρ_r·(D_r² − Ø_r²))      Ø² = (d_a² + d_f²)/2,   D_r = d_fr + 2·s_r
+//! M   = b·π/4·(ρ_s·Ø_s² + p·ρ_p·(Ø_p² − D²) + ρ_r·(D_r² − Ø_r²))
+//! Ø²  = (d_a² + d_f²)/2,   D_r = d_fr + 2·s_r
 //! ```
 //!
 //! Teeth fill half of the annulus between tip and root circle. The sun is solid, the planets are bored to the
-//! bearing's outside diameter `D`, the ring has the rim `s_r`. Of designs with equal objective the other one
-//! decides, then fewer planets, smaller module, face width and centre distance, and the bearing that stands
-//! first in the table.
+//! bearing's outside diameter `D`, the ring has the rim `s_r`. Designs of equal objective are ordered by the
+//! other objective. After that come fewer planets, smaller module, face width and centre distance, and the
+//! bearing that is first in the table.
 //!
-//! # Why nothing better is lost
-//! The geometry of every centre distance is calculated; with it the objective of every design is known before
-//! its strength is. Designs are taken in ascending order of the objective, each held against all
-//! requirements, and the search ends at the first that keeps them: every design of a smaller objective was
-//! taken and failed. [`LeftOut`] counts what each requirement left out; these, the designs found and those
+//! # Why the best design is found
+//! The geometry of every centre distance is calculated first. The objective of every design is then known
+//! before its strength is. The search checks designs in ascending order of the objective against all
+//! requirements and ends at the first that meets them: every design of a smaller objective was checked and
+//! failed. [`LeftOut`] counts the designs that each requirement left out. These, the designs found and those
 //! not reached add up to the space.
 //!
-//! Sets of a gearbox are sized one by one: speeds and torques without losses follow from the tooth numbers
-//! and the links alone (Willis's equation, and the balance `T_s/z_s = T_r/z_r` of a planet), so neither
-//! module, width, planets nor centre distance of one set change what another carries. Mass is a sum over the
-//! sets; the largest ring is the largest of the smallest ones.
+//! Sets of a gearbox are sized one by one. Speeds and torques without losses follow from the tooth numbers
+//! and the links alone: by Willis's equation, and by the balance `T_s/z_s = T_r/z_r` of a planet. Module,
+//! width, planets and centre distance of one set therefore do not change the load of another. Mass is a sum
+//! over the sets; the largest ring is the largest of the smallest ones.
 //!
 //! # Bearings
 //! The force on a planet's bearing follows from both meshes and the planet's mass `M_p`:
 //!
 //! ```text
 //! F_1 = |T_s|·(z_s + z_p)/(p·a·z_s)         F_2 = |T_s|·(z_r − z_p)/(p·a·z_s)
-//! F = √((K_γ·(F_1 + F_2))² + (K_γ·(F_1·tan α_w1 − F_2·tan α_w2) + M_p·a·ω_H²)²)        n = |n_s − n_H|·z_s/z_p
+//! F = √((K_γ·(F_1 + F_2))² + (K_γ·(F_1·tan α_w1 − F_2·tan α_w2) + M_p·a·ω_H²)²)
+//! n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at
-//! work), plain bearings, more than two bearings side by side (two:
+//! Left out: the mass of the bearing, weight, and modified life, whose factor would need contamination and
+//! viscosity in operation. Also left out are plain bearings and more than two bearings side by side (two:
 //! [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
@@ -96,11 +99,11 @@ pub struct Space {
     pub planets: Vec<u32>,
     /// Step of the centre distances.
     pub centre_distance_step: Length,
-    /// How far centre distances may be from the natural one, in modules.
+    /// Largest distance of a centre distance from the natural one, in modules.
     pub reach: f64,
     /// The greatest face width over the sun's reference diameter; `None` without bound.
     pub width_ratio: Option<f64>,
-    /// Bearings of the planets; none at all where planets have no bearing of a table.
+    /// Bearings of the planets; empty if planets have no bearing of a table.
     pub bearings: Vec<Bearing>,
 }
 
@@ -108,7 +111,7 @@ pub struct Space {
 pub const STANDARD_MODULES_MM: [f64; 18] =
     [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0];
 
-/// What is minimised.
+/// Objective that is minimized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Objective {
     /// The mass of all gears of the set.
@@ -134,7 +137,7 @@ pub struct SetStep {
 /// The greatest torque of the life, and what is required against it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetOverload {
-    /// Torque on the sun, without losses; its sign does not matter. One of 0 asks for nothing.
+    /// Torque on the sun, without losses; its sign does not matter. A torque of 0 sets no requirement.
     pub sun_torque: Torque,
     /// Required static safety of the flanks.
     pub required_contact: f64,
@@ -159,15 +162,15 @@ pub struct Sizing {
     pub teeth: [ToothCount; 3],
     /// Basic racks and tools of sun, planets and ring.
     pub profiles: Profiles,
-    /// What picks the shifts.
+    /// Aim that picks the shifts.
     pub aim: Aim,
-    /// Shifts that are held in place of an aim.
+    /// Shifts that are kept in place of an aim.
     pub held_shifts: Option<HeldShifts>,
-    /// What the geometry must keep.
+    /// Limits for the checks of the geometry.
     pub limits: Limits,
     /// Sun, planets and ring. Rims of planets and ring are those of the design.
     pub gears: [Gear; 3],
-    /// How both meshes are calculated; `K_γ` by the number of planets where it is not given.
+    /// Methods for both meshes; `K_γ` by the number of planets where it is not given.
     pub methods: [Method; 2],
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
@@ -189,12 +192,11 @@ pub struct Sizing {
     pub ring_rim: f64,
     /// Rim of the ring that is given in its place.
     pub held_ring_rim: Option<Length>,
-    /// Bore of the planets where no bearing is sought.
+    /// Bore of the planets if no bearing is selected.
     pub planet_bore: Option<Length>,
-    /// The least angle between neighbouring planets where they stand at stated angles; `None` where they must
-    /// stand at equal ones.
+    /// The least angle between neighbouring planets at given angles; `None` if they must be at equal angles.
     pub least_planet_angle: Option<Angle>,
-    /// What is minimised.
+    /// Objective that is minimized.
     pub objective: Objective,
     /// The space.
     pub space: Space,
@@ -218,26 +220,28 @@ pub enum Requirement {
 /// The requirement that is met least.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
-    /// Which.
+    /// The requirement.
     pub requirement: Requirement,
-    /// Of the teeth: 0 the mesh of sun and planets, 1 that of planets and ring.
+    /// Mesh of the teeth: 0 for sun and planets, 1 for planets and ring.
     pub mesh: usize,
     /// The gear.
     pub gear: SimpleGear,
     /// Safety, or the load that the bearing carries for the required life over its load.
     pub value: f64,
-    /// What is required: the safety, or 1.
+    /// Value that is required: the safety, or 1.
     pub required: f64,
 }
 
 impl Governing {
-    /// How far it is met: 1 and more is enough.
+    /// Value over the required one: 1 and more is enough.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.value / self.required
     }
 
     const fn of_teeth(requirement: Requirement, mesh: usize, side: usize, value: f64, required: f64) -> Self {
+        // Sun and planet are sides 0 and 1 of mesh 0, planet and ring those of mesh 1, so the sum is the
+        // gear.
         let gear = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring][mesh + side];
         Self { requirement, mesh, gear, value, required }
     }
@@ -254,7 +258,7 @@ pub struct Design {
     pub centre_distance: Length,
     /// Gears with their shifts, in modules.
     pub set: PlanetSet,
-    /// What keeps the aim from being met in full; `None` where it is met or shifts are held.
+    /// Check that keeps the aim from being met in full; `None` where it is met or shifts are given.
     pub limited_by: Option<Check>,
     /// Bearing of the planets.
     pub bearing: Option<Bearing>,
@@ -268,9 +272,9 @@ pub struct Design {
     pub ring_diameter: Length,
     /// Mass of all gears.
     pub mass: Mass,
-    /// Both meshes over the duty.
+    /// Ratings of both meshes over the duty.
     pub meshes: [[GearDuty<Worn>; 2]; 2],
-    /// What is met least against the overloads; `None` where none loads the set.
+    /// The overload requirement that is met least; `None` where no overload loads the set.
     pub overload: Option<Governing>,
     /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under
     /// load.
@@ -279,11 +283,11 @@ pub struct Design {
     pub governing: Governing,
 }
 
-/// How many designs each requirement left out. A design that fails several of the last four counts with the
-/// one it meets least.
+/// Numbers of designs that each requirement left out. A design that fails several of the last four counts
+/// with the one it meets least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
-    /// Planets that do not stand at equal angles.
+    /// Planets that are not at equal angles.
     pub spacing: u64,
     /// Planets that touch whatever the shifts.
     pub planets_touch: u64,
@@ -308,7 +312,7 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// All together.
+    /// Designs left out by all requirements together.
     #[must_use]
     pub const fn total(&self) -> u64 {
         self.spacing
@@ -325,21 +329,22 @@ impl LeftOut {
     }
 }
 
-/// What a search for a size found.
+/// Result of a search for a size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
     /// Designs of the space.
     pub space: u64,
     /// Centre distances of all modules and numbers of planets, whose geometry was calculated.
     pub geometries: u64,
-    /// Designs whose teeth were held against the requirements.
+    /// Designs whose teeth were checked against the requirements.
     pub rated: u64,
-    /// What each requirement left out.
+    /// Designs that each requirement left out.
     pub left_out: LeftOut,
     /// Designs whose objective is not below that of the last found.
     pub not_reached: u64,
     /// The best, in order.
     pub found: Vec<Design>,
-    /// Where none is found: of those whose teeth were rated the one that misses the requirements least.
+    /// The design that misses the requirements least, of those whose teeth were rated; only if no design is
+    /// found.
     pub nearest_miss: Option<Design>,
 }

@@ -20,18 +20,18 @@ use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
 
-/// Below this rim over tooth height a rim weakens the root
+/// Rim over tooth height below which a rim weakens the root
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
-/// The best `most` designs of the space, unless `goes_on`, which is asked now and then, breaks.
+/// The best `most` designs of the space, unless `goes_on`, which is called now and then, breaks.
 ///
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or
-/// centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
-/// [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard
-/// holds for, which are left out and counted; those of
-/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
+/// centre distances; [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
+/// [`Error::OutOfRange`] for a quantity of it; those of
+/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance). Also those of
+/// [`rate_duty`], except for teeth outside the range of the standard, which are left out and counted.
 pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
     check(task)?;
     let modules_mm = sorted(&task.space.modules);
@@ -87,6 +87,8 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
         } else {
             search.left_out.not_calculable += 1;
         }
+        // A wider design of the same geometry and bearing is heavier: it enters the queue only now, which
+        // keeps it short.
         if next.width + 1 < next.end {
             heap.push(Reverse(search.candidate(next.geometry, next.bearing, next.width + 1, next.end)));
         }
@@ -231,16 +233,16 @@ impl PartialOrd for Candidate {
 #[derive(Debug, Clone, Copy)]
 struct Rated {
     meshes: [[GearDuty<Worn>; 2]; 2],
-    /// What is met least over the duty.
+    /// The requirement that is met least over the duty.
     over_duty: Governing,
-    /// What is met least against the overloads.
+    /// The overload requirement that is met least.
     overload: Option<Governing>,
 }
 
 /// Teeth that were rated; `None` outside what the standard holds for.
 type Teeth = Option<Rated>;
 
-/// What is met least; of equal ones the first.
+/// The requirement that is met least; of equal ones the first.
 fn least(all: impl IntoIterator<Item = Governing>) -> Option<Governing> {
     all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
 }
@@ -250,7 +252,7 @@ struct Search<'a> {
     geometries: Vec<Geometry>,
     widths_mm: Vec<f64>,
     choices: Vec<Option<&'a Bearing>>,
-    /// Of each geometry and width, with planets whose rim weakens nothing.
+    /// Ratings of each geometry and width, with planets whose rim weakens nothing.
     teeth: Vec<Option<Teeth>>,
     steps: Vec<(u32, MeshSteps)>,
     left_out: LeftOut,
@@ -313,6 +315,8 @@ impl Search<'_> {
         let rim_mm = (bore_mm > 0.0).then(|| (own.planet_root_mm - bore_mm) / 2.0);
         let is_thin = rim_mm.is_some_and(|rim| rim / own.planet_height_mm < THICK_RIM);
         let place = one.geometry * self.widths_mm.len() + one.width;
+        // Rating is the slow step. Only a thin rim depends on the bearing, so all other bearings share one
+        // rating.
         let teeth = match self.teeth[place] {
             Some(teeth) if !is_thin => teeth,
             _ => {
@@ -365,7 +369,8 @@ impl Search<'_> {
         &own.expect("every number of planets of the space has its steps").1
     }
 
-    /// Both meshes over the duty, planets with a rim that weakens them.
+    /// Ratings of both meshes over the duty, with `planet_rim_mm` if the rim of the planets weakens their
+    /// roots.
     fn rate(&self, one: &Candidate, planet_rim_mm: Option<f64>) -> Result<Teeth, Error> {
         let task = self.task;
         let own = &self.geometries[one.geometry];

@@ -1,5 +1,5 @@
-//! The order of the levers, which end of each is up, and their heights: so that what joins them is level and
-//! crosses as little as possible.
+//! Arrangement of the levers: their order, their upper ends and their heights, so that ties are level and
+//! cross as little as possible.
 //!
 //! A *tie* joins two points of different levers: the next points of one link, or the links of a clutch. An
 //! arrangement costs
@@ -9,13 +9,13 @@
 //!   +  Σ |rise of a tie|, mm  +  5·Σ levers between the ends of a tie
 //! ```
 //!
-//! A clutch between two links of one lever stands to the left of it as an upright tie, which all that passes
-//! there or comes from the left between its ends crosses, and so does the end of another such clutch.
+//! A clutch between two links of one lever is an upright tie to the left of it. Every tie that passes there,
+//! or comes from the left between its ends, crosses it, and so does the end of another such clutch.
 //!
-//! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the
-//! squared rises least, lengths between 0.8 and 1.3 of the usual one. All orders and senses of up to five
-//! levers are tried. Beyond, the order is improved from that of the file by exchanging two levers or turning
-//! one while this costs less; the result then need not be the best.
+//! For one order and given upper ends of all levers, heights and lengths minimize the sum of the squared
+//! rises, with lengths between 0.8 and 1.3 of the usual one. Up to five levers, all orders and directions are
+//! tried. For more levers, the order is improved from that of the file by exchanging two levers or turning
+//! one while this costs less. The result then need not be the best.
 
 use super::merge::Lever;
 use crate::tolerance::LEVEL;
@@ -25,14 +25,14 @@ use epicyclic_train::LinkId;
 const LENGTH_MM: f64 = 70.0;
 /// Shortest and longest lever, over the usual one.
 const STRETCH: [f64; 2] = [0.8, 1.3];
-/// Levers of which every arrangement is tried.
+/// Largest number of levers for which every arrangement is tried.
 const ALL_TRIED: usize = 5;
 /// A tie nearer than this to a point seems to belong to it.
 const NEAR_MM: f64 = 4.0;
-/// How much the usual length of a lever and the usual height of its middle are worth against a level tie of a
+/// Weights of the usual length of a lever and of the usual height of its middle against a level tie of a
 /// link.
 const USUAL: [f64; 2] = [0.002, 0.0005];
-/// How much a level tie of a clutch is worth.
+/// Weight of a level tie of a clutch.
 const CLUTCH: f64 = 0.02;
 /// Steps of the iteration for the heights, at most.
 const STEPS: usize = 120;
@@ -40,7 +40,7 @@ const STEPS: usize = 120;
 /// A lever on paper: heights of its points from the lowest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
-    /// Its place among the levers.
+    /// Index of its lever.
     pub(super) lever: usize,
     pub(super) points: Vec<(LinkId, f64)>,
 }
@@ -63,7 +63,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     };
     let mut turned = vec![false; levers.len()];
     let mut best = of(&usual, &turned);
-    // With what the order costs at least, whichever ends are up.
+    // `at_least` is the least cost of the order, whichever ends are up.
     let mut better = |order: &[usize], turned: &[bool], at_least: f64| {
         if at_least >= best.0 - LEVEL {
             return false;
@@ -75,7 +75,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
         }
         is_better
     };
-    // What stands beside a lever does so on the left, so that mirror images differ.
+    // A clutch of one lever is drawn on its left, so that mirror images differ.
     let is_beside = |(_, links): &(usize, [LinkId; 2])| {
         let has = |lever: &Lever, link| lever.nodes.iter().any(|node| node.0 == link);
         levers.iter().any(|lever| links.iter().all(|&link| has(lever, link)))
@@ -86,7 +86,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
             let at_least = cost_of_order(levers, &order, clutches);
             for senses in 0..1_u32 << levers.len() {
                 let turned: Vec<bool> = (0..levers.len()).map(|lever| senses >> lever & 1 == 1).collect();
-                // Of mirror images one is enough where they cost the same.
+                // One of two mirror images is enough if they cost the same.
                 if (is_one_sided || order.first() <= order.last()) && !turned[0] {
                     better(&order, &turned, at_least);
                 }
@@ -120,7 +120,7 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
     best.1
 }
 
-/// All orders of so many, the usual one first.
+/// Permutations of `count` items, the usual order first.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let mut all = vec![vec![]];
     for _ in 0..count {
@@ -136,8 +136,8 @@ fn permutations(count: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// What joins columns: each link from one of its columns to the next, and each clutch between the nearest
-/// columns of its links.
+/// Ties between the columns: each link from one of its columns to the next, and each clutch between the
+/// nearest columns of its links.
 pub(super) fn ties(columns: &[Column], clutches: &[(usize, [LinkId; 2])]) -> Vec<Tie> {
     let mut found = vec![];
     let of = |link: LinkId| {
@@ -195,8 +195,8 @@ fn heights(
         seen[one].push((at, other, there, weight));
         seen[other].push((there, one, at, weight));
     }
-    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2.
-    // What is left of the equals sign stays as the levers move.
+    // Normal equations of weight·(o + s·t − wanted)² over the ties, and of s near 1 and o + s/2 near 1/2. The
+    // left side does not change as the levers move.
     let [stiff, centred] = USUAL;
     let sums = seen.iter().map(|seen| {
         let mut sums = [centred, 0.5 * centred, 0.25 * centred + stiff];
@@ -238,7 +238,7 @@ fn heights(
     columns
 }
 
-/// What an order costs whichever ends are up: the levers between the ends of ties.
+/// Cost of an order for any choice of the upper ends: the levers between the ends of ties.
 fn cost_of_order(levers: &[Lever], order: &[usize], clutches: &[(usize, [LinkId; 2])]) -> f64 {
     let columns: Vec<Column> =
         order.iter().map(|&lever| Column { lever, points: levers[lever].nodes.clone() }).collect();
@@ -246,7 +246,7 @@ fn cost_of_order(levers: &[Lever], order: &[usize], clutches: &[(usize, [LinkId;
     5.0 * ties(&columns, clutches).iter().map(between).sum::<usize>() as f64
 }
 
-/// What an arrangement costs.
+/// Cost of an arrangement.
 fn cost(columns: &[Column], ties: &[Tie]) -> f64 {
     let end = |tie: &Tie, end: usize| {
         let (column, link) = tie.ends[end];

@@ -4,12 +4,12 @@ use crate::gearbox::scheme::piece_of;
 use crate::tolerance::PLACE;
 use epicyclic_train::{Gearbox, LinkId};
 
-/// A lever: links and where they stand along it.
+/// A lever: links and their positions along it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lever {
-    /// Places of its sets in the gearbox, the first of them the one whose units it is in.
+    /// Indices of its sets in the gearbox; the lever has the units of the first.
     pub sets: Vec<usize>,
-    /// Links, of those joined for ever the first, and their places.
+    /// Links and their positions; of permanently joined links the first.
     pub nodes: Vec<(LinkId, f64)>,
 }
 
@@ -29,7 +29,7 @@ impl Lever {
         Self { sets: vec![set], nodes }
     }
 
-    /// Its lower and its upper end.
+    /// Lower and upper end.
     #[must_use]
     pub fn ends(&self) -> (f64, f64) {
         let at = || self.nodes.iter().map(|node| node.1);
@@ -51,11 +51,11 @@ impl Lever {
         self.sets.iter().flat_map(of_set).collect::<Vec<_>>().join(", ")
     }
 
-    /// Both as one lever, in the units of this one; `None` without two links in common that stand apart, or
-    /// where a third does not fit.
+    /// Lever of both, in the units of this one. `None` without two common links at different positions, or if
+    /// a third one does not fit.
     ///
-    /// Speeds are linear along each lever, so two common links fix how the places of the other are scaled and
-    /// shifted.
+    /// Speeds are linear along each lever, so two common links fix the scale and the offset of the other
+    /// lever.
     fn with(&self, other: &Self) -> Option<Self> {
         let common: Vec<(f64, f64)> =
             other.nodes.iter().filter_map(|&(link, theirs)| Some((self.place(link)?, theirs))).collect();

@@ -1,4 +1,4 @@
-//! What a point of a lever is, and its sign.
+//! Roles of the points of a lever, and their signs.
 
 use crate::gearbox::scheme::piece_of;
 use crate::tolerance::RESTS;
@@ -8,7 +8,7 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 /// Half the size of a sign.
 pub(super) const SIGN_MM: f64 = 1.6;
 
-/// What a link is in a gear, or in all.
+/// Role of a link in a gear, or in all gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     Input,
@@ -21,8 +21,8 @@ pub(super) enum Role {
 impl Role {
     pub(super) const ALL: [Self; 5] = [Self::Input, Self::Output, Self::Held, Self::Tied, Self::Free];
 
-    /// Of each link, in the order of the gearbox: what comes first counts. Without a gear no shift element is
-    /// engaged.
+    /// Roles of the links, in the order of the gearbox; the first that applies counts. Without a gear no
+    /// shift element is engaged.
     pub(super) fn of_links(gearbox: &Gearbox, gear: Option<&Analysis>) -> Vec<Self> {
         let piece = |link: LinkId| piece_of(gearbox, link);
         let (input, output) = match gear {

@@ -4,19 +4,20 @@ use super::{ALONG_MM, LEAST_ALONG_MM, signs};
 use epicyclic_layout::Layout;
 use epicyclic_train::Gearbox;
 
-/// Of the distance between two columns with signs, that between two where carriers fork around planets,
-/// between one of these or another sign and a line, and between two lines, where columns are drawn closest.
+/// Shares of the distance between two columns with signs, where columns are drawn closest: between two
+/// columns where carriers fork around planets, between a forked column and a line, between another sign and a
+/// line, and between two lines.
 const FORKED: f64 = 8.5 / LEAST_ALONG_MM;
 const FORKED_MIXED: f64 = 0.75;
 const MIXED: f64 = 0.6;
 const LINES: f64 = 0.4;
 
-/// Where the columns of a layout stand.
+/// Positions of the columns of a layout.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Along {
     /// The first column.
     from: f64,
-    /// Millimetres of each.
+    /// Position of each column, mm.
     places: Vec<f64>,
 }
 
@@ -30,7 +31,7 @@ impl Along {
         let marks = marks.chain(layout.clutches.iter().map(|mark| mark.lower.1.x));
         let marks: Vec<f64> = marks.chain(layout.take_offs.iter().map(|end| end.at.x)).collect();
         let has_sign = |x: f64| marks.contains(&x);
-        // 0 where columns are closest, 1 where they stand as usual.
+        // 0 where columns are closest, 1 at their usual distance.
         let ease = ((along_mm - LEAST_ALONG_MM) / (ALONG_MM - LEAST_ALONG_MM)).clamp(0.0, 1.0);
         let part = |least: f64| least + (1.0 - least) * ease;
         let forks = |x: f64| {
@@ -61,7 +62,7 @@ impl Along {
         at(column) + part * (at(column + 1.0) - at(column))
     }
 
-    /// The place of the layout at so many millimetres.
+    /// Position in the layout at a distance in millimetres.
     pub(super) fn x(&self, mm: f64) -> f64 {
         let column = self.places.partition_point(|place| *place <= mm).clamp(1, self.places.len().max(2) - 1);
         let [low, high] = [self.places[column - 1], self.places[column]];

@@ -1,7 +1,7 @@
 //! The power in each piece of a link's shafts, drums and webs.
 //!
-//! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements
-//! take hold and shafts leave. What passes a piece is therefore what enters the link on one side of it,
+//! A link of a layout is a tree of straight pieces between the places of its gears, shift elements and shaft
+//! ends. The power that passes a piece is therefore the power that enters the link on one side of it,
 //! `Σ T·ω`.
 
 use super::halves;
@@ -22,7 +22,7 @@ pub(super) struct Piece {
     pub(super) circulating: f64,
 }
 
-/// What enters a link at a place: power, and the part of it that circulates.
+/// Power that enters a link at a place, and the part of it that circulates.
 struct Entry {
     link: LinkId,
     at: Point,
@@ -47,7 +47,7 @@ pub(in crate::gearbox) fn piece_of(gearbox: &Gearbox, link: LinkId) -> LinkId {
     found.into_iter().min().unwrap_or(link)
 }
 
-/// All pieces of all links but the housing; without a load their powers are `None`.
+/// Pieces of all links but the housing; without a load their powers are `None`.
 pub(super) fn pieces(
     gearbox: &Gearbox,
     layout: &Layout,
@@ -90,7 +90,7 @@ pub(super) fn pieces(
     all
 }
 
-/// Which places lie on the near side of a piece; `None` where they are joined around it.
+/// Whether each place lies on the near side of a piece; `None` where both sides are also joined elsewhere.
 fn behind(edges: &[[usize; 2]], without: usize, places: usize) -> Option<Vec<bool>> {
     let [start, far] = edges[without];
     let mut inside = vec![false; places];
@@ -110,8 +110,8 @@ fn behind(edges: &[[usize; 2]], without: usize, places: usize) -> Option<Vec<boo
     (!inside[far]).then_some(inside)
 }
 
-/// What passes from the places behind to the others: what enters behind, or where that is not known, less
-/// what enters before.
+/// Power that passes from the places behind to the others: the power that enters behind. Where that is not
+/// known, it is the negative of the power that enters on the other side.
 fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
     let side = |wanted: bool| {
         let entries = entering.iter().zip(behind).filter(move |(_, is)| **is == wanted);
@@ -128,7 +128,7 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
     let of_set = |set: usize| load.and_then(|(gear, case)| gear.drawn_power(case, set));
     for stack in &layout.sets {
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
-            // What two halves of one set have in common hands on the power of the whole, at one of its two
+            // The common part of two halves of one set passes on the power of the whole, at one of its two
             // places.
             let of: Vec<usize> = match pairs.iter().find_map(|pair| pair.hands_on(stack.set, member)) {
                 Some(sets) => sets,

@@ -1,15 +1,15 @@
-//! Which drawn sets are halves of one: a Ravigneaux set with its long planet, a Wolfrom drive with its
+//! Drawn sets that are halves of one set: a Ravigneaux set with its long planet, a Wolfrom drive with its
 //! stepped planet.
 //!
-//! The layout has such a set as two, from the gear that they have in common to the two others. They are one
-//! where they stand side by side on one level line of their carrier.
+//! The layout has such a set as two, from the gear that they have in common to the two others. They are drawn
+//! as one if they are side by side on one level line of their carrier.
 
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::{Point as Place, SetStack};
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::SetKind;
 
-/// Which planet two drawn sets have in common.
+/// Planet that two drawn sets have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Common {
     /// The long planet of a Ravigneaux set: in the first it is the outer of two planets, in the second the
@@ -19,14 +19,14 @@ pub(super) enum Common {
     Stepped,
 }
 
-/// Two drawn sets that are one.
+/// Pair of drawn sets that are one set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub(super) stacks: [SetStack; 2],
     pub(super) common: Common,
     /// The member in common: 0 the first central gear, 1 the second.
     pub(super) member: usize,
-    /// Which of the two stacks does not draw it, because its line ends there.
+    /// Index of the stack that does not draw the common member, because its line ends there.
     pub(super) without: Option<usize>,
 }
 
@@ -36,8 +36,8 @@ impl Pair {
         self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
     }
 
-    /// Whose power a member of a drawn set hands on where it is common to both: of both sets in one place, of
-    /// none in the other. `None` of members that are not in common.
+    /// Sets whose power a common member of a drawn set passes on: both sets in one place, none in the other.
+    /// `None` for members that are not in common.
     pub(super) fn hands_on(&self, set: usize, member: usize) -> Option<Vec<usize>> {
         let own = self.stacks.iter().position(|stack| stack.set == set)?;
         let place = match member {
@@ -115,7 +115,7 @@ pub(super) fn pairs(gearbox: &Gearbox, layout: &Layout) -> Vec<Pair> {
     found.collect()
 }
 
-/// What the legend says of sets that are one.
+/// Text of the legend on sets that are drawn as one.
 pub(super) fn words(gearbox: &Gearbox, layout: &Layout) -> Vec<String> {
     let pairs = pairs(gearbox, layout);
     let said = commons(gearbox).into_iter().map(|(sets, common, _)| {

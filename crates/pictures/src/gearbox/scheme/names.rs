@@ -7,11 +7,11 @@ use epicyclic_drawing::{Bounds, Point, Shape};
 use epicyclic_layout::layout::{LinkShape, Point as Place, SetStack};
 use epicyclic_train::LinkId;
 
-/// From a shaft to the middle of its name.
+/// Distance from a shaft to the middle of its name.
 const OFF_MM: f64 = 2.6;
 
 impl Sheet<'_> {
-    /// All names: first those with the fewest places to stand in.
+    /// Writes all names: first those with the fewest possible places.
     pub(super) fn names(&mut self) {
         let mut places = Places::around(&self.scene);
         self.keep_signs_clear(&mut places);
@@ -83,7 +83,7 @@ impl Sheet<'_> {
             let web = |from: f64, to: f64| {
                 [0.5, 0.35, 0.65, 0.2, 0.8].map(|part| Point::new(x, up(from) + part * (up(to) - up(from))))
             };
-            // Of planets beside each other the first stands on the left.
+            // Of planets side by side the first is on the left.
             let planet_x = match self.beside(&stack) {
                 Some(_) if self.pair_of(stack.set).is_none() => x - BESIDE_MM,
                 _ => x,
@@ -166,7 +166,7 @@ impl Sheet<'_> {
             let name = self.gearbox.link_name(shape.link).to_owned();
             let (mut points, wishes): (Vec<Point>, Vec<Point>) =
                 wishes(shape, &name, |place| self.at(place)).into_iter().unzip();
-            // Of a carrier that lies within its planets' bearings the pins' ends are seen.
+            // If a carrier lies within its planets' bearings, the pins' ends are visible.
             let carried = self.layout.sets.iter().filter(|stack| stack.members[2] == shape.link);
             for stack in carried {
                 let pin = self.at(Place { x: stack.x, y: stack.planet });
@@ -178,8 +178,8 @@ impl Sheet<'_> {
     }
 }
 
-/// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it
-/// stands at.
+/// Desired places of a link's name: along its shafts, the longest first, and then along its webs. Each comes
+/// with the point of the link that it names.
 fn wishes(shape: &LinkShape, name: &str, at: impl Fn(Place) -> Point) -> Vec<(Point, Point)> {
     let mut segments: Vec<[Point; 2]> = shape.segments.iter().map(|s| [at(s.from), at(s.to)]).collect();
     let length = |[from, to]: &[Point; 2]| (to.x - from.x) + (to.y - from.y);

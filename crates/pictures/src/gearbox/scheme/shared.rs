@@ -8,7 +8,7 @@ use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use epicyclic_drawing::{Point, Shape, Style};
 use epicyclic_layout::layout::Point as Place;
 
-/// From the rims of a short planet to a fork beside it, and on to the long planet.
+/// Distance from the rims of a short planet to a fork next to it, and on to the long planet.
 const FORK_GAP_MM: f64 = 1.0;
 
 impl Sheet<'_> {
@@ -17,7 +17,7 @@ impl Sheet<'_> {
         self.pairs.iter().copied().find(|pair| pair.stacks.iter().any(|stack| stack.set == set))
     }
 
-    /// The same where the planet in common is a long one, around which the carrier forks.
+    /// Pair of a set if the common planet is a long one, around which the carrier forks.
     pub(super) fn long_pair_of(&self, set: usize) -> Option<Pair> {
         self.pair_of(set).filter(|pair| pair.common == Common::Long)
     }
@@ -35,8 +35,8 @@ impl Sheet<'_> {
         self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([left, y], [right, y]));
     }
 
-    /// Both suns, the ring once over both, the short planet under the long one, and the carrier's fork around
-    /// them.
+    /// Draws both suns, the ring once over both, the short planet under the long one, and the carrier's fork
+    /// around them.
     fn ravigneaux(&mut self, pair: &Pair) {
         let [double, simple] = pair.stacks;
         let [xd, xs] = [double.x, simple.x].map(|x| self.at(Place { x, y: 0.0 }).x);
@@ -117,7 +117,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// The same to scale: the long planet ends before the short one, as the two reach past each other.
+    /// Draws the Ravigneaux set to scale: the long planet ends before the short one, as the two reach past
+    /// each other.
     fn ravigneaux_to_scale(&mut self, pair: &Pair, [xd, xs]: [f64; 2], [short, long]: [Wheel; 2]) {
         let [double, simple] = pair.stacks;
         let high = UP_MM * double.ring_mesh + MESH_MM;
@@ -131,7 +132,7 @@ impl Sheet<'_> {
         let ring =
             if self.rests(double.members[1]) { super::RESTING } else { epicyclic_drawing::Color::BLACK };
         self.level([xd.min(xs) - RIM_MM, xd.max(xs) + RIM_MM], high, ring, SHAFT_MM);
-        // From the long planet to the short one.
+        // Direction from the long planet to the short one.
         let towards = (xd - xs).signum();
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(&double, 2, SHAFT_MM) };
         let pins = [short, long].map(|planet| UP_MM * planet.pin);
@@ -191,7 +192,7 @@ impl Sheet<'_> {
             let look = self.member_look(&second, 0, WEB_MM);
             self.line(self.layers.toothed_gears, look, seat, Point::new(xb, low - 2.0 * MESH_MM));
         }
-        // The second ring stands lower on its smaller step, or where it does to scale.
+        // The second ring is lower on its smaller step, or at its own height in a scheme to scale.
         let small = if self.is_to_scale(&second) {
             UP_MM * second.ring_mesh - MESH_MM
         } else {

@@ -13,11 +13,11 @@ use epicyclic_train::set::SetKind;
 pub(super) const RIM_MM: f64 = 2.6;
 /// Half the room between two rims in mesh.
 pub(super) const MESH_MM: f64 = 0.55;
-/// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
+/// Distance from the middle of a set to a carrier's fork, and to the remaining bearings of a pair.
 pub(super) const FORK_MM: f64 = 4.2;
-/// How far a planet pin stands out of its planet.
+/// Length of a planet pin outside its planet.
 pub(super) const PLANET_PIN_MM: f64 = 3.2;
-/// From the middle of a set to planets drawn beside each other, and half the length of their rims.
+/// Distance from the middle of a set to planets drawn side by side, and half the length of their rims.
 pub(super) const BESIDE_MM: f64 = 1.9;
 const SHORT_RIM_MM: f64 = 1.2;
 /// Half the hub of a planet of two.
@@ -37,7 +37,7 @@ pub(super) fn is_cut(kind: SetKind) -> bool {
     matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns) || kind.is_pair()
 }
 
-/// What is left of a line of a link where carriers fork around double planets, and bearings of pairs end.
+/// Pieces of a link's line that remain where carriers fork around double planets and bearings of pairs end.
 pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -> Vec<[Place; 2]> {
     let [from, to] = line;
     let mut left = vec![line];
@@ -71,7 +71,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
 }
 
 impl Sheet<'_> {
-    /// Axis and wall, and what stands out of the wall.
+    /// Draws the axis, the wall and the projections of the wall.
     pub(super) fn housing(&mut self) {
         let (axis, wall) = (self.layout.axis, self.layout.housing);
         let (left, right) = (self.at(axis.from), self.at(axis.to));
@@ -112,7 +112,7 @@ impl Sheet<'_> {
                 [(Some(mark.link), self.at(mark.link_end)), (None, self.at(mark.housing))],
             );
             if mark.housing.y != self.layout.housing.from.y {
-                // A plate of its own on what stands out of the wall, hatched on its far side.
+                // A separate plate on the projection of the wall, hatched on its far side.
                 let (plate, away) = (self.at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
                 for i in -1..=1 {
                     let x = plate.x + 1.7 * f64::from(i) - 0.6;
@@ -152,7 +152,7 @@ impl Sheet<'_> {
             }
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let x = self.at(Place { x: stack.x, y: 0.0 }).x;
-            // Rims of stepped planets' gears stand on two sides, and those of planets beside each other.
+            // Rims of stepped planets' gears are on two sides, and so are those of planets side by side.
             let beside = self.beside(&stack);
             let aside = match beside {
                 Some(_) => BESIDE_MM,
@@ -267,8 +267,8 @@ impl Sheet<'_> {
             .then_some([one, other])
     }
 
-    /// The same on the arms of a fork, one on either side; an arm that passes behind the other planet has a
-    /// gap there.
+    /// Draws planets on the arms of a fork, one on either side; an arm that passes behind the other planet
+    /// has a gap there.
     fn planets_beside(&mut self, stack: &SetStack, x: f64, planets: [Wheel; 2]) {
         let pins = planets.map(|planet| UP_MM * planet.pin);
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };
@@ -280,7 +280,7 @@ impl Sheet<'_> {
             self.line(self.layers.toothed_gears, look, Point::new(fork, ends[0]), Point::new(fork, ends[1]));
             for (place, pin) in pins.into_iter().enumerate() {
                 let own = if place == 0 { -1.0 } else { 1.0 };
-                // From a fork on either side each planet has the arm that is next to it.
+                // With a fork on either side each planet has the arm next to it.
                 if sides.len() > 1 && own != side {
                     continue;
                 }

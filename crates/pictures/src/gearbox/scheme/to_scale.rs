@@ -1,7 +1,8 @@
 //! Heights of gears by their pitch radii.
 //!
 //! ```text
-//! r = m·z/2        of central gears and planets        R = r_sun + r_planet = r_ring − r_planet        of planet pins
+//! r = m·z/2                                        of central gears and planets
+//! R = r_sun + r_planet = r_ring − r_planet         of planet pins
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -10,15 +11,14 @@
 //! | `R` | radius of a planet pin | that of `r` |
 //! | `m`, `z` | module, number of teeth | mm, 1 |
 //!
-//! All sets have one scale. A set without a module has that of the first set that has one, and where none has
-//! any, all sets have the same. Of a set of which `k` alone is known the largest central gear is as large as
-//! the largest of the others. The picture says which sets these are. Where a planet is in mesh with the other
-//! planets of its set and their sizes are not given, they are those of the
-//! [speed diagram](crate::gearbox::speeds).
+//! All sets have one scale. A set without a module has that of the first set that has one; without any module
+//! all sets have the same. If only `k` of a set is known, its largest central gear is drawn as large as the
+//! largest of the others. The picture names these sets. If planets of a set mesh with each other and their
+//! sizes are not given, the sizes are those of the [speed diagram](crate::gearbox::speeds).
 //!
-//! Two central gears that a half-plane shows on one side of their planet, as two suns, stand on both sides of
-//! it: the second is mirrored at the planet's axis, of two rings the first. Bevel gears have no radius of
-//! this kind and keep any height.
+//! Two central gears that a half-plane shows on one side of their planet, such as two suns, are drawn on both
+//! sides of it. The second is mirrored at the planet's axis, of two rings the first. Bevel gears have no
+//! radius of this kind and keep any height.
 
 use super::UP_MM;
 use super::halves::{Common, Pair, pairs};
@@ -45,17 +45,16 @@ const LEAST_SHARE: f64 = 1.0 / 32.0;
 pub(super) struct Wheel {
     /// Height of its pin, in units of the layout.
     pub(super) pin: f64,
-    /// Its radius, in the same.
+    /// Radius, in units of the layout.
     pub(super) radius: f64,
 }
 
 /// The scale of a layout, and the planets in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
-    /// Of each drawn set, its planets or their steps from central gear 1 to 2; none where they are not to
-    /// scale.
+    /// Planets of each drawn set, or their steps from central gear 1 to 2; none where they are not to scale.
     pub(super) wheels: Vec<Vec<Wheel>>,
-    /// What the picture says.
+    /// Remarks of the picture.
     pub(super) notes: Vec<String>,
     /// Units of the layout to a millimetre of radius, where that is known.
     units_to_mm: Option<f64>,
@@ -64,9 +63,9 @@ pub struct Scale {
 /// A bar as long as a round number of millimetres in a scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bar {
-    /// How long it stands for.
+    /// Length that the bar represents.
     pub(super) length_mm: f64,
-    /// How long it is drawn.
+    /// Length of the bar as drawn.
     pub(super) drawn_mm: f64,
 }
 
@@ -82,14 +81,14 @@ impl Scale {
         Some(Bar { length_mm, drawn_mm: drawn * length_mm })
     }
 
-    /// How many times larger than in life the heights are drawn.
+    /// Magnification of the heights.
     pub(super) fn enlarged(&self) -> Option<f64> {
         self.units_to_mm.map(|units| UP_MM * units)
     }
 }
 
-/// A layout with its gears at heights in proportion to their pitch radii, and the scale. The planet bearings
-/// say the modules of those sets of which any are known.
+/// Layout with gears at heights in proportion to their pitch radii, and the scale. The planet bearings give
+/// the modules of the sets for which they are known.
 ///
 /// ```
 /// use epicyclic_layout::{self as layout, Verdict};
@@ -107,14 +106,16 @@ impl Scale {
 /// };
 /// let (layout, _) = to_scale(&gearbox, &plain, &[])?;
 /// let set = layout.sets[0];
-/// assert!((set.ring_mesh / set.sun_mesh - 3.0).abs() < 1e-12 && (set.planet / set.sun_mesh - 2.0).abs() < 1e-12);
+/// assert!(
+///     (set.ring_mesh / set.sun_mesh - 3.0).abs() < 1e-12
+///         && (set.planet / set.sun_mesh - 2.0).abs() < 1e-12
+/// );
 /// # Ok(())
 /// # }
 /// ```
 ///
 /// # Errors
-/// [`Error::NotToScale`] where the layout has a set above a larger one, [`Error::NoRadii`] where no set has
-/// any.
+/// [`Error::NotToScale`] if the layout has a set above a larger one, [`Error::NoRadii`] if no set has radii.
 pub fn to_scale(
     gearbox: &Gearbox,
     layout: &Layout,
@@ -208,8 +209,7 @@ fn tie(gearbox: &Gearbox, pair: &Pair, all: &mut [Radii]) {
             let long = Planet { letter: "f", pin, contacts: [Some((1, sizes[0])), None], is_assumed: false };
             all[first].planets = vec![short, long];
         }
-        // Of i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f the pin of the first half leaves the second no
-        // choice.
+        // The pin of the first half fixes the second by i₀ = (r_g/r_1)·(r_2/r_f) and r_2 = R + r_f.
         Common::Stepped => {
             let Some(pin) = all[first].planets.first().map(|planet| planet.pin) else { return };
             let ratio = drawn[second].basic_ratio(gearbox).abs();
@@ -230,7 +230,7 @@ fn tie(gearbox: &Gearbox, pair: &Pair, all: &mut [Radii]) {
     }
 }
 
-/// What is known of the sizes of all sets.
+/// Known sizes of all sets.
 struct Sizes {
     /// Radius of central gear 1 of each drawn set.
     units: Vec<f64>,
@@ -356,15 +356,14 @@ fn heights(set: &DrawnSet, radii: &Radii, pair: Option<&Pair>, unit: f64) -> (Se
     };
     let low = wheels.iter().map(|wheel| wheel.pin - wheel.radius).fold(sun_mesh, f64::min);
     let high = wheels.iter().map(|wheel| wheel.pin + wheel.radius).fold(ring_mesh, f64::max);
-    // Nothing can be seen of a planet that hardly orbits, as in an eccentric drive, beside a ring of that
-    // size.
+    // A planet that hardly orbits, as in an eccentric drive, would be invisible beside a ring of that size.
     if low.min(planet - sun_mesh).min(ring_mesh - planet) < LEAST_SHARE * high {
         return (SetRadii::Free, vec![]);
     }
     (SetRadii::Planets { sun_mesh, planet, ring_mesh, reach: [low, high] }, wheels)
 }
 
-/// What the picture has to say of single sets.
+/// Remarks of the picture on single sets.
 fn remarks(drawn: &[DrawnSet], all: &[Radii], pairs: &[Pair], heights: &[SetRadii]) -> Vec<String> {
     let is_in_pair =
         |place: usize| pairs.iter().any(|pair| pair.stacks.iter().any(|stack| stack.set == place));

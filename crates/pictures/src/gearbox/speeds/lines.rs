@@ -8,7 +8,7 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
     pub(super) name: String,
-    /// Its link; none of a planet.
+    /// Link of the line; `None` for a planet.
     pub(super) link: Option<LinkId>,
     pub(super) from: [f64; 2],
     pub(super) to: [f64; 2],
@@ -16,7 +16,7 @@ pub(super) struct Line {
     pub(super) is_assumed: bool,
 }
 
-/// What is drawn of a set, radii in units of central gear 1.
+/// Diagram of a set, radii in units of central gear 1.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpeedDiagram {
     pub(super) lines: Vec<Line>,
@@ -96,7 +96,7 @@ impl SpeedDiagram {
         let members = drawn.links;
         let size = drawn.basic_ratio(gearbox).abs();
         let outside = drawn.kind == SetKind::ExternalPair;
-        // Central gear 1 inside a ring stands above the ring's axis.
+        // Central gear 1 inside a ring is above the ring's axis.
         let (first, second) =
             if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
         let contact = first + 1.0;
