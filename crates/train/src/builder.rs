@@ -39,9 +39,9 @@ pub struct GearSpec {
     pub name: String,
     /// Engaged shift elements.
     pub engaged: Vec<String>,
-    /// Where power enters, if not at the gearbox's input.
+    /// Link where power enters, if not the gearbox's input.
     pub input: Option<String>,
-    /// Where power leaves, if not at the gearbox's output.
+    /// Link where power leaves, if not the gearbox's output.
     pub output: Option<String>,
 }
 
@@ -52,7 +52,8 @@ impl Gearbox {
         GearboxBuilder::new(name)
     }
 
-    /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
+    /// Description of the gearbox as a builder, to be changed and built again. Unchanged, the builder builds
+    /// an equal gearbox.
     #[must_use]
     pub fn to_builder(&self) -> GearboxBuilder {
         let name = |link: LinkId| self.link_name(link).to_owned();
@@ -180,7 +181,10 @@ impl GearboxBuilder {
     ///     .output("B")
     ///     .gear("slow", ["K1"])
     ///     .build()?;
-    /// let other = gearbox.to_builder().map_sets(|set| SetSpec { gearing: Gearing::BasicRatio(4.0), ..set }).build()?;
+    /// let other = gearbox
+    ///     .to_builder()
+    ///     .map_sets(|set| SetSpec { gearing: Gearing::BasicRatio(4.0), ..set })
+    ///     .build()?;
     /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
     /// # Ok(())
     /// # }
@@ -217,10 +221,13 @@ impl GearboxBuilder {
     /// Checks the description and returns the gearbox.
     ///
     /// # Errors
-    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set
-    /// that are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements
-    /// that join a link with itself, permanent connections in a loop, terminals at the housing, more than is
-    /// solved. What teeth do not fit is asked of [`Gearbox::tooth_checks`].
+    /// Every variant of [`Error`] about a description:
+    /// - unknown and repeated names, members of a set that are one piece;
+    /// - `k ≤ 1` of a simple set, missing steps, meshes that make no tree;
+    /// - shift elements that join a link with itself, permanent connections in a loop;
+    /// - terminals at the housing, a gearbox above the limits of size.
+    ///
+    /// [`Gearbox::tooth_checks`] checks whether the teeth fit.
     pub fn build(self) -> Result<Gearbox, Error> {
         for (what, count, limit) in [
             (Named::Set, self.sets.len(), MOST_SETS),

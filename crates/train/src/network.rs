@@ -18,7 +18,7 @@ pub(crate) struct Network {
     pub(crate) ratios: Vec<f64>,
     pub(crate) runs: Vec<Run>,
     pub(crate) etas: Vec<f64>,
-    /// How many nodes there are.
+    /// Number of nodes.
     pub(crate) count: usize,
     /// A pivot up to this has vanished; 0 where the rank is proved.
     pub(crate) least_pivot: f64,

@@ -1,16 +1,16 @@
-//! Powers in a gear: through sets, meshes and links, what is lost, what only circulates.
+//! Powers in a gear: through sets, meshes and links, losses, and circulating power.
 //!
 //! # Source
-//! Rolling and coupling power are the field's terms: seen from the carrier a set passes
-//! `T_a·(ω_a − ω_H)` through its meshes; the rest, `T_a·ω_H` and `T_b·ω_H`, turns with the
-//! carrier and loses nothing.
+//! Rolling and coupling power are the field's terms. Seen from the carrier a set passes the rolling power
+//! `T_a·(ω_a − ω_H)` through its meshes. The coupling power, `T_a·ω_H` and `T_b·ω_H`, turns with the carrier
+//! and loses nothing.
 //!
 //! # Circulating power
-//! The power graph has an arc for every member of every set and for every connection, from where its power
-//! comes to where it goes, and the power as its flow. A *circulation* takes from each arc no more than its
-//! flow, none backwards, and is balanced at every link and set. What circulates through an arc is the largest
-//! circulation through it; what circulates in the gear is the largest of all arcs. It is 0 exactly where no
-//! directed loop exists, and depends on no order.
+//! The power graph has an arc for every member of every set and for every connection, in the direction of its
+//! power; the power is the arc's flow. A *circulation* takes from each arc no more than its flow, none
+//! backwards, and is balanced at every link and set. The power that circulates through an arc is that of the
+//! largest circulation through it. The circulating power of the gear is the largest of all arcs. It is 0
+//! exactly if no directed loop exists, and depends on no order.
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
@@ -22,12 +22,12 @@ use std::collections::VecDeque;
 /// Powers of a set, as multiples of the power that enters the gear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetPower {
-    /// What enters the set at each member, `T·ω`, in the order of
+    /// Power that enters the set at each member, `T·ω`, in the order of
     /// [`PlanetSet::members`](crate::PlanetSet::members).
     pub members: Vec<f64>,
     /// Rolling power at each central gear, `T_c·(ω_c − ω_H)`: positive where it enters.
     pub rolling: Vec<f64>,
-    /// What the meshes take, the sum over the members.
+    /// Power lost in the meshes, the sum over the members.
     pub loss: f64,
 }
 
@@ -50,23 +50,23 @@ impl SetPower {
 pub struct MeshPower {
     /// 1 where it flows from the first gear of the mesh to the second, −1 back, 0 where none does.
     pub sense: i8,
-    /// What enters, at least 0.
+    /// Power that enters the mesh, at least 0.
     pub enters: f64,
-    /// What leaves.
+    /// Power that leaves the mesh.
     pub leaves: f64,
 }
 
 /// Powers of a gear, as multiples of the power that enters it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerFlow {
-    /// Of each set; `None` where torque or speed do not follow.
+    /// Powers of each set; `None` if torque or speed do not follow.
     pub sets: Vec<Option<SetPower>>,
     /// Power through each link by [`LinkId::index`](crate::LinkId::index): half the sum of what its
     /// members, connections and terminals give and take. `None` where a part does not follow.
     pub links: Vec<Option<f64>>,
     /// Power that circulates, over what enters.
     pub circulating: f64,
-    /// What circulates through which arcs, of their sign.
+    /// Circulating power of each arc, with the sign of the arc's power.
     circulations: Vec<(Way, f64)>,
     /// The largest power of any member, rolling or at a link, at least 1: the measure for balances.
     pub largest: f64,
@@ -91,7 +91,7 @@ impl PowerFlow {
     }
 }
 
-/// What power flows through.
+/// Arc of the power graph.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Member { set: usize, member: usize },

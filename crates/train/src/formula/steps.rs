@@ -15,14 +15,14 @@ use std::collections::BTreeMap;
 /// A number of an equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Factor {
-    /// Of tooth counts.
+    /// Fraction of tooth counts.
     Exact(Fraction),
-    /// Where teeth are not known.
+    /// Decimal number, if teeth are not known.
     Decimal(f64),
 }
 
 impl Factor {
-    /// As a number.
+    /// Value of the factor as a number.
     #[must_use]
     pub fn value(self) -> f64 {
         match self {
@@ -32,7 +32,7 @@ impl Factor {
     }
 }
 
-/// Speeds of links, each with its factor; a link stands for all that turn as one with it.
+/// Speeds of links, each with its factor; a link represents all links that turn as one with it.
 pub type Sum = Vec<(LinkId, Factor)>;
 
 /// Why links turn as one, or a link rests.
@@ -44,7 +44,7 @@ pub enum Condition {
     Permanent(usize),
     /// A set ties two links.
     Set {
-        /// Its place in the gearbox.
+        /// Place of the set in the gearbox.
         set: usize,
         /// The links.
         links: [LinkId; 2],
@@ -66,7 +66,7 @@ pub struct Substitution {
     pub sum: Sum,
     /// The speed that it is solved for.
     pub unknown: LinkId,
-    /// What that is: 0 where empty.
+    /// Right-hand side for the unknown speed; 0 if empty.
     pub equals: Sum,
 }
 
@@ -75,7 +75,7 @@ pub struct Substitution {
 pub struct Steps {
     /// `1, −i₀, i₀ − 1` of each symbol's equation, at its three links.
     pub equations: Vec<[Factor; 3]>,
-    /// What makes links one.
+    /// Conditions that make links turn as one or rest.
     pub conditions: Vec<Condition>,
     /// The equations, solved one after the other. The last one gives the output's speed.
     pub substitutions: Vec<Substitution>,
@@ -105,7 +105,7 @@ impl Steps {
     }
 }
 
-/// What ties links or holds them: all engaged elements, and of the rest what the equations need.
+/// Conditions that tie or hold links: all engaged elements, and of the rest those that the equations need.
 fn conditions(gearbox: &Gearbox, gear: &Gear, formula: &Formula) -> Vec<Condition> {
     let permanent = gearbox.permanent().iter().enumerate();
     let permanent = permanent.map(|(place, links)| (Condition::Permanent(place), *links, None));

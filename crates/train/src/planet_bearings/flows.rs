@@ -2,7 +2,7 @@
 
 use crate::tolerance::POWER;
 
-/// How the power of a set runs through its meshes, a tree of central gears and planets.
+/// Path of a set's power through its meshes, a tree of central gears and planets.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Flows {
     /// Speed of each central gear relative to the carrier, over that of the first.
@@ -13,15 +13,15 @@ pub(super) struct Flows {
     pub(super) meshes: Vec<([usize; 2], f64)>,
 }
 
-/// What of the torques on the central gears a mesh brings.
+/// Part of the torques on the central gears that a mesh transmits to a planet.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Part {
-    /// All of that on one central gear, its only mesh.
+    /// The whole torque of one central gear, whose only mesh it is.
     Whole(usize),
-    /// Of a central gear in several meshes: each with 1 where the gear is the one nearer to the root, else
-    /// −1. What losses leave open is shared alike.
+    /// Part of a central gear in several meshes. `all` holds the meshes of the gear, each with 1 if the gear
+    /// is the one nearer to the root, else −1. A share that losses leave open is divided equally.
     Shared { central: usize, mesh: usize, all: Vec<(usize, f64)> },
-    /// Between two planets: the power through it by this factor.
+    /// Mesh between two planets: the power through it times this factor.
     Between { mesh: usize, factor: f64 },
 }
 
