@@ -50,7 +50,7 @@ impl Class {
         Ok(Self { kind, sets, links })
     }
 
-    /// What it keeps.
+    /// Kind of structures in the class.
     #[must_use]
     pub const fn kind(self) -> Kind {
         self.kind

@@ -35,8 +35,8 @@ impl Equal {
     /// No sets: each `k` is free.
     pub const NONE: Self = Self(0);
 
-    /// Every choice of so many sets of one kind, where the last so many of all are double-planet sets; of one
-    /// set or none nothing is asked.
+    /// Choices of `count` sets of one kind, if the last `double_planets` of all sets are double-planet sets.
+    /// A `count` of 0 or 1 requires no equal sets.
     #[must_use]
     pub fn choices(count: usize, sets: usize, double_planets: usize) -> Vec<Self> {
         if count <= 1 {

@@ -21,7 +21,7 @@ impl Default for Usable {
     }
 }
 
-/// Why a gearbox is of no use.
+/// Reason why a gearbox is of no use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fault {
     /// Links would cross in its scheme.
@@ -30,7 +30,7 @@ pub enum Fault {
     Forward,
     /// A reverse gear has a lower efficiency.
     Reverse,
-    /// More power circulates in a forward gear.
+    /// A forward gear has more circulating power.
     Circulation,
 }
 
