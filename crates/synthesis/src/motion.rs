@@ -1,9 +1,9 @@
 //! The motion of a structure under every set of engaged elements.
 //!
 //! # Formula
-//! A set ties its links by `(ω_s − ω_H) + k·(ω_r − ω_H) = 0`, an engaged element two links by `ω_u − ω_v =
-//! 0`. The `n` sets and `e = F − 1` elements are the rows of a matrix. The speed of link `v` is, up to a
-//! factor common to all links, the determinant of these rows and one more with a 1 at `v`:
+//! A set ties its links by `(ω_s − ω_H) + k·(ω_r − ω_H) = 0`, an engaged element two links by
+//! `ω_u − ω_v = 0`. The `n` sets and `e = F − 1` elements are the rows of a matrix. The speed of link `v` is,
+//! up to a factor common to all links, the determinant of these rows and one more with a 1 at `v`:
 //!
 //! ```text
 //! ω_v ∝ det(sets, elements, v) = Σ_S (Π_{i∈S} k_i)·D_v(S)        i = ω_1/ω_2

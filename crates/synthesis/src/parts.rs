@@ -4,10 +4,10 @@
 //! words.
 //!
 //! # Why nothing is lost
-//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Suppose `P −
-//! g·Q` has the same sign at all corners for the lower and the upper bound `g` of a gear. The ratio `P/Q` is
-//! then outside these bounds in the whole part, even if `Q` changes its sign: `(P − g₁·Q)·(P − g₂·Q) > 0`. If
-//! `Q` keeps its sign, this means that the extremes of `P/Q` are at corners.
+//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Suppose
+//! `P − g·Q` has the same sign at all corners for the lower and the upper bound `g` of a gear. The ratio
+//! `P/Q` is then outside these bounds in the whole part, even if `Q` changes its sign:
+//! `(P − g₁·Q)·(P − g₂·Q) > 0`. If `Q` keeps its sign, this means that the extremes of `P/Q` are at corners.
 
 use crate::ratio::{Polynomial, Ratio};
 use crate::tolerance::WIDENING;

@@ -12,12 +12,12 @@
 //! such sets keep planets of their own.
 //!
 //! # Room
-//! With common gears of equal teeth the `k` give the proportions of all central gears, and `z_p = (z_b −
-//! z_a)/2` the planet of a simple set. This planet has to leave room for the rest: it would run into the sun
-//! of a double-planet set with the same ring unless that sun is the smaller one. The conditions are those of
-//! [`epicyclic_gears::double_planet`], with the largest ring at [`MOST_TEETH`], three planets of each kind
-//! and no planet below [`LEAST_TEETH`]. A set that does not fit there fits with no smaller ring. Profile
-//! shift, and whether all teeth are whole numbers, are left to the tooth numbers.
+//! With common gears of equal teeth the `k` give the proportions of all central gears, and
+//! `z_p = (z_b − z_a)/2` the planet of a simple set. This planet has to leave room for the rest: it would run
+//! into the sun of a double-planet set with the same ring unless that sun is the smaller one. The conditions
+//! are those of [`epicyclic_gears::double_planet`], with the largest ring at [`MOST_TEETH`], three planets of
+//! each kind and no planet below [`LEAST_TEETH`]. A set that does not fit there fits with no smaller ring.
+//! Profile shift, and whether all teeth are whole numbers, are left to the tooth numbers.
 
 use crate::names::{real_k, solver_name};
 use crate::set_teeth::SetTeeth;

@@ -193,8 +193,8 @@ impl Structure {
         found
     }
 
-    /// New names of the other links under an order of the sets that gives the same word: `new =
-    /// renaming[old]`.
+    /// New names of the other links under an order of the sets that gives the same word:
+    /// `new = renaming[old]`.
     #[must_use]
     pub fn renaming(&self, order: &[usize]) -> Vec<Link> {
         let mut names: Vec<Link> = (0..=u8::try_from(self.links).unwrap_or(u8::MAX)).collect();

@@ -50,8 +50,8 @@
 //! mesh from the torque and leaves the force at the pitch point. So the mesh forces `T_c/(N·r_c)` and the
 //! carrier's torque differ by the loss. If a planet has two central gears in mesh and nothing else, it passes
 //! on the torque that it receives. Its mesh forces `F_c` are then those of
-//! [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere `F_c
-//! = |T_c|/(N·r_c)`.
+//! [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
+//! `F_c = |T_c|/(N·r_c)`.
 //!
 //! The *moments about the main axis* balance exactly, so they are used here: the bearings then transmit the
 //! carrier's torque.

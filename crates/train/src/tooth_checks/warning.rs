@@ -128,7 +128,7 @@ impl ToothWarning {
         match self {
             Self::DifferentPlanes { .. } | Self::StepModule { is_stated: false, .. } => Severity::Remark,
             Self::StepModule { .. } | Self::HalfTooth { .. } => Severity::Warning,
-            // Profile shift makes up a small difference of centre distances; beyond that only other teeth help.
+            // Profile shift makes up a small difference of centre distances; for more only other teeth help.
             Self::UnequalCentreDistances { distances: [one, other], .. }
             | Self::StepsApart { distances: [one, other], .. } => {
                 if (*one - *other).abs() <= MOST_SHIFT {
