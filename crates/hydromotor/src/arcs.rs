@@ -77,7 +77,7 @@ pub(crate) struct Arcs<T = f64> {
 }
 
 impl<T: Real> Arcs<T> {
-    /// From the distances `l > 0` and `a > 0`.
+    /// Arcs of the distances `l > 0` and `a > 0`.
     pub(crate) fn of_distances(theta3: f64, half_length: f64, l: T, a: T) -> Self {
         let (sin, cos) = libm::sincos(theta3);
         let (theta, s, sin, cos) = (T::of(theta3), T::of(half_length), T::of(sin), T::of(cos));
@@ -96,7 +96,7 @@ impl<T: Real> Arcs<T> {
 }
 
 impl Arcs {
-    /// From `D` and `Γ`.
+    /// Arcs of `D` and `Γ`.
     fn of_triangle(theta3: f64, half_length: f64, d: f64, gamma: f64) -> Self {
         let beta = theta3 + gamma;
         let sin = libm::sin(theta3);
@@ -169,16 +169,16 @@ pub struct StatorArcs {
 }
 
 impl StatorArcs {
-    /// All pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is left
-    /// out.
+    /// Finds all pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is
+    /// left out.
     ///
-    /// System (1) asks only for the lobes and teeth of the stator. Whether the rotor closes is another
+    /// System (1) depends only on the lobes and teeth of the stator. Whether the rotor closes is another
     /// matter: [`crate::closure`].
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a parameter or the module,
-    /// [`Error::PairUndetermined`] for twice the same parameter or both angles, [`Error::NoArcs`] where no
-    /// pair of arcs has both.
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a parameter or the module;
+    /// [`Error::PairUndetermined`] for twice the same parameter or both angles; [`Error::NoArcs`] if no pair
+    /// of arcs has both.
     ///
     /// # Example
     /// ```

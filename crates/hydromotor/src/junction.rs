@@ -21,8 +21,8 @@
 //!
 //! # Source
 //! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in
-//! (4) the copy lost the root; (6)–(8) are restored by integrating the rolling, of which (5) is the
-//! primitive.
+//! (4) the copy lost the root. (6)–(8) are restored by integrating the rolling; (5) is the primitive of that
+//! integral.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
@@ -101,12 +101,12 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     })
 }
 
-/// Where a satellite touches both wheels on its way over the two arcs, from crest to trough: so many
-/// contacts on each arc, its ends among them. The arcs need not close; what they roll on the rotor spans
-/// `π/n` only if they do ([`crate::closure`]).
+/// Contacts of a satellite with both wheels on its way over the two arcs, from crest to trough: the given
+/// number on each arc, its ends among them. The arcs need not close; the rotor's image of them spans `π/n`
+/// only if they do ([`crate::closure`]).
 ///
 /// # Errors
-/// As [`junction`].
+/// Errors of [`junction`].
 ///
 /// # Example
 /// ```

@@ -1,22 +1,22 @@
-//! What makes a motor a machine: bounds of its size, a rotor that turns within the stator, chambers that
+//! Conditions for a machine: bounds of a motor's size, a rotor that turns within the stator, chambers that
 //! never vanish.
 //!
 //! | bound | value | why |
 //! |---|---|---|
 //! | module `m` | [`MODULE_MM`], 0.001 to 1000 mm | no gear is cut beyond |
 //! | width `b` | [`WIDTH_MM`], 0.001 to 10 000 mm | the same |
-//! | distance `l` of arc 1 | [`GREATEST_RADIUS`], 100 times the stator's nominal radius `m·Z₃/2` | beyond, arc 1 is a straight line to any machine tool |
+//! | distance `l` of arc 1 | [`GREATEST_RADIUS`], 100 times `m·Z₃/2` | beyond, arc 1 is nearly straight |
 //!
 //! # Rotor and stator
-//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`, and the rotor passes
-//! every angle `φ`, so that each of its radii comes to face each of the stator's. They overlap at no angle of
-//! the rotor if and only if
+//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`. The rotor passes every
+//! angle `φ`, so that each of its radii comes to face each of the stator's. They overlap at no angle of the
+//! rotor if and only if
 //!
 //! ```text
 //! max ρ₁ = ρ₁(crest) < ρ₃(trough) = min ρ₃
 //! ```
 //!
-//! which is decided by two numbers, without sampling. The least chamber is known in closed form
+//! which two numbers decide, without sampling. The least chamber is known in closed form
 //! ([`crate::chambers`]).
 
 use epicyclic_units::Physical;
@@ -108,7 +108,7 @@ mod tests {
         (0..count).map(point).collect()
     }
 
-    /// Where the ray at an angle meets the polygon: on the straight side between its two corners.
+    /// Radius at which the ray at an angle meets the polygon: on the straight side between its two corners.
     fn radius(polygon: &[[f64; 2]], theta: f64) -> f64 {
         let step = TAU / polygon.len() as f64;
         let place = theta.rem_euclid(TAU) / step;

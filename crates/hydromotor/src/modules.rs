@@ -7,7 +7,7 @@ pub(crate) fn length(modules: f64, module: Length) -> Length {
     module * modules
 }
 
-/// How many modules a length is.
+/// Length in modules.
 pub(crate) fn modules(value: Length, module: Length) -> f64 {
     (value / module).value
 }

@@ -54,7 +54,7 @@ fn polygon(port: &Port, points: u32) -> Vec<[f64; 2]> {
     pieces.iter().flat_map(|piece| (0..points).map(|i| piece.at(f64::from(i) / f64::from(points)))).collect()
 }
 
-/// What of a polygon lies within a convex one, counter-clockwise (Sutherland and Hodgman).
+/// Part of a polygon within a convex one, counter-clockwise (Sutherland and Hodgman).
 fn clipped(subject: &[[f64; 2]], window: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut left = subject.to_vec();
     for (a, b) in window.iter().zip(window.iter().cycle().skip(1)) {

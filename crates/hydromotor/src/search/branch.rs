@@ -8,13 +8,13 @@ use super::front::{Cover, Value};
 use super::objective::Objective;
 use super::point::{Point, Yardstick};
 
-/// How often a cell is halved at most.
+/// Largest number of times that a cell is halved.
 const MOST_HALVINGS: i32 = 10;
 
-/// What is known of the stretch between two neighbouring points.
+/// State of the stretch between two neighbouring points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cell {
-    /// Not looked at, or halved just now.
+    /// Not evaluated, or halved just now.
     Open,
     /// By estimate no motor in it is admissible.
     Refused,
@@ -33,7 +33,7 @@ pub(super) struct Branch {
 }
 
 impl Branch {
-    /// With so many evenly spaced points.
+    /// Branch with this number of evenly spaced points.
     pub(super) fn new(yardstick: &Yardstick, family: Family, interval: Interval, points: u32) -> Self {
         let last = points - 1;
         let part = |i: u32| (f64::from(i) / f64::from(last)).clamp(EDGE, 1.0 - EDGE);
@@ -130,8 +130,8 @@ impl Branch {
         Prospect::Values(best)
     }
 
-    /// The same where an end may have no teeth: then the line through the other end and its neighbour, on to
-    /// the end without, either way.
+    /// Estimate as by `bound`, if an end may have no teeth. It is then the line through the other end and its
+    /// neighbour, extended to the end without teeth.
     fn bound_where_teeth(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
         let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
         let (here, there, beyond) = match (at(i), at(i + 1)) {

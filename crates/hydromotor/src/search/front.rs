@@ -2,14 +2,14 @@
 
 use super::objective::Objective;
 
-/// How many objectives there are.
+/// Number of objectives.
 const COUNT: usize = Objective::ALL.len();
 
 /// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what
 /// is not asked for.
 pub(super) type Value = [f64; COUNT];
 
-/// Indices of the values that no other dominates, ascending; equal ones stand together.
+/// Indices of the values that no other dominates, ascending; equal values are together.
 pub(super) fn front(values: &[Value]) -> Vec<usize> {
     let costs: Vec<Value> = values.iter().map(|value| value.map(|part| -part)).collect();
     epicyclic_numerics::front::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
@@ -50,13 +50,14 @@ impl Cover {
     }
 }
 
-/// By how much a value exceeds a member in the objective where it does so most.
+/// Largest amount by which a value exceeds a member in an objective.
 fn excess(value: Value, member: Value) -> f64 {
     (0..COUNT).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling
-/// first objective; each left out lies within `resolution` of one kept. The best in every objective are kept.
+/// Selects members of one set of numbers that differ by more than `resolution` in some objective, by falling
+/// first objective. Each one left out is within `resolution` of one kept. The best in every objective are
+/// kept.
 pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
     let best =
         |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });

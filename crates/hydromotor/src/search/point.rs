@@ -16,7 +16,7 @@ use super::front::Value;
 use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};
 
-/// What a point is held against.
+/// Measures by which a point is judged.
 #[derive(Debug, Clone)]
 pub(super) struct Yardstick {
     pub(super) heights: ToothHeights,
@@ -24,7 +24,7 @@ pub(super) struct Yardstick {
     pub(super) ripple: f64,
     pub(super) least_radius: f64,
     pub(super) objectives: Vec<Objective>,
-    /// Where an objective or a bound needs them of every motor.
+    /// Inputs for the flanks, if an objective or a bound needs them of every motor.
     pub(super) flanks: Option<FlankTerms>,
     /// The teeth that every motor of the front must have, where this is asked.
     pub(super) made: Option<ToothForm>,
@@ -36,24 +36,24 @@ pub(super) struct Point {
     /// Part of the interval, even in `1/l`.
     pub(super) part: f64,
     pub(super) arcs: Option<StatorArcs>,
-    /// The least curvature radius, and of which curve.
+    /// The least curvature radius, and the curve that has it.
     pub(super) radius: f64,
     pub(super) radius_of: Subject,
     /// The check nearest its limit, among those looked at, and how far it keeps off, relative.
     pub(super) nearest: (Subject, f64),
-    /// How far checks and limits are kept, the least, relative; of a refused point at most that.
+    /// Least relative margin of checks and limits; for a refused point an upper bound of it.
     pub(super) margin: f64,
-    /// Why it is refused.
+    /// Reason of the refusal.
     pub(super) refused: Option<Reason>,
-    /// What it does, of an accepted point and where asked for.
+    /// Working data, for an accepted point and if they are needed.
     pub(super) working: Option<Working>,
-    /// The same at the flanks where every motor is looked at for them; none of one without teeth.
+    /// Working data at the flanks, if every motor is evaluated for them; `None` for one without teeth.
     pub(super) at_flanks: Option<AtFlanks>,
     /// Whether it was asked if it can be made.
     pub(super) judged: bool,
 }
 
-/// What a motor does.
+/// Working data of a motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Working {
     /// `q̂`, displacement over width and `m²`.
@@ -219,7 +219,7 @@ impl Point {
         }
     }
 
-    /// What a motor does, whether or not it is refused.
+    /// Computes the working data of a motor, whether or not it is refused.
     pub(super) fn work(&mut self, yardstick: &Yardstick, numbers: MotorNumbers) {
         if self.working.is_some()
             && (self.at_flanks.is_some() || yardstick.flanks.is_none() || self.accepted())
@@ -263,7 +263,7 @@ pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
     PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
 }
 
-/// How far a value keeps above a limit, relative to it.
+/// Margin of a value above a limit, relative to the limit.
 pub(super) fn at_least(value: f64, limit: f64) -> f64 {
     if limit > 0.0 { value / limit - 1.0 } else { f64::INFINITY }
 }

@@ -27,7 +27,7 @@ pub(in crate::flanks) fn alpha() -> Angle {
     Angle::from_degrees(25.0)
 }
 
-/// Of the motor of 6×4 lobes, 1 MPa on 1 mm: newtons are `N/(Δp·b·m)`.
+/// Values of the derivation, for a motor of 6×4 lobes with 1 MPa on 1 mm: newtons are `N/(Δp·b·m)`.
 #[test]
 fn the_forces_of_the_derivation_are_met() {
     let motor = motor((6, 4, 66, 10), 1.0, 40.0);

@@ -1,4 +1,4 @@
-//! What a search with free tooth forms finds.
+//! Result of a search with free tooth forms.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
@@ -24,7 +24,7 @@ use crate::threads::map;
 pub struct FormFound {
     /// The front, by falling displacement by volume.
     pub designs: Vec<FormDesign>,
-    /// How many points fell where.
+    /// Counts of the points by their results.
     pub funnel: FormFunnel,
 }
 
@@ -113,14 +113,14 @@ impl FormDesign {
     }
 }
 
-/// How many motors and points fell where.
+/// Counts of motors and points by their results.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FormFunnel {
     /// Sets of numbers within the bounds that fulfil the conditions on them.
     pub sets: usize,
-    /// Of these, outside the limits of rotor lobes, rotor teeth or the common divisor.
+    /// Sets outside the limits of rotor lobes, rotor teeth or the common divisor.
     pub outside_limits: usize,
-    /// Of the rest, those with which no motor of the families closes.
+    /// Sets within these limits with which no motor of the families closes.
     pub without_motors: usize,
     /// Motors at the places of their families.
     pub motors: usize,

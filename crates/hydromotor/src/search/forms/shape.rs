@@ -25,11 +25,11 @@ pub enum FamilyKind {
 }
 
 impl FamilyKind {
-    /// All of them.
+    /// Families in their order.
     pub const ALL: [Self; 3] = [Self::TwoArcs, Self::CosineLaw, Self::SecondHarmonic];
 }
 
-/// Why a motor is refused before its teeth: what fails first, in this order.
+/// Reason why a motor is refused before its teeth: the first condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeReason {
     /// A rounding from the end of its family nothing closes, or what the motor does is no number.
@@ -47,7 +47,7 @@ pub enum ShapeReason {
 }
 
 impl ShapeReason {
-    /// All of them, in their order.
+    /// Reasons in their order.
     pub const ALL: [Self; 6] =
         [Self::NotClosed, Self::RotorInStator, Self::NoChamber, Self::LeastRadius, Self::Size, Self::Ripple];
 }

@@ -43,7 +43,7 @@ fn small() -> FormSearch {
 struct Point {
     motor: Motor,
     form: ToothForm,
-    /// Each the greater the better.
+    /// Values of the objectives, each the greater the better.
     objectives: [f64; 4],
 }
 
@@ -126,7 +126,7 @@ fn trial(search: &FormSearch) -> Vec<Point> {
     all
 }
 
-/// Those of [`small`], tried once.
+/// Points of [`small`], tried once.
 fn all_of_small() -> &'static [Point] {
     static ALL: std::sync::OnceLock<Vec<Point>> = std::sync::OnceLock::new();
     ALL.get_or_init(|| trial(&small()))
@@ -307,7 +307,7 @@ fn every_design_keeps_all_limits_at_256_angles() {
     assert!(families.contains(&FamilyKind::TwoArcs) && families.contains(&FamilyKind::SecondHarmonic));
 }
 
-/// The same of the search as it is by default, of every seventh of its designs.
+/// Designs of the default search keep all limits too; every seventh is checked.
 #[test]
 fn designs_of_the_default_search_keep_all_limits_at_256_angles() {
     const STRIDE: usize = 7;
