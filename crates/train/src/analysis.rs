@@ -63,7 +63,7 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a gear that does not exist. That a gear is not driven is no error: see
+    /// [`Error::Unknown`] for a gear that does not exist. A gear that is not driven is no error: see
     /// [`Analysis::state`].
     pub fn analyze(&self, gear: &str) -> Result<Analysis<'_>, Error> {
         self.analyze_gear(self.gear(gear)?)

@@ -127,13 +127,13 @@ impl GearboxBuilder {
         self
     }
 
-    /// Holds a link to the housing for ever.
+    /// Holds a link to the housing permanently.
     #[must_use]
     pub fn ground(self, link: &str) -> Self {
         self.tie(link, GROUND)
     }
 
-    /// Joins two links for ever.
+    /// Joins two links permanently.
     #[must_use]
     pub fn tie(mut self, first: &str, second: &str) -> Self {
         self.permanent.push([first.into(), second.into()]);
@@ -363,7 +363,7 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
         return Err(Error::PlanetCount { set: id, given });
     }
     planet_angles::check(&set)?;
-    // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the
+    // Members joined permanently make the set one block whatever is engaged, or lock it if the two are the
     // housing. Joined by a *shift element* they are the ordinary direct drive. Central gears that turn alike
     // anyway lose nothing by being one piece.
     let members = set.members();
@@ -461,7 +461,7 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
         centrals.push(Central { link, kind: central.kind, teeth, proportion, body });
     }
     let mut names = std::collections::BTreeSet::new();
-    // What meshes are written with: `long.2` may be a step of a planet or a central gear.
+    // Names that meshes use: `long.2` may be a step of a planet or a central gear.
     let spelt: Vec<String> = gears.iter().map(|(name, _)| name.to_string()).collect();
     let bodies = spec.planets.iter().map(|planet| &planet.name).filter(|name| !spelt.contains(name));
     let bodies = bodies.map(|name| (name.as_str(), GearName::only(name)));

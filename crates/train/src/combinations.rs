@@ -1,4 +1,4 @@
-//! Every combination of shift elements, with what it does.
+//! Combinations of shift elements, with the state of each.
 
 use crate::{Analysis, Error, Gearbox, Named};
 use std::ops::RangeInclusive;

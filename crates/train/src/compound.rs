@@ -1,7 +1,8 @@
 //! Description of a compound planet set: any central gears, any planets, any tree of meshes.
 //!
-//! Ravigneaux, Wolfrom, stepped planets beside idlers, ring to ring through meshing planets, planets whose
-//! own rotation is taken out: what shares planets is one set, since each of its meshes exists once.
+//! Examples are Ravigneaux, Wolfrom, stepped planets with idlers, ring to ring through meshing planets, and
+//! planets whose own rotation is taken out. Gears that share planets are one set, since each of its meshes
+//! exists once.
 //!
 //! ```
 //! use epicyclic_gears::efficiency::MeshEfficiency;

@@ -37,7 +37,7 @@ pub enum CompoundFault {
         /// The gear.
         gear: GearName,
     },
-    /// Teeth that are no whole number.
+    /// A number of teeth that is not whole.
     #[error(
         "gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`"
     )]

@@ -200,10 +200,10 @@ pub struct WithDrags {
     pub output: Torque,
     /// The drags, in their order.
     pub drags: Vec<DragAtWork>,
-    /// Power through each mesh of each set in W; none of a set one of whose speeds does not follow, which
-    /// then carries no torque.
+    /// Power through each mesh of each set in W; `None` for a set in which a member's speed does not follow,
+    /// which then carries no torque.
     pub meshes: Vec<Option<Vec<MeshPower>>>,
-    /// One-way clutches that the gear relies on and that let go, since a torque below 0 is asked of them: no
+    /// One-way clutches that the gear relies on and that release, since they would need a torque below 0: no
     /// such operation exists. Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     pub released: Vec<usize>,
     /// The largest power inside: the measure for balances.
@@ -379,7 +379,7 @@ impl Analysis<'_> {
         let others = found_at.drags.iter().map(|drag| drag.loss);
         let others = others.chain([found_at.input_power(), found_at.output_power()]);
         found_at.largest = others.fold(found_at.largest, |most, power| most.max(power.abs()));
-        // What rounding leaves in an idle mesh is no power.
+        // Rounding alone leaves power in an idle mesh.
         let nothing = POWER * found_at.largest.si();
         let busy = |mesh: MeshPower| if mesh.enters > nothing { mesh } else { MeshPower::default() };
         let meshes = (0..self.gearbox.sets().len()).map(|set| found.meshes(self.gearbox, set));

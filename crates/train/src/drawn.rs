@@ -9,7 +9,7 @@ use crate::planet_set::GearOf;
 use crate::{Analysis, Gearbox, LoadCase};
 use epicyclic_gears::teeth::ToothCount;
 
-/// Powers of a drawn set, as multiples of what enters the gear.
+/// Powers of a drawn set, as multiples of the power that enters the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnPower {
     /// Power that enters at each member.

@@ -67,7 +67,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
         let Some(balance) = loads.at(&signs, 1.0) else { continue };
         let (powers, largest) = loads.powers(&balance);
         let is = branch::signs(powers, largest, vec![0; signs.len()]);
-        // Without power both signs say the same: take it once.
+        // Without power both signs are equivalent: take it once.
         let fits = |&place: &usize| is[place] == signs[place] || is[place] == 0 && signs[place] == 1;
         if !lossy.iter().all(fits) {
             continue;

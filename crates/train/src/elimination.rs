@@ -39,7 +39,7 @@ use epicyclic_gears::simple_set::Fraction;
 pub(crate) trait Scalar: Clone {
     fn zero() -> Self;
     fn one() -> Self;
-    /// Rank in the choice of a pivot; 0 for what is zero.
+    /// Rank in the choice of a pivot; 0 for a number that is zero.
     fn weight(&self) -> f64;
     /// Measure for the weights of an equation: the largest size of its entries.
     fn size(&self) -> f64 {
@@ -116,7 +116,7 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
     }
 
     fn times(&self, other: &Self) -> Option<Self> {
-        // What a number times ±1 is, is as certain as it was.
+        // A number times ±1 is as certain as the number.
         for (one, other) in [(self, other), (other, self)] {
             if one.error == 0.0 && one.value.abs() == 1.0 {
                 return Some(Self { value: one.value * other.value, error: other.error });
@@ -124,7 +124,7 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
         }
         let value = self.value * other.value;
         let error = self.value.abs() * other.error + other.value.abs() * self.error;
-        // Neither overflow nor what is lost below the least number leaves anything certain.
+        // Overflow, and digits lost below the least number, leave nothing certain.
         (value.is_finite() && (value.abs() > f64::MIN_POSITIVE || self.value == 0.0 || other.value == 0.0))
             .then_some(Self { value, error: error + self.error * other.error + value.abs() * f64::EPSILON })
     }

@@ -106,7 +106,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A description that is no gearbox, or a question that it cannot answer.
+/// A description that is not a gearbox, or a request that the gearbox cannot answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -138,7 +138,7 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// Two members of a set that are one piece for ever.
+    /// Two members of a set that are permanently one piece.
     #[error("{}", coincident(set, [first, second], link, [*is_pair, *is_held]))]
     CoincidentMembers {
         /// The set.
@@ -154,7 +154,7 @@ pub enum Error {
         /// Whether they are the housing.
         is_held: bool,
     },
-    /// A ring-to-sun ratio outside what its kind can have.
+    /// A ring-to-sun ratio outside the range of its kind.
     #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
     RingToSunRatio {
         /// The set.

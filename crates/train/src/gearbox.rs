@@ -188,7 +188,7 @@ impl Gearbox {
         &self.shift_elements
     }
 
-    /// Pairs of links that are joined for ever; a permanent ground is a pair with the housing.
+    /// Pairs of links that are permanently joined; a permanent ground is a pair with the housing.
     #[must_use]
     pub fn permanent(&self) -> &[[LinkId; 2]] {
         &self.permanent

@@ -381,7 +381,7 @@ impl Gearbox {
             }
         }
         let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
-        // Torques that would be too many say that power passes at the open ends too.
+        // Too many torques mean that power passes at the open ends too.
         let ends = self.open_ends(topology, omega, &terminals);
         if known + given.len() == terminals.len() + ends.len() {
             terminals.extend(ends);
@@ -404,7 +404,7 @@ impl Gearbox {
             let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
             return Err(InputsFault::SharedTorques { sets }.into());
         }
-        // What a loaded set loses does not follow while a member's speed does not.
+        // The loss of a loaded set does not follow while a member's speed does not.
         let is_adrift = |link: &usize| {
             let is_member = |set: &usize| self.sets[*set].members().iter().any(|member| member.0 == *link);
             omega[*link].is_none() && settled.loaded_sets.iter().any(is_member)

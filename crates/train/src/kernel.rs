@@ -21,9 +21,9 @@
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};
 
-/// Columns of a matrix of factors; the last one collects what is tied to the housing.
+/// Columns of a matrix of factors; the last one collects the terms tied to the housing.
 const COLUMNS: usize = 16;
-/// The node of what is one piece with the housing.
+/// Node of the housing and of all links that are one piece with it.
 pub(crate) const HOUSING: usize = COLUMNS - 1;
 /// Largest number of equations in the kernel.
 pub(crate) const MOST_EQUATIONS: usize = 12;
@@ -312,7 +312,7 @@ mod tests {
                 for torque in [2.0, -0.7] {
                     let powers = [torque * a, -i * torque * b, (i - 1.0) * torque * h, torque * (a - h)];
                     assert!(powers[..3].iter().sum::<f64>().abs() < 1e-12);
-                    // What enters is 1.
+                    // The power that enters is 1.
                     let largest = powers.iter().fold(1.0_f64, |most, power| most.max(power.abs()));
                     let plain = set::<true>(i, &[]).powers(&[[a, b, h]], [i], [torque], 0.0);
                     let other = set::<false>(i, &runs).powers(&[[a, b, h]], [i], [torque], 0.0);

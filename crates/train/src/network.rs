@@ -5,7 +5,7 @@
 //! torques    Ĉᵀ·t − Σ T = 0 at every node                              T at the terminals, all but F given
 //! ```
 //!
-//! It is what the kernel does, written for any size, and the way of gears with several inputs.
+//! This is the method of the kernel, written for any size, and the one for gears with several inputs.
 
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};

@@ -39,7 +39,7 @@ pub enum Duty {
 }
 
 impl Duty {
-    /// Whether the gear's engaged elements contradict what the clutch does.
+    /// Whether the gear's engaged elements contradict the state of the clutch.
     #[must_use]
     pub fn is_contradiction(self) -> bool {
         matches!(self, Self::WouldOverrun | Self::WouldHold)
@@ -76,7 +76,7 @@ impl Analysis<'_> {
                     if is_relied_on { relied_on(shift_element, case) } else { self.free(shift_element) }
                 };
                 let (drive, coast) = (of(self.driving()), of(self.back_driving()));
-                // That it lets go on coast is what it is made for.
+                // Releasing on coast is the purpose of a one-way clutch.
                 let coast = if coast == Duty::WouldOverrun { Duty::Overruns } else { coast };
                 OneWay { shift_element, is_relied_on, drive, coast }
             })
@@ -95,8 +95,8 @@ impl Analysis<'_> {
         Some(!relied.contains(&Duty::Overruns))
     }
 
-    /// One-way clutches that the gear relies on and that let go at this operating point, since it asks of
-    /// them a torque below 0 on their first links: no such operation exists. Places in
+    /// One-way clutches that the gear relies on and that release at this operating point, since they would
+    /// need a torque below 0 on their first links: no such operation exists. Places in
     /// [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     #[must_use]
     pub fn released(&self, operation: &Operation) -> Vec<usize> {

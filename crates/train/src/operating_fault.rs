@@ -7,10 +7,10 @@ pub enum OperatingFault {
     /// Power into an input without speed.
     #[error("an input at rest takes no power")]
     PowerAtRest,
-    /// A speed or load that is no number, or too large.
+    /// A speed or load that is not finite, or too large.
     #[error("speed and load are numbers up to 1e50 in size")]
     NoNumber,
-    /// A speed or torque, among several, that is no number or too large.
+    /// A speed or torque, among several, that is not finite or too large.
     #[error("speeds and torques are numbers up to 1e50 in size")]
     NoNumbers,
     /// Power out of the input of a gear that is self-locking in this direction.

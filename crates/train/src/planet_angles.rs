@@ -158,7 +158,7 @@ impl PlanetSet {
         gaps.reduce(f64::min).filter(|_| turns.len() > 1).map(Angle::from_si)
     }
 
-    /// The given angles of planets that are no assembly positions.
+    /// Planets at given angles that are not assembly positions.
     #[must_use]
     pub fn misplaced(&self) -> Vec<Misplaced> {
         let (Spacing::At(given), Some(positions)) =
@@ -217,7 +217,7 @@ fn slots(set: &PlanetSet) -> Option<u128> {
         GearOf::Planet(planet, _) if set.planets()[planet].gears.len() == 1 => Some(1),
         gear => set.teeth(gear).map(|teeth| i128::from(teeth.get())),
     };
-    // One line of each mesh: coefficients of the planets, and what stands on the right, times N.
+    // One line for each mesh: coefficients of the planets, and the right side, times N.
     let mut lines: Vec<(Vec<i128>, i128)> = vec![];
     for mesh in set.meshes() {
         let mut line = (vec![0; set.planets().len()], 0);

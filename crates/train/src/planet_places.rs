@@ -182,7 +182,7 @@ fn find_modules(set: &PlanetSet, radii: &[Option<f64>], modules: &mut [Option<f6
     }
 }
 
-/// The places that follow from what is given.
+/// Positions of the planets that follow from the given values.
 pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
     let mut modules = given.modules.clone();
     spread(set, &mut modules);
@@ -233,8 +233,8 @@ fn pair(
 /// A set of unshifted gears seen along its axis. Lengths are in modules of its first mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlongAxis {
-    /// Module of each mesh, over that of the first: of a stepped planet the modules that its one centre
-    /// distance asks for.
+    /// Module of each mesh, over that of the first: for a stepped planet the modules that its one centre
+    /// distance requires.
     pub modules: Vec<f64>,
     /// Radius of each planet's centre, and its angle about the axis in rad. The first planet is at angle 0.
     pub planets: Vec<[f64; 2]>,
@@ -248,7 +248,7 @@ impl PlanetSet {
         let mut given = Given::nothing(self);
         *given.modules.first_mut()? = Some(1.0);
         let first = places(self, &given);
-        // Modules that no centre distance asks for are those of the first mesh.
+        // Modules that no centre distance determines are those of the first mesh.
         let given = Given { modules: first.modules, radii: first.radii, module: Some(1.0), ..given };
         let places = places(self, &given);
         let reach = |pair: &Result<Pair, NoPair>| matches!(pair, Ok(_) | Err(NoPair::OtherMesh));

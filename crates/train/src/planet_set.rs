@@ -219,7 +219,7 @@ impl PlanetSet {
         &self.centrals
     }
 
-    /// The planets that differ; none of a pair.
+    /// Planets of different kinds; empty for a pair.
     #[must_use]
     pub fn planets(&self) -> &[Planet] {
         &self.planets
@@ -380,7 +380,7 @@ impl PlanetSet {
         let Parts { centrals, planets, mut meshes, factors, exact, rational, loss } = parts;
         let root = match &description {
             Description::Short(_) => 0,
-            // A single sun under several rings is what they have in common; else the first ring.
+            // A single sun is the common gear of several rings; otherwise the first ring is the root.
             Description::Compound(_) => {
                 let of = |kind| centrals.iter().filter(move |central| central.kind == kind).count();
                 let is_single_sun = of(CentralKind::Sun) == 1 && of(CentralKind::Ring) > 1;
@@ -403,7 +403,7 @@ impl PlanetSet {
         set.tree.rationals = exact.iter().map(|exact| exact.or(rational)).collect();
         set.tree.exact = exact;
         if set.centrals.iter().any(|central| central.proportion.is_some()) {
-            // Fractions of decimals decide states, but say nothing of teeth.
+            // Fractions of decimals decide states, but are not tooth counts.
             set.tree.exact.fill(None);
             set.exact.fill(None);
         }
@@ -464,7 +464,7 @@ impl PlanetSet {
     }
 }
 
-/// Fractions that say so where their integers overflow.
+/// Fractions that report an overflow of their integers.
 trait Checked: Sized {
     fn checked_times(self, other: Self) -> Option<Self>;
     fn checked_div_by(self, other: Self) -> Option<Self>;
@@ -543,8 +543,8 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
             ]
         }
     };
-    // What teeth do not give: the second central gear from k, and by equal centre distances the planet of a
-    // simple set.
+    // Factors that teeth do not give: the second central gear from k, and the planet of a simple set by equal
+    // centre distances.
     let mut factors = vec![None; 2 + planets.len()];
     let mut known = vec![None; 2 + planets.len()];
     factors[1] = Some(1.0 / ratio.get());

@@ -38,7 +38,7 @@ impl SetPower {
         self.rolling[0]
     }
 
-    /// Coupling power of a central gear, `T_c·ω_H`: what it gives or takes without its meshes.
+    /// Coupling power of a central gear, `T_c·ω_H`: the power that it gives or takes without its meshes.
     #[must_use]
     pub fn coupling(&self, central: usize) -> f64 {
         self.members[central] - self.rolling[central]
@@ -61,10 +61,10 @@ pub struct MeshPower {
 pub struct PowerFlow {
     /// Powers of each set; `None` if torque or speed do not follow.
     pub sets: Vec<Option<SetPower>>,
-    /// Power through each link by [`LinkId::index`](crate::LinkId::index): half the sum of what its
-    /// members, connections and terminals give and take. `None` where a part does not follow.
+    /// Power through each link by [`LinkId::index`](crate::LinkId::index): half the sum of the powers that
+    /// its members, connections and terminals give and take. `None` if a part does not follow.
     pub links: Vec<Option<f64>>,
-    /// Power that circulates, over what enters.
+    /// Circulating power, over the power that enters.
     pub circulating: f64,
     /// Circulating power of each arc, with the sign of the arc's power.
     circulations: Vec<(Way, f64)>,
@@ -136,8 +136,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
-    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one
-    // link under two names circulates as much as under one.
+    // Links that share a torque in an undetermined way are one piece to the flow. So are links that are tied:
+    // one link under two names circulates as much as under one.
     let mut pieces: Option<Groups> = None;
     let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.shift_element.is_none();
     for (edge, _) in topology.edges.iter().zip(edges).filter(is_one) {
@@ -195,7 +195,7 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
 /// Powers of a set under these torques on its members; `None` where a speed is missing.
 fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque: f64) -> Option<SetPower> {
     let centrals = set.centrals().len();
-    // At an unknown speed, what carries no torque has no power.
+    // At an unknown speed, a member without torque has no power.
     let is_idle = torques.iter().all(|torque| torque.abs() <= no_torque);
     let speed = |member: usize| speeds[set.members()[member].0].or(is_idle.then_some(0.0));
     let carrier = speed(centrals)?;
@@ -216,8 +216,8 @@ fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque
     })
 }
 
-/// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it
-/// give and take, through the meshes between. `signs` are those of its segments, none without losses.
+/// Power through each mesh of a set from the rolling powers of the central gears: the powers of the gears
+/// behind the mesh, through the meshes between. `signs` are those of its segments, empty without losses.
 ///
 /// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no direction.
 pub(crate) fn mesh_powers(
@@ -228,7 +228,7 @@ pub(crate) fn mesh_powers(
 ) -> Vec<MeshPower> {
     let (tree, rolling) = (&set.tree, &power.rolling);
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
-    // What a mesh leaves of the power that comes from the side of the root, in the direction of its segment.
+    // Part of the power from the root's side that a mesh passes on, in the direction of its segment.
     let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
         0 => 1.0,
         1 => set.meshes()[mesh].efficiency.get(),
@@ -236,7 +236,7 @@ pub(crate) fn mesh_powers(
     };
     let of_mesh = |mesh: usize| {
         let behind = &tree.behind[mesh];
-        // Power that leaves the mesh outwards: what the central gears behind it take.
+        // Power that leaves the mesh outwards: the powers of the central gears behind it.
         let outwards: f64 = behind
             .clone()
             .map(|place| {
@@ -272,7 +272,7 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
 /// The largest circulation through each flow in a directed loop.
 fn circulations(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> Vec<(Flow, f64)> {
     flows.retain(|flow| flow.power > nothing && flow.from != flow.to);
-    // What no loop can hold: vertices that only give or only take, again and again.
+    // No loop holds an arc at a vertex that only gives or only takes: remove these repeatedly.
     if flows.is_empty() {
         return vec![];
     }

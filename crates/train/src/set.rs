@@ -1,5 +1,5 @@
-//! A planet set with three members, in short: its kind, its basic ratio, what its meshes lose, where its
-//! members go.
+//! A planet set with three members, in short: its kind, its basic ratio, the losses of its meshes, the links
+//! of its members.
 //!
 //! The short form names one of the usual arrangements; [`PlanetSet`](crate::PlanetSet) is the set it
 //! represents, with every gear and mesh. A set with more members, or with shared planets, is described whole

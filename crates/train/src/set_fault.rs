@@ -17,7 +17,7 @@ pub enum SpacingFault {
         /// Number of planets.
         planets: u32,
     },
-    /// An angle that is no number.
+    /// An angle that is not finite.
     #[error("the angle of planet {planet} is not finite")]
     NotFinite {
         /// The planet, from 1.

@@ -1,5 +1,5 @@
-//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their
-//! friction takes.
+//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and their
+//! friction losses.
 
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_gears::geometry::GearKind;

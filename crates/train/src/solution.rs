@@ -1,6 +1,6 @@
 //! Solution of a gear, and the parts that its solvers share: the direction of power, runs of equations.
 
-/// The node of what is one piece with the housing.
+/// Node of the housing and of all links that are one piece with it.
 pub(crate) const RESTING: u16 = u16::MAX;
 
 /// Direction of power through a gear.

@@ -28,7 +28,7 @@ impl SetMotion {
 /// Motion of a planet, as multiples of the input's speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanetMotion {
-    /// Relative to the carrier, `ω_g − ω_H`: what its bearing sees.
+    /// Speed relative to the carrier, `ω_g − ω_H`, which is that of the planet's bearing.
     pub relative: f64,
     /// Seen from the housing, `ω_g`. Of a bevel planet, whose axis is not the set's, `None`.
     pub speed: Option<f64>,

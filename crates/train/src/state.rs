@@ -96,7 +96,7 @@ impl State {
         }
     }
 
-    /// The links concerned; none of a driven gear.
+    /// Links concerned; empty for a driven gear.
     #[must_use]
     pub fn links(&self) -> &[String] {
         match self {

@@ -224,7 +224,7 @@ fn quick(gearbox: &Gearbox, gear: &Gear) -> Option<(Proof, CompiledGear)> {
         return None;
     }
     let proof = Proof::new(&topology, input)?;
-    // What the elimination of independent equations says; where they are not, it is not used.
+    // Verdict of the elimination if the equations are independent; otherwise it is not used.
     let verdict = Verdict {
         state: State::Driven,
         speeds: vec![Some(0.0); topology.count],

@@ -40,7 +40,7 @@
 //! | [`MOST_SYMBOLS`] | symbols of a formula |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
 //! | [`LARGEST_LOAD`] | a speed in rad/s or torque in N·m from outside |
-//! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
+//! | [`SPREAD`] | product of the basic ratios of a gearbox |
 
 /// Least size of a number that is certainly not zero, in multiples of its error bound.
 pub(crate) const ERROR_FACTOR: f64 = 4.0;
@@ -127,10 +127,10 @@ pub const MOST_SYMBOLS: usize = 12;
 
 /// Largest size of a basic ratio; its inverse is the smallest.
 ///
-/// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
+/// Within it every quantity of a gear keeps its digits; a ratio beyond it is a typing error.
 pub const BASIC_RATIO: f64 = 1e9;
 
-/// Largest size of a speed in rad/s or of a torque in N·m from outside: what follows from it is a number too.
+/// Largest size of a speed in rad/s or of a torque in N·m from outside: all results are then numbers too.
 pub const LARGEST_LOAD: f64 = 1e50;
 
 /// Largest product of `1 + |i|`, or `1 + 1/|i|` where that is larger, over the basic ratios of a gearbox.

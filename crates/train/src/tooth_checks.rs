@@ -110,7 +110,7 @@ impl Gearbox {
 /// Of gears without profile shift, or of a simple set with its shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetFit {
-    /// Whether so many planets of each kind can be assembled at their angles.
+    /// Whether this number of planets of each kind can be assembled at their angles.
     pub assembles: Option<bool>,
     /// Whether tip circles of planets alike, and of those in mesh with each other's neighbours, clear.
     pub clears: Option<bool>,

@@ -9,7 +9,7 @@ use epicyclic_gears::simple_set::Fraction;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Edge {
     pub(crate) links: [LinkId; 2],
-    /// Place of the shift element; none of a permanent connection.
+    /// Place of the shift element; `None` for a permanent connection.
     pub(crate) shift_element: Option<usize>,
 }
 
@@ -126,7 +126,7 @@ pub(crate) fn node_equations<'r, S: Scalar + 'r>(
 ) -> Option<Vec<S>> {
     let mut entries = Vec::with_capacity(topology.equations.len() * topology.count);
     for (&nodes, ratio) in topology.equations.iter().zip(ratios) {
-        // What has no ratio is left out.
+        // Equations without a ratio are left out.
         let Some(ratio) = ratio else { continue };
         let from = entries.len();
         entries.resize(from + topology.count, S::zero());

@@ -64,7 +64,7 @@ pub(crate) struct Scene<'a> {
     pub(crate) speeds: &'a [Option<f64>],
 }
 
-/// Torques on the links and sets of a gear, from what the solver found.
+/// Torques on the links and sets of a gear, from the solver's results.
 pub(crate) struct Members {
     /// Torques on the members of each set.
     pub(crate) sets: Vec<Vec<f64>>,
@@ -217,8 +217,8 @@ pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
 
 /// Torque of every connection on its first link.
 ///
-/// A connection that is the only way between two sides carries what the side away from the housing
-/// demands. One in a loop carries an unknown share.
+/// Torques of the connections. A connection that is the only way between two sides carries the demand of the
+/// side away from the housing. One in a loop carries an unknown share.
 pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f64>) -> Vec<Option<f64>> {
     let mut torques: Vec<Option<f64>> = vec![None; topology.edges.len()];
     if topology.edges.is_empty() {
@@ -246,7 +246,7 @@ pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f
         degree[other.0] -= 1;
         open[place] = false;
     }
-    // What is left stands in loops, or between them.
+    // The remaining connections are in loops, or between them.
     for place in 0..open.len() {
         if open[place] && known.edge(place) {
             torques[place] = bridge(topology, &open, place, &demand);

@@ -139,7 +139,7 @@ impl Polynomial {
     pub(super) fn exact_value(&self, symbols_are: &[Fraction]) -> Option<Fraction> {
         let mut sum = <Fraction as Scalar>::zero();
         for (product, coefficient) in &self.terms {
-            // Subtracted with the other sign, since that is what there is.
+            // Subtracted with the other sign, since `Scalar` has no addition.
             let mut term = Fraction::from_integer(-i128::from(*coefficient));
             for symbol in symbols(*product) {
                 term = Scalar::times(&term, symbols_are.get(symbol)?)?;

@@ -1,9 +1,8 @@
 //! The way to a ratio: equations with their numbers, conditions, substitutions.
 //!
-//! The same equations as those of the formula, with numbers in place of the symbols, are solved one after the
-//! other: of those that are left the one with the fewest unknown speeds comes next, what is known is put in,
-//! and one unknown speed is expressed by the others. The output's speed comes last. Numbers are fractions
-//! where all teeth are known.
+//! The equations of the formula, with numbers in place of the symbols, are solved one after the other. The
+//! next one is the one with the fewest unknown speeds: known speeds are put in, and one unknown speed is
+//! expressed by the others. The output's speed comes last. Numbers are fractions if all teeth are known.
 
 use super::Formula;
 use super::symbol::Symbol;
@@ -147,7 +146,7 @@ fn signed(symbol: &Symbol, k: Fraction) -> Fraction {
 
 type Speeds<S> = BTreeMap<usize, S>;
 
-/// Adds a multiple of speeds; what vanishes goes.
+/// Adds a multiple of speeds; terms that vanish are removed.
 fn subtract<S: Scalar>(from: &mut Speeds<S>, factor: &S, speeds: &Speeds<S>) -> Option<()> {
     for (node, share) in speeds {
         let before = from.remove(node).unwrap_or_else(S::zero);

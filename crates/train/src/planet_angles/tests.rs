@@ -35,7 +35,7 @@ fn phases([sun, ring]: [f64; 2], turn: f64) -> [f64; 2] {
 }
 
 proptest! {
-    /// A planet fits where both meshes ask it for the same phase, up to whole teeth, and nowhere else.
+    /// A planet fits if both meshes require the same phase of it, up to whole teeth, and only then.
     #[test]
     fn planets_fit_where_both_meshes_ask_for_one_phase(sun in 12..60_u32, planet in 12..60_u32, steps in 1..400_u32, beside in 0.1..0.9_f64) {
         let ring = sun + 2 * planet;

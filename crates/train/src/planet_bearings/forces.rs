@@ -85,7 +85,7 @@ pub struct PlanetBearing {
     pub contacts: Vec<Contact>,
     /// Mass of one planet.
     pub mass: Option<Mass>,
-    /// Basic dynamic load rating of its bearings together, and what rolls in them.
+    /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub load_rating: Option<(Force, Rolling)>,
     /// Working pressure angle.
     pub pressure_angle: Angle,

@@ -12,16 +12,18 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
 pub struct SetSize {
     /// Module `m` of the meshes, of helical teeth the transverse one.
     pub module: Option<Length>,
-    /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth.
-    /// Where planets differ, each has its own: [`PlanetSize::carrier_radius`].
+    /// Radius `R` of the planets' centres, for a set with one planet; takes precedence over that of module
+    /// and teeth. If planets differ, each has its own: [`PlanetSize::carrier_radius`].
     pub carrier_radius: Option<Length>,
     /// Face width of a planet with one gear.
     pub face_width: Option<Length>,
     /// Bore of a planet; a solid planet where it is left out.
     pub planet_bore: Option<Length>,
-    /// Mass of a planet with what turns about its planet pin; goes before that of its shape.
+    /// Mass of a planet with the parts that turn about its planet pin; takes precedence over that of its
+    /// shape.
     pub planet_mass: Option<Mass>,
-    /// Basic dynamic load rating of the bearings of one planet together, and what rolls in them.
+    /// Basic dynamic load rating of the bearings of one planet together, and the kind of their rolling
+    /// elements.
     pub bearing: Option<(Force, Rolling)>,
     /// Density of the planets.
     pub density: MassDensity,
@@ -36,7 +38,7 @@ pub struct SetSize {
 /// Known dimensions of one planet.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanetSize {
-    /// Radius `R` of its centre; goes before that of module and teeth.
+    /// Radius `R` of the planet's centre; takes precedence over that of module and teeth.
     pub carrier_radius: Option<Length>,
     /// Face width of each of its gears, in the order of [`Planet::gears`](crate::planet_set::Planet::gears).
     pub face_widths: Vec<Option<Length>>,
@@ -44,7 +46,7 @@ pub struct PlanetSize {
     pub bore: Option<Length>,
     /// Mass of the planet with the parts that turn about its planet pin.
     pub mass: Option<Mass>,
-    /// Basic dynamic load rating of its bearings together, and what rolls in them.
+    /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub bearing: Option<(Force, Rolling)>,
 }
 

@@ -68,7 +68,7 @@ impl Proof {
             let entries = if r == c && c == h {
                 return None;
             } else if r == c {
-                // (1 − i)·(ω_r − ω_H): nothing where i = 1, which the general way tells.
+                // (1 − i)·(ω_r − ω_H): nothing if i = 1, which the general method detects.
                 [(r, 1, -1), (h, -1, 1), (None, 0, 0)]
             } else if r == h || c == h {
                 [(r, 1, 0), (c, -1, 0), (None, 0, 0)]

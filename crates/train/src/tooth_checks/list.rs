@@ -1,4 +1,4 @@
-//! The checks of the teeth of each set as a list: what was checked, what could not be, what does not hold.
+//! The checks of the teeth of each set as a list: checks made, checks not possible, checks that fail.
 
 use super::{Checks, ToothWarning};
 use crate::Gearbox;

@@ -89,7 +89,7 @@ pub(super) enum ToothWarning {
         /// Error from the shifts.
         error: epicyclic_gears::Error,
     },
-    /// Steps of one planet whose meshes ask for different radii with their modules.
+    /// Steps of one planet whose meshes require different radii with their modules.
     StepsApart {
         /// The central gears in mesh with them.
         centrals: [NamedGear; 2],
@@ -141,7 +141,7 @@ impl ToothWarning {
         }
     }
 
-    /// Name of the rule, value, limit, their unit, and what helps.
+    /// Name of the rule, value, limit, their unit, and the remedy.
     pub(super) fn figures(&self) -> (&'static str, f64, f64, &'static str, &'static str) {
         let apart = |[one, other]: &[f64; 2]| (one - other).abs();
         match self {
