@@ -28,7 +28,7 @@ pub enum Error {
         /// The most.
         most: usize,
     },
-    /// Sets that are no structure.
+    /// Sets that do not form a structure.
     #[error("{name:?} is no structure: {why}")]
     NotAStructure {
         /// The sets as given.

@@ -120,7 +120,7 @@ pub struct Sample {
     pub first_s: f64,
     /// Time of the second pass, in s.
     pub again_s: f64,
-    /// Bytes of what the search learned.
+    /// Memory of the functions that the search learned, bytes.
     pub learned: usize,
     /// Whether it was ended before its last structure was searched: then all times are more.
     pub is_cut: bool,
@@ -144,7 +144,7 @@ impl Sample {
         self.again_s * times + self.learning() * times.sqrt()
     }
 
-    /// Into how many shares the search is divided so that each takes one thread so many seconds.
+    /// Number of shares into which the search is divided so that each takes one thread this time, in s.
     #[must_use]
     pub fn shares(&self, seconds: f64) -> f64 {
         // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a
@@ -172,9 +172,9 @@ const FEWEST: usize = 8;
 /// Largest multiple of its budget that a sample may take to reach the fewest structures.
 const PATIENCE: f64 = 20.0;
 
-/// A sample of the search through a share of a class of this size: as many structures as `budget_s` seconds
-/// of `clock`, in s, allow, or 8 where that many are searched in twenty times as long, and at least one. It
-/// takes up to twice as long; where `ended`, which is asked now and then, ends it, the sample is cut.
+/// Searches a sample of a share of a class of this size. The sample has as many structures as `budget_s`
+/// seconds of `clock`, in s, allow, or 8 if these are searched in twenty times as long, and at least one. It
+/// takes up to twice as long; if `ended`, which is called now and then, ends it, the sample is cut.
 ///
 /// # Errors
 /// As [`search`](crate::run::search).
@@ -239,7 +239,7 @@ fn of<W: Word>(
     }
     let between = clock();
     let first_s = between - begun;
-    // What is cut has not learned all.
+    // A search that is cut has not learned all functions.
     let is_cut =
         is_cut || !structures[..sampled].iter().all(|one| search.structure_unless(one, ended).is_some());
     let again_s = if is_cut { first_s } else { clock() - between };

@@ -19,7 +19,7 @@ pub struct Space {
 }
 
 impl Space {
-    /// The space of so many dimensions, at least 2.
+    /// Space of this number of dimensions, at least 2.
     #[must_use]
     pub fn new(dimensions: usize) -> Self {
         let axes: Vec<Vec<u32>> = (0..=dimensions)

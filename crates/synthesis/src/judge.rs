@@ -38,8 +38,8 @@ pub struct Judged {
     pub slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of
-    /// a double-planet set what they exceed whatever their teeth ([`planet_speed`]).
+    /// Greatest speed of a planet relative to its carrier in a gear, over the input's. For the planets of a
+    /// double-planet set it is a lower bound for any teeth ([`planet_speed`]).
     pub planet_speed: f64,
     /// Sets that share planets at the best `k`.
     pub sharing: Sharing,
@@ -79,7 +79,7 @@ impl Judged {
     /// η = Σ s_g·η_g / Σ s_g
     /// ```
     ///
-    /// Nothing where the shares of all forward gears are 0.
+    /// `None` if the shares of all forward gears are 0.
     #[must_use]
     pub fn mean_efficiency(&self, shares: &[f64]) -> Option<f64> {
         let (mut sum, mut all) = (0.0, 0.0);
@@ -187,9 +187,9 @@ pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Res
     })
 }
 
-/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a
-/// double-planet set, or of a compound one, are not known, what its planets exceed: of a compound set for
-/// each sun and ring with one planet or two between them.
+/// Greatest speed of a planet relative to its carrier, over the input's. If the teeth of a double-planet set,
+/// or of a compound one, are not known, it is a lower bound; for a compound set over each sun and ring with
+/// one planet or two between them.
 ///
 /// ```text
 /// ∣ω_g − ω_H∣ = ∣ω_s − ω_H∣·z_s/z_g > 2·∣ω_s − ω_H∣/(k − 1)        of both planets of a double-planet set

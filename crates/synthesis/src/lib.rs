@@ -8,19 +8,19 @@
 //! | [`enumerate`], [`count`] | all of a class, each once, and how many by other ways |
 //! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
 //! | [`ratio`] | ratios as formulas, factored |
-//! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
-//! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
+//! | [`parts`] | parts of the range of the ring-to-sun ratios in which a ratio is possible |
+//! | [`wish`] | requirements, and whether any gearbox of a class can fulfil them |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
 //! | [`equal`] | sets with equal `k` |
 //! | [`rules`], [`shifts`] | further rules: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`work`] | a search through a class or a share, on several threads, with breaks |
 //! | [`estimate`] | how long a search will take, from a sample |
-//! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
+//! | [`tally`], [`asked`] | the counts and the request of a search, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
-//! | [`limits`] | steps, slips and speeds that a solution has to keep |
+//! | [`limits`] | limits of steps, slips and speeds for a solution |
 //! | [`family`] | which solutions have equal functions |
-//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
-//! | [`usable`] | limits of a gearbox that is of use, by which a search goes on to larger classes |
+//! | [`rank`] | ratings of a solution by the solver, the Pareto front and the best by an order |
+//! | [`usable`] | limits of a usable gearbox, by which a search goes on to larger classes |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`sharing`] | sets that share planets, as the compound set that they are |
 //! | [`gearbox`] | a solution as a gearbox of the solver |

@@ -18,7 +18,7 @@ pub(crate) type Number = u32;
 /// Number for elements whose function no wanted gear can have.
 pub(crate) const USELESS: Number = Number::MAX;
 
-/// A function that reaches a gear somewhere.
+/// A function that reaches a gear in some part of the range.
 struct Record {
     ratio: Ratio,
     /// Gears within reach, as bits.
@@ -61,7 +61,7 @@ impl<W: Word> Library<W> {
         &self.grid
     }
 
-    /// Approximate memory in bytes: what is allotted, and a byte more for each place of a hash table.
+    /// Approximate memory in bytes: the allotted bytes, and one more for each place of a hash table.
     pub(crate) fn bytes(&self) -> usize {
         let Self { by_speeds, by_ratio, families, of_families, records, reach, .. } = self;
         by_speeds.capacity() * (size_of::<(Speeds<W>, Number)>() + 1)

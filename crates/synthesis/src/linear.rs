@@ -66,7 +66,7 @@ pub(crate) struct Programme {
 }
 
 impl Programme {
-    /// The greatest `objective·x` of the first so many variables; the others are 0.
+    /// Finds the greatest `objective·x` over the first `variables` variables; the others are 0.
     pub(crate) fn most(&mut self, rows: &[Row], objective: &[f64; MOST], variables: usize) -> Optimum {
         self.table.clear();
         self.table.extend_from_slice(rows);

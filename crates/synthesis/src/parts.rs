@@ -78,7 +78,7 @@ impl Parts {
         self.0[part / 64] |= 1 << (part % 64);
     }
 
-    /// The first so many.
+    /// Set of the first `count` parts.
     #[must_use]
     pub fn first(count: usize) -> Self {
         (0..count).collect()
@@ -286,7 +286,7 @@ impl Grid {
         let mut reach = vec![Parts::default(); gears.len()];
         for (part, corner) in self.lowest.iter().enumerate() {
             if signs[*corner] == 0 {
-                // The output stands still somewhere in the part, so the ratio has no extremes at the corners.
+                // The output is at rest somewhere in the part, so the ratio has no extremes at the corners.
                 for (values, polynomial) in ends.iter_mut().zip(polynomials) {
                     corner_values(&coefficients(polynomial, sets), &self.part(part), values);
                 }
@@ -356,7 +356,7 @@ fn at_bounds(block: &mut [f64], step: usize, least: f64, most: f64) {
     }
 }
 
-/// The coefficients of a polynomial in so many `k`.
+/// Coefficients of a polynomial in this number of `k`.
 pub(crate) fn coefficients(polynomial: Polynomial, sets: usize) -> Vec<f64> {
     (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect()
 }

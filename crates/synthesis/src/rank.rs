@@ -142,8 +142,8 @@ pub struct GearRating {
     pub shift_element_torque: f64,
     /// The greatest torque of a member of a set over the input's, with losses.
     pub member_torque: f64,
-    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 where it is engaged, nothing where a
-    /// speed does not follow.
+    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 if it is engaged, `None` if a speed
+    /// does not follow.
     pub slips: Vec<Option<f64>>,
     /// The sum of the slips of the open shift elements.
     pub drag: f64,
@@ -151,7 +151,7 @@ pub struct GearRating {
     pub link_speed: f64,
     /// The greatest speed of a planet relative to its carrier, over the input's, as [`planet_speed`] has it.
     pub planet_speed: f64,
-    /// Circulating power over what enters, with losses.
+    /// Circulating power over the power that enters, with losses.
     pub circulation: f64,
 }
 
@@ -171,7 +171,7 @@ impl Rating {
     /// ([`Judged::mean_efficiency`]) in place of the least.
     ///
     /// # Errors
-    /// Those of the solver; none are known for what [`judge`](crate::judge::judge) made.
+    /// Errors of the solver; none are known for a result of [`judge`](crate::judge::judge).
     pub fn of(judged: &Judged, shares: Option<&[f64]>) -> Result<Self, epicyclic_train::Error> {
         let gearbox = &judged.gearbox;
         let gears: Vec<GearRating> = gearbox

@@ -1,9 +1,10 @@
 //! Ratios as formulas: quotients of two polynomials in the ring-to-sun ratios, factored, common factors
 //! cancelled.
 //!
-//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. So it splits over a
-//! set `U` of them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's
-//! first row and column are the factors. With coefficients −1, 0 and 1 those of the factors are such, too.
+//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. Consider its
+//! coefficients as a table, by the products within a set `U` of the `kᵢ` and the products of the others. The
+//! polynomial splits over `U` if this table has rank 1; the table's first row and column are the factors.
+//! With coefficients −1, 0 and 1 those of the factors are such, too.
 
 use crate::motion::Speeds;
 use crate::ternary::{Ternary, Word};

@@ -183,8 +183,8 @@ impl Region {
         most
     }
 
-    /// Ranges that together hold every point, as long as they are not too many each so small that its
-    /// inequalities are nearly straight.
+    /// Covers the region by ranges, which are so small that their inequalities are nearly straight, as long
+    /// as their number is not too large.
     pub(crate) fn cover(&mut self, range_of_k: &Cuboid) -> Vec<Range> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -268,8 +268,7 @@ impl Region {
         self.outermost(cover, &sought, known, close).value
     }
 
-    /// The outermost point of some ranges, up to `close`: where many ranges promise hardly more, up to twice
-    /// as much after so many of them.
+    /// Outermost point of some ranges, up to `close`; the tolerance is doubled after every `MANY` ranges.
     fn outermost(
         &mut self,
         ranges: &[Range],
@@ -380,8 +379,7 @@ impl Region {
         self.tangent = false;
     }
 
-    /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may
-    /// hold a point.
+    /// Contracts a range by its inequalities, and sets up those of the rest. False if it holds no point.
     fn contract(&mut self, range: &mut Range) -> bool {
         loop {
             if !self.straighten(range) {
@@ -449,7 +447,7 @@ impl Region {
             let sign = if least > 0.0 { 1.0 } else { -1.0 };
             let unit = half * least.abs().min(most.abs());
             let widening = WIDENING * middle.abs() * least.abs().max(most.abs());
-            // Some room for what bends.
+            // The bounds of `t` leave some room for the nonlinear part.
             let t = match form.settled {
                 Some(settled) if !form.free => [settled - 0.5 * NEAR; 2],
                 Some(settled) => [settled; 2],
@@ -481,7 +479,7 @@ impl Region {
         if values.iter().all(|value| *value >= 0.0) {
             return true;
         }
-        // From values at the corners to what stands in each product of the x.
+        // Values at the corners become the coefficients of the products of the x.
         let mut step = 1;
         while step < corners {
             for block in values.chunks_exact_mut(2 * step) {
@@ -553,7 +551,7 @@ impl Region {
     }
 }
 
-/// A range of so many times each `k` about a point, within a whole.
+/// Range about a point by the part `width` of each `k`, within a whole.
 fn about(whole: &Range, k: &[f64], width: f64) -> Range {
     let mut about = *whole;
     for (about, k) in about.iter_mut().zip(k) {

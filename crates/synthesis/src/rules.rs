@@ -43,7 +43,7 @@ pub(crate) fn may_be(pairs: &[Element]) -> [bool; 2] {
 }
 
 impl Rules {
-    /// Whether gearboxes with these gears and so many elements can keep them at all.
+    /// Checks whether gearboxes with these gears and this number of elements can keep the rules at all.
     pub(crate) fn check(&self, gears: &[Bounds], elements: usize) -> Result<(), Error> {
         let fault = |why: String| Err(Error::Wish { why });
         if self.brakes_of(elements, 0, 0).is_none() {
@@ -60,7 +60,7 @@ impl Rules {
         Ok(())
     }
 
-    /// Whether some numbers of brakes and clutches among so many elements are not wanted.
+    /// Whether the rules exclude some numbers of brakes and clutches among this number of elements.
     pub(crate) fn counts_brakes(&self, elements: usize) -> bool {
         !(0..=elements)
             .all(|brakes| self.brakes.contains(&brakes) && self.clutches.contains(&(elements - brakes)))

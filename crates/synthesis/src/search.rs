@@ -56,8 +56,7 @@ pub struct Gear {
     pub engaged: Vec<Vec<usize>>,
 }
 
-/// A search through structures of one class. What it learns of functions is kept from one structure to the
-/// next.
+/// A search through structures of one class. The functions learned are kept from one structure to the next.
 pub struct Search<W> {
     wish: Wish,
     engaged: usize,
@@ -82,9 +81,9 @@ pub struct Search<W> {
     alone: [u64; 2],
     /// Gears, those with the fewest choices first.
     order: Vec<usize>,
-    /// Chosen elements, and the parts in which they were gone on from.
+    /// Chosen elements, and the parts in which the search continued from them.
     visited: FxHashMap<u64, Parts>,
-    /// Full sets of elements that were looked at.
+    /// Full sets of elements that were evaluated.
     seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
@@ -335,8 +334,8 @@ impl<W: Word> Search<W> {
         self.room.extend([known, added]);
     }
 
-    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of
-    /// which each choice with an element that is not chosen yet can give one.
+    /// Parts in which chosen elements may belong to a solution. Every gear needs a function of its own, and
+    /// each choice with an element that is not chosen yet can give one.
     fn promising(&self, chosen: u64, functions: &[u64]) -> Parts {
         let known = choose(chosen.count_ones() as usize, self.engaged);
         let more = choose(self.wish.elements, self.engaged) - known;
@@ -384,7 +383,7 @@ fn image(chosen: u64, places: &[usize]) -> u64 {
         .fold(0, |all, (_, place)| all | 1 << place)
 }
 
-/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all
+/// Parts held by at least this number of some sets of parts: their numbers are added up bit by bit, for all
 /// parts at once.
 fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
     if least == 0 {

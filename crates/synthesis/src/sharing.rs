@@ -213,9 +213,9 @@ impl Compound {
         known.into_iter().map(Option::unwrap_or_default).collect()
     }
 
-    /// Teeth of all planets with which so many of each, at equal angles, fit suns and rings with these
-    /// teeth: those of simple sets by equal centre distances, the others as large as they can be for gears
-    /// that do turn, each the earlier the larger.
+    /// Teeth of all planets with which this number of each, at equal angles, fits suns and rings with these
+    /// teeth. Those of simple sets follow from equal centre distances. The others are as large as gears that
+    /// can turn allow, the earlier ones preferred.
     fn fill(
         &self,
         gears: &[[f64; 2]],

@@ -274,8 +274,8 @@ impl<'a> Solver<'a> {
             .map(|(gear, _)| gear)
     }
 
-    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each
-    /// have their own.
+    /// Takes from functions the gears that they do not reach in a box; `None` if the gears cannot each have
+    /// their own.
     fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears that one function reaches, at most.
@@ -301,8 +301,8 @@ impl<'a> Solver<'a> {
         self.settle(left)
     }
 
-    /// Takes from functions the gears that are another's alone; nothing where the gears cannot each have
-    /// their own.
+    /// Takes from functions the gears that are another's alone; `None` if the gears cannot each have their
+    /// own.
     fn settle(&mut self, left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears of one function, and of several.
@@ -361,8 +361,8 @@ impl<'a> Solver<'a> {
         corner_values(&self.functions[function].coefficients[1], cuboid, below);
     }
 
-    /// Whether somewhere in a box each pair of gears may be in falling order: where the highest ratio of the
-    /// one is not above the lowest of the other, it is not.
+    /// Whether each pair of gears may be in falling order anywhere in a box. It may not if the highest ratio
+    /// of the one is not above the lowest of the other.
     fn may_fall(&mut self, cuboid: &[[f64; 2]], functions: &[usize]) -> bool {
         self.falling.iter().all(|[higher, lower]| {
             let most = self.extremes(cuboid, functions[*higher]).map(|[_, most]| most);
@@ -432,9 +432,9 @@ impl<'a> Solver<'a> {
         Some(())
     }
 
-    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few
-    /// Gauss-Newton steps from the middle lead there: first towards the middles of all bounds, and from near
-    /// the bounds towards those that are missed.
+    /// Point of the box at which each gear is within its accepted bounds, if a few Gauss-Newton steps from
+    /// the middle lead to one. They go first towards the middles of all bounds, and from near the bounds
+    /// towards those that are missed.
     fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
         for to_bounds in [false, true] {
@@ -460,8 +460,8 @@ impl<'a> Solver<'a> {
         None
     }
 
-    /// The step that least squares of the deviations, each by half the width of its bounds, ask for;
-    /// `to_bounds` of what exceeds the bounds alone.
+    /// Least-squares step for the deviations, each over half the width of its bounds; with `to_bounds` only
+    /// for the parts beyond the bounds.
     fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
         let sets = k.len();
         let mut normal = Matrix::zeros(sets, sets + 1);
@@ -536,7 +536,7 @@ fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
 /// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting
 /// paths).
 pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
-    /// Whether a gear can be had for a function, those that have one already moving to others.
+    /// Whether a function can get a gear, with functions that have one already moving to others.
     fn augment(function: usize, reaches: &[u32], owners: &mut [usize; 32], visited: &mut u32) -> bool {
         loop {
             let open = reaches[function] & !*visited;

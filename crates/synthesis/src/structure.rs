@@ -61,7 +61,7 @@ pub fn link_of_name(name: char) -> Option<Link> {
 }
 
 impl Structure {
-    /// The structure of these sets with so many moving links, in its canonical word.
+    /// Structure of these sets with this number of moving links, in its canonical word.
     ///
     /// # Errors
     /// [`Error::NotAStructure`] where a link is beyond `links` or on no member, a set has a link twice, or
@@ -96,7 +96,7 @@ impl Structure {
         Ok((Self { sets, links, double }, order))
     }
 
-    /// Refuses sets that are no structure.
+    /// Refuses sets that do not form a structure.
     fn check(sets: &[Members], links: usize) -> Result<(), Error> {
         let fault = if links > crate::class::MOST_LINKS || sets.len() > crate::class::MOST_SETS {
             Some("it has too many sets or links")
@@ -122,7 +122,7 @@ impl Structure {
         Self { sets, links, double: 0 }
     }
 
-    /// The structures with so many double-planet sets among these, in which any may be double; each once.
+    /// Structures with this number of double-planet sets among these, in which any may be double; each once.
     #[must_use]
     pub fn with_double_planets(&self, count: usize) -> Vec<Self> {
         let sets = self.sets.len();

@@ -71,7 +71,7 @@ impl<W: Word> Table<W> {
         }
     }
 
-    /// Takes up a structure with so many elements.
+    /// Takes up a structure with this number of elements.
     pub(crate) fn take(
         &mut self,
         engaged: usize,
@@ -223,7 +223,7 @@ impl<W: Word> Table<W> {
         });
     }
 
-    /// Sets up what elements give with each choice of one less.
+    /// Sets up the functions that elements give with each choice of one less.
     fn complete(&mut self) {
         let without = u32::try_from(64 * self.words).unwrap_or(u32::MAX);
         let less = self.choices.count_of_one_less(self.elements);
@@ -242,7 +242,7 @@ impl<W: Word> Table<W> {
         self.words
     }
 
-    /// Whether some functions reach every gear, each somewhere, and are as many as these.
+    /// Whether some functions reach every gear, each in some part, and are at least as many as the gears.
     #[inline]
     pub(crate) fn may_have_all(&self, functions: &[u64]) -> bool {
         let count: u32 = functions.iter().map(|word| word.count_ones()).sum();

@@ -1,6 +1,6 @@
-//! Counts of what a search came to.
+//! Counts of the results of a search.
 
-/// Counts of what a search came to.
+/// Counts of the results of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
     /// Structures searched.

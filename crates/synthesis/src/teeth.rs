@@ -37,7 +37,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-/// The most boxes that are looked at for one solution, some ten seconds of work.
+/// Largest number of boxes for one solution, some ten seconds of work.
 pub const MOST_BOXES: u64 = 30_000_000;
 
 /// Objective for the best tooth numbers.
@@ -62,7 +62,7 @@ pub struct Alike {
 }
 
 impl Alike {
-    /// Whether some chosen sets, with so many still to be chosen, can be so.
+    /// Whether some chosen sets, with `left` still to be chosen, can be alike as required.
     fn can_be(self, chosen: &[&SetTeeth], left: usize) -> bool {
         fn most<T: PartialEq>(of: impl Fn(usize) -> T, count: usize) -> usize {
             let alike = |one: usize| (0..count).filter(|other| of(*other) == of(one)).count();
@@ -133,7 +133,7 @@ impl Design {
 pub struct Designs {
     /// Number of designs found.
     pub count: u64,
-    /// Whether all were found: not more than [`MOST_BOXES`] boxes had to be looked at.
+    /// Whether all were found: at most [`MOST_BOXES`] boxes were needed.
     pub complete: bool,
     /// The best, best first.
     pub first: Vec<Design>,
@@ -314,7 +314,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Chooses the first set of a box of what is left, whose polynomials are these.
+    /// Chooses the first set of the remaining box, whose polynomials are these.
     fn go(&mut self, functions: &[[Vec<f64>; 2]], mut cuboid: Cuboid, chosen: &mut Vec<&'a SetTeeth>) {
         if cuboid.is_empty() {
             return self.decide(chosen);
@@ -461,7 +461,7 @@ fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) ->
                         return false;
                     }
                     let [least, most] = *side;
-                    // What rounding could cut off stays.
+                    // Points that rounding could cut off stay.
                     let lower = (least + first * (most - least)) * (1.0 - WIDENING);
                     let upper = (least + last * (most - least)) * (1.0 + WIDENING);
                     *side = [lower.max(least), upper.min(most)];

@@ -1,17 +1,16 @@
-//! Limits of a gearbox that is of use. A search goes on to larger classes while what it has found keeps none
-//! of them.
+//! Limits of a usable gearbox. A search goes on to larger classes as long as no gearbox found keeps them.
 
 use crate::judge::Judged;
 use crate::rank::Rating;
 
-/// Limits of a gearbox that is of use.
+/// Limits of a usable gearbox.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Usable {
     /// The least efficiency of a forward gear.
     pub forward: f64,
     /// The least efficiency of a reverse gear.
     pub reverse: f64,
-    /// The greatest circulating power of a forward gear, over what enters.
+    /// The greatest circulating power of a forward gear, over the power that enters.
     pub circulation: f64,
 }
 

@@ -170,7 +170,7 @@ impl Wish {
         Err(Error::Wish { why })
     }
 
-    /// Whether so many sets can have equal `k`.
+    /// Whether this number of sets can have equal `k`.
     fn check_equal_k(&self) -> Result<(), Error> {
         if self.equal_k <= 1 {
             return Ok(());

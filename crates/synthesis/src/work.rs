@@ -1,4 +1,4 @@
-//! Work on a share of a class: which structures were searched, and what was found in them.
+//! Work on a share of a class: the structures that were searched, and the solutions found in them.
 
 use crate::class::Class;
 use crate::enumerate;
@@ -136,8 +136,8 @@ impl Work {
         self.class_size > 0 && self.done_count() == self.structures
     }
 
-    /// Whether what is done is ranges as it says, within the share, and what was found is of structures that
-    /// were searched.
+    /// Whether the work is consistent: its ranges are in order and within the share, and solutions belong to
+    /// structures that were searched.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)
@@ -180,7 +180,7 @@ impl Work {
         starts.zip(ends).flat_map(|(start, end)| start..end)
     }
 
-    /// Adds what was found at some places in rising order, and what was counted there.
+    /// Adds the solutions found at some places in rising order, and their counts.
     pub(crate) fn add(&mut self, places: &[usize], found: Vec<(usize, Found)>, tally: Tally) {
         for place in places {
             // Ranges that touch are joined, so that the list stays short and `is_sound` can ask for gaps.

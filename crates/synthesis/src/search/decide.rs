@@ -49,8 +49,8 @@ impl<W: Word> Search<W> {
             let (equal, on_it) = self.equals[place];
             let mut choices = choices.clone();
             if equal != Equal::NONE {
-                // Where input or output stand still wherever these k are equal, there is no ratio, whatever
-                // is left of the formula.
+                // If input or output are at rest wherever these k are equal, no ratio exists, whatever
+                // formula remains.
                 let motion = &mut self.motion;
                 let mut drives = |choice: &u64| {
                     let speeds = motion.gear(&places(*choice).collect::<Vec<_>>());
@@ -151,7 +151,7 @@ impl<W: Word> Search<W> {
                 forward.iter().map(|gear| choices[assigned[*gear]].as_slice()).collect();
             fewest(&choices, rules.shifts).is_some()
         };
-        // What functions have to keep, in the order in which a set that misses it is counted.
+        // Demands on the functions, in the order in which a set that misses one is counted.
         let demands: [Demand<'_>; 4] =
             [&engages_all, &moves_all, &|assigned| !rules.direct || is_direct(assigned), &|assigned| {
                 !rules.shifts.bind() || shifts(assigned)
@@ -166,7 +166,8 @@ impl<W: Word> Search<W> {
         };
         let mut undecided = false;
         let mut missed = [false; 4];
-        // The first so many demands kept: a point with functions, and which demand others missed first.
+        // Searches with the first `kept` demands: a point with functions, and the demands that others missed
+        // first.
         let mut seek = |kept: usize| {
             let mut accept =
                 |assigned: &[usize]| match demands[..kept].iter().position(|keep| !keep(assigned)) {
