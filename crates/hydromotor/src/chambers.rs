@@ -108,7 +108,7 @@ impl Motor {
         Ok((0..self.numbers().satellites()).map(chamber).collect())
     }
 
-    /// The area that lobe and satellite take of what lies between two satellites.
+    /// Area that lobe and satellite fill between two satellites.
     fn filled(&self) -> f64 {
         let r = self.shape.satellite_radius();
         2.0 * self.shape.rotor_area() + PI * r * r
@@ -259,7 +259,7 @@ mod tests {
                 let chambers = motor.chambers(Angle::from_si(rotation)).unwrap();
                 let known = get(chambers[(index % motor.numbers().satellites()) as usize].area);
                 let scale = motor.satellite_radius().si().powi(2);
-    // The junction of the arcs falls between two points and takes part of the extrapolation's gain.
+    // The junction of the arcs falls between two points and reduces the gain of the extrapolation.
                 prop_assert!((area - known).abs() < 1e-4 * scale, "{area} {known}");
                 prop_assert!((fine - known).abs() < 1e-3 * scale);
             }

@@ -155,7 +155,7 @@ impl Motor {
         Ok(checks)
     }
 
-    /// The size of the centrodes, and what displacement they enclose.
+    /// Size of the centrodes, and the displacement that they enclose.
     #[must_use]
     pub fn envelope(&self) -> Envelope {
         let (crest, trough) = (self.shape.at(By::Phase, 0.0), self.shape.trough());

@@ -146,7 +146,7 @@ pub struct Closure {
     pub residual_rad: f64,
     /// Residual by quadrature of the rolling, for a check.
     pub residual_by_quadrature_rad: f64,
-    /// `∂/∂a` of the residual at fixed `l`, in radians a module: what an error in `a` opens.
+    /// `∂/∂a` of the residual at fixed `l`, in radians per module: the opening by an error in `a`.
     pub by_crest_distance: f64,
     /// `∂/∂l` of the residual at fixed `a`, in radians a module.
     pub by_trough_distance: f64,
@@ -255,7 +255,7 @@ pub struct End {
 }
 
 impl End {
-    /// The arcs there; none where rounding leaves no root at a cusp.
+    /// The arcs there; `None` if rounding leaves no root at a cusp.
     #[must_use]
     pub fn arcs(&self) -> Option<&StatorArcs> {
         self.arcs.as_ref()
@@ -414,7 +414,7 @@ impl Family {
         self.at(length(inverse.recip(), self.module))
     }
 
-    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves
+    /// The arcs at a part of one of the intervals, even in `1/l`; `None` if rounding at its very end leaves
     /// no root.
     pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
         let (from, to) = (interval.lower.inverse(), interval.upper.inverse());

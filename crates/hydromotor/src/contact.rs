@@ -1,4 +1,4 @@
-//! The contact of a satellite with both wheels along a half-lobe: what every conjugate pair of centrodes has.
+//! The contact of a satellite with both wheels along a half-lobe, common to all conjugate pairs of centrodes.
 //!
 //! In units of the module and radians. Everything is counted from where a stator crest faces a rotor crest
 //! across a satellite; the *phase* `Φ = θ₃ + θ₁` is the angle of the rotor since then. From the crest, radii
@@ -21,7 +21,7 @@ pub(crate) struct Contact {
     pub(crate) s1: f64,
     pub(crate) kappa3: f64,
     pub(crate) kappa1: f64,
-    /// `G = ∫ f dΦ` with `f = ½·ρ₁·ρ₃`: what the satellite sweeps.
+    /// `G = ∫ f dΦ` with `f = ½·ρ₁·ρ₃`: the area that the satellite sweeps.
     pub(crate) swept: f64,
 }
 

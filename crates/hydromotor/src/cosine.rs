@@ -53,10 +53,10 @@ const PANELS: u32 = 48;
 /// Panels where a root is only bracketed.
 const FEW_PANELS: u32 = 6;
 
-/// Places of the half-lobe at which curvatures are looked at before their extremes are refined.
+/// Places of the half-lobe at which curvatures are evaluated before their extremes are refined.
 const CURVATURE_PLACES: usize = 256;
 
-/// Places of the half-lobe at which an extreme is looked at before it is refined.
+/// Places of the half-lobe at which a quantity is evaluated before its extreme is refined.
 const PLACES: u32 = 16;
 
 /// A half-lobe of a cosine-law rotor and its stator.
@@ -209,8 +209,8 @@ impl Numbers {
         (margin > 0.0).then(|| self.closed(0.0, cusp, amplitudes))
     }
 
-    /// The law that closes with an amplitude `ε₂`, with cusps or without; none where radii would not fall
-    /// from crest to trough.
+    /// The law that closes with an amplitude `ε₂`, with cusps or without; `None` if radii would not fall from
+    /// crest to trough.
     pub(crate) fn at_second(&self, second: f64) -> Option<Law> {
         let amplitudes = |amplitude: f64| [amplitude, second];
         // Below, a crest or a trough splits in two.
@@ -228,7 +228,7 @@ impl Numbers {
     /// The law that closes between two amplitudes.
     fn closed(&self, low: f64, high: f64, amplitudes: impl Fn(f64) -> [f64; 2]) -> Law {
         let near = bracketed(low, high, |amplitude| self.excess(amplitudes(amplitude), FEW_PANELS));
-        // What few panels miss, by two steps of the secant: the last bits as with many.
+        // Two steps of the secant correct the error of few panels: the last bits are then as with many.
         let fine = |amplitude: f64| self.excess(amplitudes(amplitude), PANELS);
         let (mut before, mut at_before) = (near * (1.0 - BESIDE_ROOT), fine(near * (1.0 - BESIDE_ROOT)));
         let (mut here, mut at_here) = (near, fine(near));
@@ -359,8 +359,8 @@ impl Conjugate for Cosine {
         if by == By::RotorAngle {
             return self.on_rotor(value);
         }
-        // Between the ends of the panel that holds the value, by Newton's method from the chord: each step
-        // squares what is left.
+        // Newton's method from the chord, between the ends of the panel that holds the value: each step
+        // squares the remaining error.
         let panel = self.edges.partition_point(|edge| edge.get(by) <= value).clamp(1, self.edges.len() - 1);
         let (low, high) = (&self.edges[panel - 1], &self.edges[panel]);
         let share = (value - low.get(by)) / (high.get(by) - low.get(by));

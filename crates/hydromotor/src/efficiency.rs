@@ -55,7 +55,7 @@ pub struct LossInputs<'a> {
     pub ports: Option<(&'a PortPlate, f64)>,
 }
 
-/// Whether a figure is given or calculated, and by what.
+/// Origin of a figure: given or calculated, and the basis of the calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// Calculated from the geometry of the motor.
@@ -140,7 +140,7 @@ pub struct OperatingPoint {
     pub gap_drag: Torque,
     /// Power lost in the ports of both pressures.
     pub throttling: Power,
-    /// Torque at the shaft; below 0 where the losses exceed what the pressure drives.
+    /// Torque at the shaft; below 0 if the losses exceed the torque of the pressure.
     pub torque: [Torque; 2],
     /// `η_v`.
     pub volumetric: f64,

@@ -41,7 +41,7 @@ pub enum Error {
         /// The greatest difference allowed.
         most: u32,
     },
-    /// A stator with so many more lobes that neighbouring satellites collide.
+    /// A stator with too many more lobes than the rotor, so that neighbouring satellites collide.
     #[error(
         "{stator} stator lobes on {rotor} rotor lobes: the stator has at most {most} more lobes than the \
          rotor, else the satellites are no neighbours that bound chambers"
@@ -328,7 +328,7 @@ pub enum Error {
         /// Kind of thing that is missing.
         what: Choice,
     },
-    /// Objectives of flanks under load without what they are calculated with.
+    /// Objectives of flanks under load without the inputs of their calculation.
     #[error("objectives of flanks under load without materials: give them, or other objectives")]
     NoFlankOrder,
     /// A limit of a stress without a pressure drop.

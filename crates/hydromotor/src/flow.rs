@@ -55,7 +55,7 @@ use crate::ranges::{finite_angle, finite_pressure, finite_speed};
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use std::f64::consts::TAU;
 
-/// Pieces in which a smooth stretch of the flow is looked at.
+/// Pieces of a smooth stretch of the flow in the search for its extremes.
 const PIECES: u32 = 4;
 
 /// The flow over width, a radian of the rotor, and its ripple; times `Δp` and width it is the torque.
@@ -355,8 +355,7 @@ mod tests {
         [1.0, -1.0].map(|sign| {
             let value = |k: usize| sign * flows[k];
             let best = flows.iter().chain(&at_breaks).map(|flow| sign * flow).fold(f64::INFINITY, f64::min);
-            // Every dip that may be the deepest: what an even sample may miss of one is less than a hundredth
-            // of the flow.
+            // Every dip that may be the deepest: an even sample misses less than a hundredth of the flow.
             let dips = (1..flows.len() - 1)
                 .filter(|&k| value(k) <= value(k - 1).min(value(k + 1)) && value(k) < best + 0.01 * flows[k]);
             let deepest = |k: usize| {

@@ -67,7 +67,7 @@ pub struct Ports {
     pub low: Vec<Port>,
     /// Rotation of the rotor for which a satellite keeps a port covered: `π/n − π/N`.
     pub covered: Angle,
-    /// Rotation of the rotor for which it is open to one chamber: what is left of `2π/n`.
+    /// Rotation of the rotor for which the port is open to one chamber: the rest of `2π/n`.
     pub open: Angle,
 }
 

@@ -162,7 +162,7 @@ impl Motor {
         let numbers = self.numbers();
         let half = PI / f64::from(numbers.stator_lobes());
         let arm = self.mean_sliding_arm(pressure_angle);
-        // What fails within a cycle shows up in the sum.
+        // A failure within a cycle shows up in the sum.
         let mut failed = None;
         let kink = self.shape.kink();
         let mut sum = 0.0;

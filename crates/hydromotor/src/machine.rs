@@ -36,7 +36,7 @@ pub const WIDTH_MM: [f64; 2] = [1e-3, 1e4];
 /// The greatest distance `l` of the centre of arc 1 from the axis, over the stator's nominal radius `m·Z₃/2`.
 pub const GREATEST_RADIUS: f64 = 100.0;
 
-/// The greatest `l` in modules with so many teeth of the stator.
+/// Greatest `l` in modules with this number of teeth of the stator.
 pub(crate) fn greatest_distance(stator_teeth: u32) -> f64 {
     GREATEST_RADIUS * 0.5 * f64::from(stator_teeth)
 }
@@ -54,7 +54,7 @@ pub(crate) fn module(value: Length) -> Result<Length, Error> {
 fn bounded(quantity: Quantity, value: Length, range_mm: [f64; 2]) -> Result<Length, Error> {
     let positive = positive_length(quantity, value)?;
     let [low, high] = range_mm;
-    // What is given as an end is not refused by rounding.
+    // A value given as an end of the range is not refused by rounding.
     let slack = [low * (1.0 - SLACK), high * (1.0 + SLACK)];
     let value_mm = positive.mm();
     if ranging(quantity, value_mm, slack, "mm").is_ok() {
@@ -118,7 +118,7 @@ mod tests {
         from * to * libm::sin(step) / (from * libm::sin(off) + to * libm::sin(step - off))
     }
 
-    /// The greatest depth of the rotor in the stator, of polygons at so many angles of the rotor.
+    /// Greatest depth of the rotor in the stator, by polygons at this number of angles of the rotor.
     fn depth(motor: &Motor, angles: u32) -> f64 {
         let (stator, rotor) = (polygon(motor, Wheel::Stator), polygon(motor, Wheel::Rotor));
         let mut most = f64::NEG_INFINITY;
@@ -134,8 +134,8 @@ mod tests {
     }
 
     proptest! {
-        /// The decision by two radii is that of polygons turned through a whole turn, both ways; and what is
-        /// accepted has chambers.
+        /// The decision by two radii agrees with polygons turned through a whole turn, both ways; and an
+        /// accepted motor has chambers.
         #[test]
         fn a_rotor_that_is_accepted_never_reaches_into_the_stator(motor in any_closed()) {
             let found = depth(&motor, 120);

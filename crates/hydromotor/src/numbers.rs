@@ -273,7 +273,7 @@ impl Default for Bounds {
 impl Bounds {
     /// Every admissible set within the bounds, by rising `N`, `n`, `Z_3`, `Z_s`.
     ///
-    /// Whether a set closes with two arcs is asked of [`crate::closure::Family`].
+    /// [`crate::closure::Family`] decides whether a set closes with two arcs.
     ///
     /// # Errors
     /// [`Error::EmptyRange`] for bounds the wrong way round, [`Error::TooManyTeeth`] above [`MOST_TEETH`].

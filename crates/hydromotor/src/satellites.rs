@@ -108,9 +108,9 @@ impl Motor {
     /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which
     /// one pair has it.
     ///
-    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and
-    /// where a satellite passes a jump of the curvature; every minimum that may be the least is refined by
-    /// golden section.
+    /// The distance must exceed the satellite's diameter. It is evaluated for 16 rotations of half a
+    /// chamber's period and where a satellite passes a jump of the curvature; every minimum that may be the
+    /// least is refined by golden section.
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
         let (distance, phase) = self.least_neighbour_kernel();
@@ -168,7 +168,7 @@ impl Motor {
     }
 }
 
-/// Rotations at which the distance of neighbours is looked at before it is refined.
+/// Rotations at which the distance of neighbours is evaluated before it is refined.
 const ROTATIONS: u32 = 16;
 
 #[cfg(test)]

@@ -220,8 +220,8 @@ pub(crate) fn lobe(numbers: MotorNumbers, second_amplitude: f64) -> Result<Cosin
     }
 }
 
-/// Laws of a search: at so many parts `t` of the range, evenly from end to end, the first and the last a hair
-/// within.
+/// Laws of a search: at this number of parts `t` of the range, evenly from end to end, the first and the last
+/// slightly within.
 pub(crate) fn laws(numbers: MotorNumbers, places: u32, within: f64) -> Vec<Law> {
     let kernel = Numbers::of(numbers);
     let Ok([from, to]) = part_ends(&kernel) else { return Vec::new() };

@@ -50,7 +50,7 @@ pub(crate) const EDGE_ANGLE: f64 = 1e-12;
 /// A slope is taken so far from its jump.
 pub(crate) const BESIDE_JUMP: f64 = 1e-7;
 
-/// The secant starts so far beside its root.
+/// Distance of the secant's start from its root, over the root.
 pub(crate) const BESIDE_ROOT: f64 = 1e-5;
 
 /// The outer points of a search lie this part of the interval within it.

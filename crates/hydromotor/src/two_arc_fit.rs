@@ -31,7 +31,7 @@ use crate::modules::curvature;
 use crate::motor::Motor;
 use crate::tolerance::{BETTER, DIFFERENCE, FINER, LEVEL, NOISE, REACH, SINGULAR};
 
-/// Places along the half-lobe at which the distance is looked at.
+/// Places along the half-lobe at which the distance is evaluated.
 const PLACES: u32 = 400;
 
 /// The best pair of tangent arcs of a rotor's half-lobe.
@@ -166,7 +166,7 @@ impl Motor {
         }
     }
 
-    /// The source's circles; none of a motor whose stator has no two arcs.
+    /// The source's circles; `None` for a motor whose stator has no two arcs.
     #[must_use]
     pub fn published_circles(&self) -> Option<PublishedCircles> {
         let junction = self.shape.within(By::Phase, self.shape.kink()?);

@@ -124,7 +124,7 @@ impl Load {
         if self.pressure_drop < Pressure::default() { -1.0 } else { 1.0 }
     }
 
-    /// The force of so many `Δp·b·m`, by the drop's magnitude.
+    /// Force of a number of `Δp·b·m`, by the drop's magnitude.
     pub(super) fn force(&self, motor: &Motor, number: f64) -> Force {
         motor.length(number) * self.width * self.pressure_drop.abs()
     }
@@ -330,9 +330,9 @@ impl Motor {
 
     /// The greatest load of the rotor's bearing over a revolution.
     ///
-    /// Looked at on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of chambers, where it
-    /// jumps, and passages of junctions; where the load vanishes throughout, at 0. Of a greatest load right
-    /// before or behind a jump the rotation is a hair within.
+    /// The load is evaluated on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of
+    /// chambers, where it jumps, and passages of junctions. If the load vanishes throughout, the rotation
+    /// is 0. For a greatest load right before or behind a jump the rotation is slightly within the piece.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).

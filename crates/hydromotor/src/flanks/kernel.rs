@@ -18,7 +18,7 @@ use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
 
-/// Pieces in which a smooth stretch is looked at for its extremes.
+/// Pieces of a smooth stretch in the search for its extremes.
 const PIECES: usize = 16;
 
 /// A pressure angle of a tooth form, in radians.
@@ -185,7 +185,7 @@ pub(super) fn greatest_of<const N: usize>(
             for i in 0..=PIECES {
                 let around = [i.saturating_sub(1), i, (i + 1).min(PIECES)];
                 let [before, value, after] = around.map(|i| values[i][k]);
-                // Nothing is above or below what is no number.
+                // NaN is neither above nor below a number.
                 if value.is_nan() || value < before || value < after {
                     continue;
                 }

@@ -139,11 +139,11 @@ impl Profile {
         Ok(self.bent(path, POINTS)?.into_iter().map(stress).collect())
     }
 
-    /// The worst of stator, rotor and satellite, from outlines with so many points a fillet.
+    /// Worst places of stator, rotor and satellite, from outlines with `points` points per fillet.
     fn bent(&self, path: LoadedPath, points: u32) -> Result<Vec<(Wheel, Worst)>, Error> {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
-        // Refuses what no flank holds before anything is compared.
+        // Refuses a motor that no flank holds before anything is compared.
         motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), Pressure::from_si(1.0))?;
         let (own, by) = (self.satellite_tooth(points), motor.shape.explicit());
         let mut worst: [Option<Worst>; 3] = [None; 3];

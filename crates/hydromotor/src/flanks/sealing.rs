@@ -75,7 +75,7 @@ pub struct FlankRipple {
     pub at_flanks: Ripple,
     /// Least, greatest, mean and ripple at the pitch points.
     pub at_pitch_points: Ripple,
-    /// Least over mean at the flanks: what is left of the torque at the worst angle.
+    /// Least over mean at the flanks: the part of the mean torque that remains at the worst angle.
     pub least_over_mean: f64,
     /// Rotation of the rotor with the least flow, within the first period.
     pub least_at: Angle,

@@ -9,8 +9,8 @@
 //! M_loss = μ_f·Σ N·(|e₃|·ρ₁ + |e₁|·ρ₃)/c        M_start = min over the angle of  Δp·b·Σ σ·f′ − M_loss
 //! ```
 //!
-//! over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a base
-//! pitch, that is the loss of a running motor ([`crate::friction`]).
+//! The sum is over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a
+//! base pitch, it is the loss of a running motor ([`crate::friction`]).
 //!
 //! Both are smooth between changeovers of chambers, passages of junctions, changes of the sealing contacts
 //! and passages of the pitch points, all at known phases. On each such piece the least is an end, taken from
@@ -45,7 +45,7 @@ pub struct StartingTorque {
     pub rotation: Angle,
 }
 
-/// `M/(Δp·b·m²)` without friction, and what a coefficient of friction of 1 takes of it.
+/// `M/(Δp·b·m²)` without friction, and its loss by a coefficient of friction of 1.
 fn torques(piece: &Piece<'_>, r: f64, alpha: f64, rotation: f64) -> [f64; 2] {
     let (mut whole, mut lost) = (0.0, 0.0);
     for (contact, sigma, [e3, e1]) in piece.contacts(rotation) {

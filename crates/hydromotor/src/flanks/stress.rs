@@ -89,9 +89,9 @@ pub struct ContactStress {
     pub push: Push,
     /// The greatest with the contact at the pitch point, at any angle.
     pub at_pitch_point: PeakPressure,
-    /// The greatest where one pair alone is in mesh; none where there always are two.
+    /// The greatest with one pair alone in mesh; `None` if always two are.
     pub in_single_contact: Option<PeakPressure>,
-    /// The greatest on the whole path with the whole load on one pair; none where no flank of a loaded
+    /// The greatest on the whole path with the whole load on one pair; `None` if no flank of a loaded
     /// satellite has a path.
     pub on_path: Option<PeakPressure>,
 }
@@ -283,7 +283,7 @@ impl Profile {
         let (arc, by) = (arc(side), motor.shape.explicit());
         let range = motor.loaded(crest);
         let ends = motor.corners(crest);
-        // Refuses what no flank holds before anything is compared.
+        // Refuses a motor that no flank holds before anything is compared.
         for contact in &ends {
             flank_number(r, alpha, contact, sigma)?;
         }

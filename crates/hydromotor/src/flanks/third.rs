@@ -90,8 +90,8 @@ impl Inclined {
         Self { sin, cos }
     }
 
-    /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`;
-    /// none where the equations have no solution.
+    /// `N₃`, `N₁`, and the force of the rotor's back flank, or with the sign changed of the stator's, over
+    /// `Δp·b·m`; `None` if the equations have no solution.
     fn held(self, r: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<[f64; 3]> {
         let (mu_sin, mu_cos) = libm::sincos(contact.mu);
         // α + σ·μ, and of α − σ·μ the cosine.

@@ -60,7 +60,7 @@ impl Region<'_> {
             return Throughout::Closed;
         }
         let margin = half * self.swiftest();
-        // A quarter of a circle of this radius is more than what counts as open.
+        // A quarter of a circle of this radius is larger than the least area that counts as open.
         let open = margin + (10.0 * OPEN * port.area()).sqrt();
         let pieces = port.pieces().into_iter();
         let mut parts: Vec<Part> = pieces.map(|piece| self.part(piece, [0.0, 1.0], margin)).collect();
@@ -126,7 +126,7 @@ impl Region<'_> {
             }
             let steepness = greatest * STEEPEST / lowest;
             let scale = 1.0 / (1.0 + steepness * steepness).sqrt();
-            // Its nearest radius may tell that the wall is not what bounds the depth.
+            // The nearest radius may show that the wall does not bound the depth.
             if scale * low.min(high) < depth {
                 depth = depth.min(scale * inward(self.radius(wall, theta)));
             }

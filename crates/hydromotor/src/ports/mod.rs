@@ -1,4 +1,4 @@
-//! Ports as they are made: holes and kidneys of given size in the cover, at rest with the stator.
+//! Ports as made: holes and kidneys of given size in the cover, at rest with the stator.
 //!
 //! # Contents
 //!
@@ -9,7 +9,7 @@
 //! | `depth` | whether a port is open or closed throughout a stretch of rotation |
 //! | `land` | the least distance of two ports, exactly |
 //! | [`timing`] | when each chamber opens and closes, closed angles, short circuits |
-//! | [`trapped`] | what a closed chamber does to its pressure, the charge of what it never empties |
+//! | [`trapped`] | pressure of a closed chamber, charge of the volume that is never emptied |
 //! | [`throttling`] | the pressure drop over the openings |
 //!
 //! # Frame and signs
@@ -191,8 +191,8 @@ impl PortPlate {
     /// The ideal ports of a motor as round holes of a part of the greatest diameter that a satellite covers.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where
-    /// there is no such hole.
+    /// [`Error::OutOfRange`] unless the part is between 0 and 1; errors of [`PortPlate::new`], above all if
+    /// no such hole exists.
     pub fn of_ideal_holes(motor: &Motor, part: f64) -> Result<Self, Error> {
         let part = crate::ranges::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
         let ideal = motor.ports();
@@ -347,7 +347,7 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
                 ([x + r * cos, y + r * sin], phase)
             })
         });
-        // Within the stator's least radius, and outside the rotor's greatest, nothing is asked of the curves.
+        // Within the stator's least radius, and outside the rotor's greatest, the curves are not evaluated.
         let cut = within.filter_map(|([x, y], phase)| {
             let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
             let by = if is_stator {

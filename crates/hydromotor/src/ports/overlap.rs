@@ -7,7 +7,7 @@
 //! θ₃(back) < θ < θ₃(front)        ρ₁(θ − φ) < ρ < ρ₃(θ)        outside of both satellites
 //! ```
 //!
-//! Where the outlines cross, both are cut. What of the port lies within the chamber, and what of the
+//! Outlines are cut at their crossings. The parts of the port within the chamber, and the parts of the
 //! chamber's walls within the port, bound the common area: `½∮(x·dy − y·dx)` over them. Arcs and straight
 //! sides have it in closed form, the centrodes by the eight-point rule on their smooth pieces.
 

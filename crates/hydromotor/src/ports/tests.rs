@@ -101,8 +101,8 @@ proptest! {
         let polygons = |steps| polygon_area(&clipped(&outline_of(&motor, rotation, chamber, steps), &polygon(&port, steps)));
         let (coarse, fine) = (polygons(200), polygons(400));
         let extrapolated = fine + (fine - coarse) / 3.0;
-        // As of the chambers' own polygons: the junction of the arcs falls between two points and takes part
-        // of the gain.
+        // As for the chambers' own polygons: the junction of the arcs falls between two points and reduces
+        // the gain.
         prop_assert!((shared - extrapolated).abs() < 1e-4 * motor.shape.satellite_radius().powi(2), "{shared} {extrapolated}");
     }
 

@@ -27,7 +27,7 @@ use crate::quantity::{PortSide, Quantity};
 use crate::ranges::{positive, ranging};
 use crate::tolerance::OPEN;
 
-/// Rotations of a period that are looked at.
+/// Number of rotations of a period that are evaluated.
 const PLACES: u32 = 60;
 
 /// A fluid through ports.

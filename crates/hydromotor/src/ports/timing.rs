@@ -74,7 +74,7 @@ pub struct Widest {
 /// The cycle of a chamber.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timing {
-    /// Rotation of the rotor in which a chamber comes to the same state: `2π/N + 2π/n`.
+    /// Rotation of the rotor in which a chamber returns to the same state: `2π/N + 2π/n`.
     pub cycle: Angle,
     /// Stretches in which a chamber is open to the high pressure.
     pub high: Vec<Stretch>,

@@ -18,7 +18,7 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `K` | `bulk_modulus` | bulk modulus of the fluid, with what air it holds | Pa |
+//! | `K` | `bulk_modulus` | bulk modulus of the fluid, with the air in it | Pa |
 //! | `A_dead` | `dead_area` | volume of port and gaps that stays joined with a chamber, over the width | m² |
 //! | `A″` | | second derivative of the area by the rotation | m²/rad² |
 //!
@@ -194,8 +194,9 @@ impl PortPlate {
         timing.closed.iter().map(of).collect()
     }
 
-    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and
-    /// while it is closed what compression makes of that before; none in a short circuit.
+    /// Pressure over the low one in a chamber at a phase, which is 0 at the chamber's greatest. It is that of
+    /// the open port, and while the chamber is closed the previous pressure changed by compression; `None` in
+    /// a short circuit.
     ///
     /// # Errors
     /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the

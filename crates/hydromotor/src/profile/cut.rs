@@ -40,7 +40,7 @@ use crate::tolerance::{ALONGSIDE, LEAST_ADDENDUM, MET, STEP};
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
-/// Places of a flank at which it is looked at for cusps.
+/// Number of places of a flank in the search for cusps.
 const PLACES: u32 = 24;
 
 /// A formula of the outline.

@@ -1,4 +1,4 @@
-//! The form of the teeth: what an engineer chooses, and the numbers of satellite and cutter that follow.
+//! The form of the teeth: the engineer's choice, and the numbers of satellite and cutter that follow.
 //!
 //! In modules, `p = π` the pitch, `r = Z_s/2` the satellite's pitch radius, `r_b = r·cos α` its base radius:
 //!

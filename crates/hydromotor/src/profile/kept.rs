@@ -109,8 +109,8 @@ impl Room {
     }
 }
 
-/// The contact ratio of a motor in a form, its shortest path of contact over the base pitch, or what fails
-/// first; none as soon as it is known to be at most one that is not `wanted`.
+/// Contact ratio of a motor in a form, its shortest path of contact over the base pitch, or the first
+/// failure. `None` as soon as it is known to be at most one that is not `wanted`.
 pub(crate) fn contact_ratio(
     motor: &Motor,
     room: &Room,
@@ -160,7 +160,7 @@ pub(crate) fn contact_ratio(
                 return Err(Failure::Limit(kind));
             }
             after[i as usize] = Some(flank);
-            // The shortest path of all is no longer than the shortest of some.
+            // The shortest of all paths is no longer than the shortest of some.
             let so_far = worsts.contact_path().map_or(shortest, |path| shortest.min(path));
             if !wanted(so_far / base_pitch) {
                 return Ok(None);
@@ -234,7 +234,7 @@ mod tests {
                 let paths = profile.limits().into_iter().filter(|limit| limit.kind == LimitKind::ContactPath);
                 let least = paths.map(|limit| (limit.value / limit.bound).value).fold(f64::INFINITY, f64::min);
                 prop_assert!((ratio / least - 1.0).abs() < 1e-9 && ratio <= form.greatest_contact_ratio() * (1.0 + 1e-12));
-                // What is not wanted ends the trial.
+                // A contact ratio that is not wanted ends the trial.
                 prop_assert_eq!(contact_ratio(&motor, &room, &form, |most| most > ratio * 1.001), Ok(None));
             }
         }

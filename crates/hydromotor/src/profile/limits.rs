@@ -119,7 +119,7 @@ impl Limit {
 /// The least thickness of a tip in modules.
 pub const LEAST_TIP: f64 = 0.2;
 
-/// Places of a flank at which it is looked at, besides its ends.
+/// Number of places of a flank that are evaluated, besides its ends.
 const PLACES: u32 = 24;
 
 /// A limit in modules, with its place.
@@ -246,7 +246,7 @@ impl Mesh<'_> {
     }
 }
 
-/// The worst of each of [`KINDS`] among the flanks and tips looked at.
+/// The worst of each of [`KINDS`] among the flanks and tips evaluated.
 #[derive(Default)]
 pub(super) struct Worsts([Option<Worst>; KINDS.len()]);
 
@@ -272,7 +272,7 @@ impl Worsts {
         KINDS.into_iter().zip(&self.0).find_map(fails)
     }
 
-    /// The shortest path of contact of the flanks looked at.
+    /// Shortest path of contact of the flanks evaluated.
     pub(super) fn contact_path(&self) -> Option<f64> {
         let of = KINDS.iter().position(|(kind, _)| *kind == LimitKind::ContactPath)?;
         self.0[of].as_ref().map(|worst| worst.value)

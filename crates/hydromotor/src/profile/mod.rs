@@ -8,7 +8,7 @@
 //! | `track` | a centrode as the track that the satellite rolls along |
 //! | `cut` | the teeth of stator and rotor in closed form |
 //! | `satellite` | the satellite's teeth, and how far a point is from them |
-//! | [`limits`] | undercut, pointed tips, reach of the flanks: which limit fails, where, what it allows |
+//! | [`limits`] | undercut, pointed tips, reach of the flanks: the failing limit, its place, the bound |
 //! | `kept` | whether a motor keeps all limits in a form, for searches |
 //! | `paths` | the path of contact of every flank |
 //! | `tooth` | single teeth in their own frame: sections, points of load |
@@ -41,8 +41,8 @@
 //! `ρ* ≤ 0.0698`, a smaller one lower teeth.
 //!
 //! # Known wrong
-//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of what the cutter removes. This
-//! occurs if a loop of its flank and the fillet cut the flank almost in one place.
+//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of the part that the cutter
+//! removes. This occurs if a loop of its flank and the fillet cut the flank almost in one place.
 //!
 //! # Left out
 //! Loads, which are in [`crate::flanks`]; modifications of the flank; the thickness across the face.
@@ -187,8 +187,8 @@ impl Profile {
         [self.teeth.tip, self.teeth.root].map(|radius| self.motor.length(radius))
     }
 
-    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at
-    /// least 6, and a few more where an undercut flank has a loop removed.
+    /// Outline of a wheel in its own frame, with at least this number of points: equally many of each tooth,
+    /// at least 6, and a few more where an undercut flank has a loop removed.
     ///
     /// The frames are those of [`crate::centrode`]. In place, a satellite's is turned by its
     /// [`rotation`](crate::satellites::Satellite::rotation) and moved to its centre, the rotor's is turned by

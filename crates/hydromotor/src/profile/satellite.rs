@@ -139,7 +139,7 @@ impl SatelliteTooth {
         }
     }
 
-    /// The outline, counter-clockwise, with so many points of each part.
+    /// The outline, counter-clockwise, with `count` points of each part.
     pub(super) fn outline(&self, count: impl Fn(Part) -> u32, mut add: impl FnMut(Part, [f64; 2], bool)) {
         let parts = [Part::Fillet, Part::Flank, Part::Tip, Part::Flank, Part::Fillet, Part::Root];
         let tooth: Vec<(Part, [f64; 2], bool)> = parts

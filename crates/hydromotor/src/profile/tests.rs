@@ -558,7 +558,7 @@ proptest! {
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
                 let excess = nearest.clearance.si() - expected;
-                // What the module says is known wrong: up to 1e-4 modules of what the cutter removes may
+                // The known error of the module: up to 1e-4 modules of the part that the cutter removes may
                 // remain.
                 prop_assert!(excess > -1e-3, "{nearest:?} {excess:e}");
             }

@@ -39,7 +39,7 @@ impl Tooth {
     /// Tooth from the two sides of its outline, both from tip to root, in the wheel's frame.
     fn new(origin: [f64; 2], axis: [f64; 2], sides: [Vec<[f64; 2]>; 2]) -> Self {
         let mut tooth = Self { sections: Vec::new(), moduli: [const { Vec::new() }; 3], origin, axis };
-        // Only what goes down: at its end the fillet lies along the root.
+        // Points that do not go down are dropped: at its end the fillet lies along the root.
         let falling = |side: Vec<[f64; 2]>| {
             let mut chain: Vec<[f64; 2]> = Vec::with_capacity(side.len());
             for at in side {
@@ -140,7 +140,7 @@ impl Tooth {
 }
 
 impl Profile {
-    /// The teeth of a lobe of stator or rotor, each after the space of its index, with so many points a
+    /// The teeth of a lobe of stator or rotor, each after the space of its index, with `points` points per
     /// fillet.
     ///
     /// About half of them are the mirror images, in the lobe's middle, of others.
@@ -249,7 +249,7 @@ impl Profile {
         (tooth.place(at), tooth.turned(from.point(sign * teeth.cos, -teeth.sin)))
     }
 
-    /// The satellite's tooth, with so many points a fillet.
+    /// The satellite's tooth, with `points` points per fillet.
     pub(crate) fn satellite_tooth(&self, points: u32) -> Tooth {
         let (flank, fillet) = (points.div_ceil(2), points);
         let mut side: Vec<[f64; 2]> = Vec::new();

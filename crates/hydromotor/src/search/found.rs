@@ -77,7 +77,7 @@ pub struct Funnel {
 }
 
 impl Funnel {
-    /// Motors refused for a reason, each counted once, by what fails first.
+    /// Motors refused for a reason, each counted once, by the first failure.
     #[must_use]
     pub fn refused(&self, reason: Reason) -> usize {
         let place = Reason::ALL.iter().position(|other| *other == reason);

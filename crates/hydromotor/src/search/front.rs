@@ -5,8 +5,8 @@ use super::objective::Objective;
 /// Number of objectives.
 const COUNT: usize = Objective::ALL.len();
 
-/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what
-/// is not asked for.
+/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 for those
+/// not requested.
 pub(super) type Value = [f64; COUNT];
 
 /// Indices of the values that no other dominates, ascending; equal values are together.
@@ -37,8 +37,8 @@ impl Cover {
         self.values[..end].iter().any(|member| excess(value, *member) <= slack)
     }
 
-    /// The member that a value exceeds least, its index in falling order, and by how much in each objective;
-    /// nothing where a member is nowhere worse.
+    /// The member that a value exceeds least, its index in falling order, and the excess in each objective;
+    /// `None` if a member is nowhere worse.
     pub(super) fn nearest(&self, value: Value) -> Option<(usize, Value)> {
         if self.covers(value, 0.0) {
             return None;
@@ -61,7 +61,7 @@ fn excess(value: Value, member: Value) -> f64 {
 pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
     let best =
         |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });
-    // Of an objective in which all are equal there is no best.
+    // An objective in which all are equal has no best.
     let differ = |i: &usize| values.iter().any(|value| value[*i].total_cmp(&values[0][*i]).is_ne());
     let mut kept: Vec<usize> = (0..COUNT).filter(differ).filter_map(best).collect();
     for k in 0..values.len() {

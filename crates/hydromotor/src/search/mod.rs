@@ -24,8 +24,8 @@
 //! 1. Every set `(N, n, Z_3, Z_s)` within the [`Bounds`], by default 3061.
 //! 2. Of each the whole [`Family`]: 16 places `l` of each of its intervals (nearly always one), even in
 //!    `1/l`, the first and the last a millionth within the ends, which are no motors.
-//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts what the first to
-//!    fail refuses.
+//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts the motors refused
+//!    by the first that fails.
 //! 4. *Refinement.* The 15 *cells* between neighbouring places are halved if something better than the front
 //!    may be in them: see below.
 //!
@@ -138,7 +138,7 @@ pub struct MotorSearch {
     pub heights: ToothHeights,
     /// Limits of a design.
     pub limits: Limits,
-    /// The teeth for figures at the flanks, and what is asked of these.
+    /// The teeth for figures at the flanks, and the limits of these.
     pub flanks: FlankTerms,
     /// Whether motors alone are listed that can be made: on which the teeth of the [form](FlankTerms::form)
     /// keep every limit, and for which ideal ports can be made. True by default.
@@ -160,7 +160,7 @@ pub struct Limits {
     pub size: SizeLimits,
     /// Greatest ripple.
     pub ripple: Option<f64>,
-    /// Least curvature radius over the module, beyond what the checks ask.
+    /// Least curvature radius over the module, in addition to the checks.
     pub least_radius: Option<f64>,
     /// Lobes of the rotor, `n`.
     pub rotor_lobes: RangeInclusive<u32>,
@@ -198,8 +198,8 @@ pub enum LobeDivisor {
 }
 
 impl Limits {
-    /// Ranges the right way round, and a least radius that is a number; sizes and ripple are looked at with
-    /// the requirements.
+    /// Checks that ranges are the right way round, and that a least radius is a number; sizes and ripple are
+    /// checked with the requirements.
     fn checked(&self) -> Result<(), Error> {
         if let Some(least_radius) = self.least_radius
             && !(least_radius.is_finite() && least_radius >= 0.0)
@@ -238,7 +238,7 @@ impl Limits {
 /// Reason why a motor is refused: the first condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// A rounding from the end of its family no arcs close, or what the motor does is no number.
+    /// By rounding at the end of its family no arcs close, or a result for the motor is not a number.
     NotClosed,
     /// A check; the curvatures, the rotor's least radius, the neighbours.
     Check(Subject),
@@ -534,8 +534,8 @@ fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<V
     (places, values)
 }
 
-/// The values of the front of all accepted points. Whether its motors can be made is asked until all that are
-/// left can: those that others surpass need not be asked.
+/// Values of the front of all accepted points. Its motors are tested whether they can be made, until all that
+/// are left can: those that others surpass need not be tested.
 fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     loop {
         let (places, values) = accepted(branches, &yardstick.objectives);
@@ -558,8 +558,8 @@ fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     }
 }
 
-/// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member
-/// by.
+/// The greatest spacing error, and those of each member: the excess of the cells' estimates over the nearest
+/// member.
 fn spacing_errors(
     yardstick: &Yardstick,
     branches: &mut [Branch],

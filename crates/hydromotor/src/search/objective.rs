@@ -37,7 +37,7 @@ impl Objective {
     }
 }
 
-/// The tooth form with which figures at the flanks are calculated, and what is asked of them.
+/// The tooth form with which figures at the flanks are calculated, and the limits of these.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlankTerms {
     /// The form of the teeth. Its limits are those of [`MotorSearch::made`](super::MotorSearch::made).
@@ -67,7 +67,7 @@ impl FlankTerms {
         of_flow(self.ripple, self.least_torque)
     }
 
-    /// Whether every motor is looked at for its teeth: with these objectives, or for a bound.
+    /// Whether every motor is evaluated with its teeth: with these objectives, or for a bound.
     pub(super) fn are_needed(&self, objectives: &[Objective]) -> bool {
         let is_bound = self.ripple.is_some() || self.least_torque.is_some();
         is_bound || objectives.iter().any(|objective| objective.is_of_flanks())

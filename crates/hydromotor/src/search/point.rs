@@ -1,4 +1,4 @@
-//! One motor of the search: what it is worth, and which check or limit refuses it.
+//! One motor of the search: its objectives, and the check or limit that refuses it.
 
 use crate::arcs::StatorArcs;
 use crate::checks::{Subject, ToothHeights};
@@ -26,7 +26,7 @@ pub(super) struct Yardstick {
     pub(super) objectives: Vec<Objective>,
     /// Inputs for the flanks, if an objective or a bound needs them of every motor.
     pub(super) flanks: Option<FlankTerms>,
-    /// The teeth that every motor of the front must have, where this is asked.
+    /// The teeth that every motor of the front must have, if required.
     pub(super) made: Option<ToothForm>,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Point {
     /// The least curvature radius, and the curve that has it.
     pub(super) radius: f64,
     pub(super) radius_of: Subject,
-    /// The check nearest its limit, among those looked at, and how far it keeps off, relative.
+    /// The check nearest its limit, among those evaluated, and its relative margin.
     pub(super) nearest: (Subject, f64),
     /// Least relative margin of checks and limits; for a refused point an upper bound of it.
     pub(super) margin: f64,
@@ -108,7 +108,7 @@ impl Point {
         self.arcs.map(|arcs| Motor::of_closed_arcs(numbers, arcs))
     }
 
-    /// The cheap checks first; what a refused motor does is left open.
+    /// Judges the motor, the cheap checks first; the working data of a refused motor are left out.
     fn judge(&mut self, yardstick: &Yardstick, motor: &Motor) {
         let r = motor.shape.satellite_radius();
         let ToothHeights { addendum, dedendum } = yardstick.heights;
@@ -157,7 +157,8 @@ impl Point {
         }
     }
 
-    /// The dearest last. A torque that vanishes at some angle is refused where the least is looked at.
+    /// Judges the flanks, the most expensive limits last. A torque that vanishes at some angle is refused if
+    /// the least torque is evaluated.
     fn judge_flanks(&mut self, terms: &FlankTerms, is_by_torque: bool) {
         let Some(at) = self.at_flanks else {
             (self.margin, self.refused) = (-1.0, Some(Reason::Made(FormRefusal::NoTeeth)));
@@ -184,7 +185,7 @@ impl Point {
     }
 
     /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else
-    /// what fails first.
+    /// the first failure.
     pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), FormRefusal> {
         let motor = self.motor(numbers).ok_or(FormRefusal::NoTeeth)?;
         let formed = SatelliteForm::new(form, numbers.satellite_teeth()).map_err(FormRefusal::of)?;
@@ -235,7 +236,7 @@ impl Point {
         }
     }
 
-    /// Logarithms of the objectives, each the greater the better; none where a point was not worked.
+    /// Logarithms of the objectives, each the greater the better; `None` for a point without working data.
     pub(super) fn value(&self, objectives: &[Objective]) -> Option<Value> {
         let working = self.working?;
         let mut value = Value::default();
@@ -258,7 +259,7 @@ impl Point {
 
 /// Whether ideal ports can be made for a motor.
 pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
-    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests ask for
+    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests check
     // every timing.
     PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
 }

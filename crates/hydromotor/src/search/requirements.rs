@@ -77,7 +77,7 @@ pub enum Size {
     Modules(Vec<Length>),
     /// The width; the module follows, `m = √(q/(q̂·b))`, rarely a preferred one.
     Width(Length),
-    /// Modules to choose from and the width: the displacement is what they give.
+    /// Modules to choose from and the width: the displacement follows from them.
     ModulesAndWidth {
         /// The modules.
         modules: Vec<Length>,
@@ -200,7 +200,7 @@ impl Sizing {
     fn keeping(&self, [module, width]: [f64; 2], displacement: f64, diameter: f64) -> f64 {
         let ratio = width / diameter;
         let mut least = f64::INFINITY;
-        // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
+        // A little slack, so that a size requested to the last digit is not refused by rounding.
         let mut keep = |margin: f64| least = least.min(margin + SLACK);
         keep(self.diameter / diameter - 1.0);
         let [modules, widths] = [MODULE_MM, WIDTH_MM].map(|range| range.map(|mm| mm / 1e3));

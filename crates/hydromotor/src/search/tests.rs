@@ -24,7 +24,7 @@ fn small(stator_lobes: RangeInclusive<u32>, stator_teeth: RangeInclusive<u32>) -
     let mut search = MotorSearch::new(Requirements::of_displacement(cm3(300.0)));
     search.requirements.size = Size::WidthOverDiameter(0.5);
     search.bounds = Bounds { stator_lobes, stator_teeth, satellite_teeth: 8..=60 };
-    // What trial by centrodes alone finds; of teeth and ports there are tests of their own.
+    // The trial uses centrodes alone; teeth and ports have tests of their own.
     search.made = false;
     search
 }
@@ -249,7 +249,7 @@ fn the_front_of_what_can_be_made_is_that_of_trial() {
         let (numbers, l) = of(design);
         assert!(numbers == tried.numbers && (l / tried.l - 1.0).abs() < 1e-12, "{numbers:?} {l}");
     }
-    // Fewer are asked than there are, and each refusal is counted.
+    // Fewer motors are tested than there are, and each refusal is counted.
     let refused: usize = Reason::ALL
         .into_iter()
         .filter(|reason| matches!(reason, Reason::Made(_)))

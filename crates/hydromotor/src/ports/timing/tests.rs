@@ -72,7 +72,7 @@ proptest! {
             let is_other = |phase: f64| (plate.opening(side, phase) > least) != is_in(&stretches, phase, cycle);
             for i in 0..COUNT {
                 let phase = cycle * ((f64::from(i) + offset) / f64::from(COUNT) - 0.5);
-                // What lasts for longer reaches half as far to one side at least.
+                // A state that lasts for longer reaches half as far to one side at least.
                 let lasts = is_other(phase) && [-0.5, 0.5].iter().any(|part| is_other(phase + part * SHORTEST));
                 prop_assert!(!lasts, "{side} {phase} {stretches:?}");
             }

@@ -45,8 +45,7 @@ pub struct FormDesign {
     pub least_radius: f64,
     /// Shortest path of contact of any flank over the base pitch.
     pub contact_ratio: f64,
-    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a
-    /// satellite.
+    /// Figures of the flanks under load, if requested; `None` if the flanks cannot hold a satellite.
     pub flanks: Option<FlankFigures>,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub sizes: Vec<FormSize>,
@@ -149,7 +148,7 @@ impl FormFunnel {
         place.map_or(0, |place| self.shapes_refused[place])
     }
 
-    /// Points refused for a reason, each counted once, by what is found to fail first.
+    /// Points refused for a reason, each counted once, by the first failure found.
     #[must_use]
     pub fn refused(&self, refusal: FormRefusal) -> u64 {
         let place = FormRefusal::ALL.iter().position(|other| *other == refusal);

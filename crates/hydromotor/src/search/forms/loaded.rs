@@ -1,4 +1,4 @@
-//! Flanks under load in a search: what is asked of them, their figures, and a bound that needs no teeth.
+//! Flanks under load in a search: their limits, their figures, and a bound that needs no teeth.
 
 use epicyclic_units::Physical;
 use uom::si::f64::Pressure;
@@ -105,7 +105,7 @@ impl FlankFigures {
         let contact_stress =
             pressure_drop.map(|drop| materials.contact * (drop / allowed.by_contact).value.sqrt());
         let root_stress = pressure_drop.map(|drop| materials.root * (drop / allowed.by_root).value);
-        // What is no number keeps no limit.
+        // A value that is not a number keeps no limit.
         let keeps = |value: Option<Pressure>, most: Option<Pressure>| {
             value.zip(most).is_none_or(|(value, most)| value <= most)
         };
@@ -142,7 +142,7 @@ impl FlankFigures {
         Some(match objective {
             Objective::FlankRipple => -log(self.ripple),
             Objective::LeastTorque => log(self.least_over_mean),
-            // Over Δp, whatever it is: p_H² and σ_F are inverse to what they allow.
+            // The drop Δp does not matter: p_H² and σ_F are inverse to the pressures that they allow.
             Objective::ContactStress => 0.5 * log(self.allowed.by_contact.si()),
             Objective::RootStress => log(self.allowed.by_root.si()),
             Objective::AllowedPressure => log(self.allowed.pressure.si()),
@@ -231,7 +231,7 @@ impl FormSearch {
         value
     }
 
-    /// The figures of a motor's flanks in a form, if they are asked for.
+    /// Figures of a motor's flanks in a form, if requested.
     pub(super) fn figures(
         &self,
         shape: &Shape,

@@ -1,4 +1,4 @@
-//! The motors of a search before their teeth: families at their places, and what limits leave of them.
+//! The motors of a search before their teeth: families at their places, reduced by the limits.
 
 use crate::arcs::StatorArcs;
 use crate::closure::Family;
@@ -32,7 +32,7 @@ impl FamilyKind {
 /// Reason why a motor is refused before its teeth: the first condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeReason {
-    /// A rounding from the end of its family nothing closes, or what the motor does is no number.
+    /// By rounding at the end of its family nothing closes, or a result for the motor is not a number.
     NotClosed,
     /// The rotor reaches into the stator.
     RotorInStator,
