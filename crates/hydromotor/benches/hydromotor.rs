@@ -195,7 +195,7 @@ fn forms(c: &mut Criterion) {
     group.finish();
 }
 
-/// How many points are admissible, the plain way.
+/// Number of admissible points, by trial of every point.
 fn admissible(search: &FormSearch) -> usize {
     let module = Length::new::<meter>(1.0);
     let forms = search.forms.forms().expect("sound");

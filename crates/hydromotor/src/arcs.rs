@@ -37,7 +37,7 @@
 //! | `a, R₁` | `sin Γ/B`, rises up to `tan Γ = B`, then falls | 0, 1 or 2 |
 //! | `Γ, B` | they differ by `θ₃` | undetermined |
 //!
-//! Solutions in which a length is not positive are no arcs and are left out.
+//! Solutions in which a length is not positive are not arcs and are left out.
 //!
 //! # Source
 //! rotary-hydromotor (1). It prints `L/(2n)`, with `n₃ = N` in `θ₃ = π/n₃`.
@@ -77,7 +77,7 @@ pub(crate) struct Arcs<T = f64> {
 }
 
 impl<T: Real> Arcs<T> {
-    /// From the distances `l > 0` and `a > 0`.
+    /// Arcs of the distances `l > 0` and `a > 0`.
     pub(crate) fn of_distances(theta3: f64, half_length: f64, l: T, a: T) -> Self {
         let (sin, cos) = libm::sincos(theta3);
         let (theta, s, sin, cos) = (T::of(theta3), T::of(half_length), T::of(sin), T::of(cos));
@@ -96,7 +96,7 @@ impl<T: Real> Arcs<T> {
 }
 
 impl Arcs {
-    /// From `D` and `Γ`.
+    /// Arcs of `D` and `Γ`.
     fn of_triangle(theta3: f64, half_length: f64, d: f64, gamma: f64) -> Self {
         let beta = theta3 + gamma;
         let sin = libm::sin(theta3);
@@ -169,16 +169,16 @@ pub struct StatorArcs {
 }
 
 impl StatorArcs {
-    /// All pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is left
-    /// out.
+    /// Finds all pairs of arcs with two known parameters, by rising `Γ`: none of those of the table above is
+    /// left out.
     ///
-    /// System (1) asks only for the lobes and teeth of the stator. Whether the rotor closes is another
+    /// System (1) depends only on the lobes and teeth of the stator. Whether the rotor closes is another
     /// matter: [`crate::closure`].
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a parameter or the module,
-    /// [`Error::PairUndetermined`] for twice the same parameter or both angles, [`Error::NoArcs`] where no
-    /// pair of arcs has both.
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a parameter or the module;
+    /// [`Error::PairUndetermined`] for twice the same parameter or both angles; [`Error::NoArcs`] if no pair
+    /// of arcs has both.
     ///
     /// # Example
     /// ```
@@ -274,8 +274,8 @@ impl StatorArcs {
         length(self.arcs.half_length, self.module)
     }
 
-    /// Left side less right side of each of the four equations of system (1), over its right side: what
-    /// rounding leaves.
+    /// Left side less right side of each of the four equations of system (1), over its right side: the
+    /// rounding.
     #[must_use]
     pub fn system_misses(&self) -> [f64; 4] {
         let Arcs { theta3, half_length, l, a, r1, r2, gamma, beta, .. } = self.arcs;
@@ -321,7 +321,7 @@ fn scaled(known: Known, theta3: f64, module: Length) -> Result<Scaled, Error> {
     })
 }
 
-/// Solutions before their signs are looked at.
+/// Solutions before their signs are checked.
 fn candidates(theta: f64, s: f64, one: Scaled, other: Scaled) -> Vec<Arcs> {
     use Scaled::{A, Gamma, L, R1, R2};
     let sin = libm::sin(theta);
@@ -506,7 +506,7 @@ mod tests {
             for (x, y) in of(&one).into_iter().zip(of(&other)) {
                 prop_assert!((x - y).abs() < 1e-10, "{:?} {:?}", of(&one), of(&other));
             }
-            // What their names say.
+            // The named angles belong to the tangents.
             prop_assert!((libm::atan(one.tan_beta) - one.beta / 2.0).abs() < 1e-12);
             prop_assert!((libm::atan(one.tan_gamma) - one.gamma / 2.0).abs() < 1e-12);
             prop_assert!((one.least - (one.l - one.r1)).abs() < 1e-9 * d);

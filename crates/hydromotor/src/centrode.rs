@@ -1,8 +1,8 @@
 //! The exact centrodes of stator, rotor and satellite as curves of their arc length.
 //!
-//! Each in its own frame: counter-clockwise from the middle of a crest on the x axis. The rotor's is exact,
-//! not the arcs that the source takes for it ([`crate::two_arc_fit`]): `ρ₁ = ρ₃ − 2·r·cos μ`,
-//! `s₁ = s₃ + 2·r·μ`, `θ₁ = Φ − θ₃`, and the curvature by Euler and Savary,
+//! Each curve has its own frame: counter-clockwise from the middle of a crest on the x axis. The rotor's
+//! curve is exact, not the arcs that the source takes for it ([`crate::two_arc_fit`]): `ρ₁ = ρ₃ − 2·r·cos μ`,
+//! `s₁ = s₃ + 2·r·μ`, `θ₁ = Φ − θ₃`. The curvature follows by Euler and Savary:
 //!
 //! ```text
 //! κ₁ = cos μ/ρ₁ − g/(1 + 2·r·g)        g = cos μ/ρ₃ − κ₃
@@ -177,8 +177,8 @@ pub(crate) mod tests {
     use std::f64::consts::FRAC_PI_3;
     use uom::si::curvature::radian_per_meter;
 
-    /// A random motor of two arcs, or of a cosine law, or with a second harmonic, where there is one; module
-    /// 1 m, so that lengths are modules.
+    /// A random motor of two arcs, or of a cosine law, or with a second harmonic, if such a motor exists;
+    /// module 1 m, so that lengths are modules.
     pub(crate) fn any_motor() -> impl Strategy<Value = Motor> {
         (any_numbers(), 0..4_u8).prop_filter_map("a rotor that turns", |((numbers, part), kind)| {
             let module = Length::from_si(1.0);

@@ -1,8 +1,8 @@
 //! The working chambers between neighbouring satellites, and the displacement.
 //!
-//! A satellite at the phase `Φ` sweeps, as the rotor turns on, `f = ½·ρ₁·ρ₃` a radian: what the rotor's side
-//! of the chord `PP₁` brings in less what the stator's side leaves. The chamber in front of a satellite at
-//! `Φ` has the area
+//! As the rotor turns on, a satellite at the phase `Φ` sweeps the area `f = ½·ρ₁·ρ₃` per radian. This is the
+//! area swept by the rotor's side of the chord `PP₁` less that by the stator's side. The chamber in front of
+//! a satellite at `Φ` has the area:
 //!
 //! ```text
 //! A(Φ) = G(Φ + 2π/n) − G(Φ) − A₁ − π·r²        G = ∫ f dΦ        dA/dφ = f(front) − f(back)
@@ -13,14 +13,14 @@
 //! | `A₁` | area of the rotor's centrode over a lobe | m² |
 //! | `φ` | rotation of the rotor | rad |
 //!
-//! `f` is even about crests and troughs and falls from crest to trough, so that a chamber is greatest with a
-//! stator crest in its middle and least with a trough, and
+//! `f` is even about crests and troughs and falls from crest to trough. So a chamber is greatest with a
+//! stator crest in its middle and least with a trough. Their difference and the displacement are:
 //!
 //! ```text
 //! A_max − A_min = 2·[G(π/N) + G(π/n) − G(π/N + π/n)]        q = N·n·b·(A_max − A_min)
 //! ```
 //!
-//! since each of the `N + n` chambers breathes `N·n/(N + n)` times a revolution.
+//! The displacement follows since each of the `N + n` chambers breathes `N·n/(N + n)` times a revolution.
 //!
 //! # Source
 //! rotary-hydromotor gives none of this; its restored vectors list `A_max − A_min` and `q/b`.
@@ -40,27 +40,27 @@ use std::f64::consts::PI;
 /// A chamber at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Chamber {
-    /// Its number: the chamber in front of the satellite of that number, counter-clockwise.
+    /// Number of the chamber, which is in front of the satellite of that number, counter-clockwise.
     pub index: u32,
-    /// Its area.
+    /// Area of the chamber.
     pub area: Area,
-    /// How its area grows with the rotation, `dA/dφ`, a radian; negative while it shrinks.
+    /// Growth of the area with the rotation, `dA/dφ`, per radian; negative while the chamber shrinks.
     pub growth: Area,
 }
 
-/// What a chamber does as the rotor runs counter-clockwise.
+/// Phase of a chamber as the rotor runs counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// It grows and fills from the high pressure.
+    /// The chamber grows and fills from the high pressure.
     Filling,
-    /// It shrinks and empties into the low one.
+    /// The chamber shrinks and empties into the low pressure.
     Emptying,
-    /// It changes over at its greatest or least area, closed to both.
+    /// The chamber changes over at its greatest or least area, closed to both.
     AtExtreme,
 }
 
 impl Phase {
-    /// Of a chamber among all at the same angle.
+    /// Phase of a chamber among all at the same angle.
     #[must_use]
     pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
         let most = all.iter().map(|chamber| chamber.growth.value.abs()).fold(0.0, f64::max);
@@ -76,7 +76,7 @@ impl Phase {
 }
 
 impl Motor {
-    /// All chambers after a rotation of the rotor.
+    /// Chambers after a rotation of the rotor.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -108,7 +108,7 @@ impl Motor {
         Ok((0..self.numbers().satellites()).map(chamber).collect())
     }
 
-    /// The area that lobe and satellite take of what lies between two satellites.
+    /// Area that lobe and satellite fill between two satellites.
     fn filled(&self) -> f64 {
         let r = self.shape.satellite_radius();
         2.0 * self.shape.rotor_area() + PI * r * r
@@ -121,7 +121,7 @@ impl Motor {
         [area(least, self.module()), area(greatest, self.module())]
     }
 
-    /// In units of the module.
+    /// Least and greatest area of a chamber, in units of the module.
     pub(crate) fn extremes(&self) -> [f64; 2] {
         // The greatest has its satellites at ±π/n, the least at the trough's phase ± π/n, π/N before the next
         // crest's.
@@ -139,7 +139,7 @@ impl Motor {
         area(self.displacement_kernel(), self.module())
     }
 
-    /// In units of the module.
+    /// Displacement over width, in units of the module.
     pub(crate) fn displacement_kernel(&self) -> f64 {
         let [least, greatest] = self.extremes();
         f64::from(self.numbers().stator_lobes() * self.numbers().rotor_lobes()) * (greatest - least)
@@ -259,7 +259,7 @@ mod tests {
                 let chambers = motor.chambers(Angle::from_si(rotation)).unwrap();
                 let known = get(chambers[(index % motor.numbers().satellites()) as usize].area);
                 let scale = motor.satellite_radius().si().powi(2);
-    // The junction of the arcs falls between two points and takes part of the extrapolation's gain.
+    // The junction of the arcs falls between two points and reduces the gain of the extrapolation.
                 prop_assert!((area - known).abs() < 1e-4 * scale, "{area} {known}");
                 prop_assert!((fine - known).abs() < 1e-3 * scale);
             }

@@ -1,16 +1,20 @@
-//! What limits a motor: distances and curvatures against the satellite and the height of its teeth; and its
-//! size.
+//! Checks that limit a motor: distances and curvatures against the satellite and the height of its teeth; and
+//! its size.
 //!
-//! | check | quantity | at least | why |
-//! |---|---|---|---|
-//! | trough arc | stator's curvature radius where it bulges inward | dedendum `h_f` | the roots lie `h_f` outside, towards that centre |
-//! | crest arc | stator's curvature radius where it bends round | `r`, the satellite's | else the satellite does not fit |
-//! | rotor, convex | rotor's curvature radius where it bends round | dedendum `h_f` | the roots lie `h_f` inside |
-//! | rotor, hollow | rotor's curvature radius where it is hollow | `r` | else the satellite does not fit |
-//! | rotor, least | rotor's least radius | dedendum `h_f` | a body within the roots |
-//! | neighbours | distance of satellites | `2·(r + h_a)` | their tips must pass |
+//! Checks, with the least value and the reason:
+//! - Trough arc: the stator's curvature radius where it bulges inward is at least the dedendum `h_f`. The
+//!   roots are `h_f` outside, towards that centre.
+//! - Crest arc: the stator's curvature radius where it bends round is at least `r`, the satellite's.
+//!   Otherwise the satellite does not fit.
+//! - Rotor, convex: the rotor's curvature radius where it bends round is at least the dedendum `h_f`. The
+//!   roots are `h_f` inside.
+//! - Rotor, hollow: the rotor's curvature radius where it is hollow is at least `r`. Otherwise the satellite
+//!   does not fit.
+//! - Rotor, least: the rotor's least radius is at least the dedendum `h_f`. It leaves a body within the
+//!   roots.
+//! - Neighbours: the distance of satellites is at least `2·(r + h_a)`. Their tips must pass.
 //!
-//! Necessary for teeth, not sufficient: undercut and interference are those of the profiles.
+//! The checks are necessary for teeth, not sufficient: undercut and interference are those of the profiles.
 
 use crate::quantity::Quantity;
 use uom::si::f64::Length;
@@ -35,7 +39,7 @@ impl Default for ToothHeights {
     }
 }
 
-/// What is checked.
+/// Object of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subject {
     /// The stator's least curvature radius where it bulges inward.
@@ -55,11 +59,11 @@ pub enum Subject {
 /// A check.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// What is checked.
+    /// Object of the check.
     pub subject: Subject,
-    /// Its value.
+    /// Value checked.
     pub value: Length,
-    /// What it must exceed.
+    /// Limit that the value must exceed.
     pub limit: Length,
 }
 
@@ -104,11 +108,11 @@ pub(crate) fn finite_heights(heights: ToothHeights) -> Result<(), Error> {
 }
 
 impl Motor {
-    /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
+    /// Makes every check that applies: a curve that is nowhere hollow has no check of its hollow.
     ///
-    /// Of a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's
-    /// image. Of a cosine law, with a second harmonic or without, they are sought among 257 places of the
-    /// half-lobe and refined about the best.
+    /// For a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's
+    /// image. For a cosine law, with a second harmonic or without, 257 places of the half-lobe are evaluated
+    /// and the best is refined.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the heights are finite and not below 0.
@@ -151,7 +155,7 @@ impl Motor {
         Ok(checks)
     }
 
-    /// The size of the centrodes, and what displacement they enclose.
+    /// Size of the centrodes, and the displacement that they enclose.
     #[must_use]
     pub fn envelope(&self) -> Envelope {
         let (crest, trough) = (self.shape.at(By::Phase, 0.0), self.shape.trough());

@@ -1,21 +1,21 @@
 //! Closure: a half-lobe of the rotor must span exactly `π/n`. Only then does the rotor meet itself.
 //!
-//! Nothing in system (1) guarantees it. After it one of the "two independent parameters" `l` and `a` is free:
-//! [`Family`].
+//! Nothing in system (1) guarantees it. With this condition one of the "two independent parameters" `l` and
+//! `a` is free: [`Family`].
 //!
 //! # Derivation
-//! The satellite touches the stator in `P` and the rotor in `P₁`. By Kennedy's theorem `P` and `P₁`, its
-//! instant centres against the two wheels, lie on one line with the axis `O`. With `ρ₃ = OP`, `ρ₁ = OP₁` and
-//! the angle `μ` between that line and the normal at `P`, the chord is `ρ₃ − ρ₁ = 2r·cos μ`, and the product
-//! `ρ₁·ρ₃` is the power of `O` with respect to the satellite's circle. The satellite turns about `P`; as its
-//! centre goes along `(1 − κ₃·r)·ds₃`, with `κ₃` the curvature of the stator, the rotor turns against the
-//! stator by
+//! The satellite touches the stator in `P` and the rotor in `P₁`, its instant centres against the two wheels.
+//! By Kennedy's theorem `P` and `P₁` are on one line with the axis `O`. Let `ρ₃ = OP`, `ρ₁ = OP₁`, and `μ` be
+//! the angle between that line and the normal at `P`. The chord is `ρ₃ − ρ₁ = 2r·cos μ`, and the product
+//! `ρ₁·ρ₃` is the power of `O` with respect to the satellite's circle. The satellite turns about `P`, and its
+//! centre moves along `(1 − κ₃·r)·ds₃`, with `κ₃` the curvature of the stator. Meanwhile the rotor turns
+//! against the stator by:
 //!
 //! ```text
 //! dΦ = 2·cos μ·(1 − κ₃·r)/ρ₁ · ds₃ = dθ₃ + dθ₁
 //! ```
 //!
-//! On arc 1, with the angle `x` at `O₁` from the trough, and on arc 2, with `x` at `O₂` from the crest,
+//! On arc 1 `x` is the angle at `O₁` from the trough, on arc 2 the angle at `O₂` from the crest:
 //!
 //! ```text
 //! ρ₁·ρ₃ = l² + R₁² + 2·r·R₁ − 2·l·(R₁ + r)·cos x = K₁ + M₁·cos x       ρ₃·cos μ = l·cos x − R₁
@@ -24,36 +24,38 @@
 //! J(K, M, x) = ∫₀ˣ dt/(K + M·cos t)
 //! ```
 //!
-//! A half-lobe has `Φ₂(B) + Φ₁(Γ) = π/N + π/n`, and `B − Γ = π/N`, so that
+//! A half-lobe has `Φ₂(B) + Φ₁(Γ) = π/N + π/n`, and `B − Γ = π/N`, so that:
 //!
 //! ```text
 //! (l² − R₁²)·J(K₁, M₁, Γ) + (R₂² − a²)·J(K₂, M₂, B) = π/n
 //! ```
 //!
-//! In closed form `J = 2t/(K + M)·A((K − M)/(K + M)·t²)`, `t = tan(x/2)`, `A(z) = ∫₀¹ dt/(1 + z·t²)`: the arc
-//! tangent `atan √z/√z` for `K > |M|`, the area tangent `atanh √−z/√−z` for `K < |M|`, which arc 2 has for
-//! `0 < R₂ − a < 2r`, and 1 between them. `K ± M` have factors, `(l − R₁)(l − R₁ − 2r)` and the like, one of
-//! which cancels against the one before `J`.
+//! In closed form `J = 2t/(K + M)·A((K − M)/(K + M)·t²)`, `t = tan(x/2)`, `A(z) = ∫₀¹ dt/(1 + z·t²)`. `A` is
+//! the arc tangent `atan √z/√z` for `K > |M|`, the area tangent `atanh √−z/√−z` for `K < |M|`, and 1 between
+//! them. Arc 2 has `K < |M|` for `0 < R₂ − a < 2r`. `K ± M` have factors, `(l − R₁)(l − R₁ − 2r)` and the
+//! like; one of these cancels against the factor before `J`.
 //!
-//! The arcs of stator and rotor are equally long without further ado: `s₁ − s₃ = 2·r·μ`, and `μ` vanishes at
-//! crest and trough.
+//! The arcs of stator and rotor are equally long without further conditions: `s₁ − s₃ = 2·r·μ`, and `μ`
+//! vanishes at crest and trough.
 //!
 //! # No root missed
 //! At fixed `l` both radii are monotone in `a`: `∂R₁/∂a = (sin B − B·cos B)/θ₃ > 0` and
-//! `∂R₂/∂a = −(sin B − Γ·cos B)/θ₃ < 0`, since `tan x > x`. So the `a` for which `R₁ > 0`, `R₂ > r` and the
-//! rotor's trough is outside the axis, `l − R₁ > 2r` (it too is falling), are *one* interval. At its lower
-//! end the half-lobe is too short: of a circle, `a = 0`, by the condition on `Z_s`; and where `R₁ = 0`, it is
-//! at or below the family's lower end. In the interval the residual rises with `a`, so that it holds at most
-//! one root, which bisection brackets and Brent's method finds. That it rises is not proved in closed form;
-//! the tests evaluate the exact derivative on a dense grid over `(l, a)` for every ratio of lobes up to
-//! `N = 10` and every size of satellite (the residual but for the constant `π/n` depends on `N`, `Z_s/Z_3`
-//! and the distances alone), and scan for roots without use of it.
+//! `∂R₂/∂a = −(sin B − Γ·cos B)/θ₃ < 0`, since `tan x > x`. Three conditions bound `a`: `R₁ > 0`, `R₂ > r`,
+//! and a rotor trough outside the axis, `l − R₁ > 2r` (this too is falling). So the allowed `a` are *one*
+//! interval. At its lower end the half-lobe is too short: for a circle, `a = 0`, by the condition on `Z_s`;
+//! and where `R₁ = 0`, it is at or below the family's lower end. In the interval the residual rises with `a`,
+//! so that it holds at most one root, which bisection brackets and Brent's method finds.
 //!
-//! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens: it starts where `R₁ = 0` and
-//! ends where the rotor gets a cusp, or at the greatest `l` of a machine ([`crate::machine`]), where arc 1 is
-//! nearly straight. Of few lobes and small satellites, such as 3×1, it has a gap where the stator's flank
-//! would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The tests hold the
-//! intervals against a scan over every seventh admissible set.
+//! That the residual rises is not proved in closed form. The tests evaluate the exact derivative on a dense
+//! grid over `(l, a)` for every ratio of lobes up to `N = 10` and every size of satellite. The residual but
+//! for the constant `π/n` depends on `N`, `Z_s/Z_3` and the distances alone. The tests also scan for roots
+//! without use of the derivative.
+//!
+//! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens. The family starts where
+//! `R₁ = 0`. It ends where the rotor gets a cusp, or at the greatest `l` of a machine ([`crate::machine`]),
+//! where arc 1 is nearly straight. With few lobes and small satellites, such as 3×1, it has a gap: the
+//! stator's flank would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The
+//! tests compare the intervals with a scan over every seventh admissible set.
 //!
 //! # Source
 //! The source has no such condition: it draws the rotor and does not check that it closes.
@@ -92,12 +94,12 @@ pub(crate) fn crest_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
     T::of(2.0) * difference * t / (sum - two_r) * z.arc()
 }
 
-/// What a half-lobe of the rotor spans, in radians.
+/// Angle that a half-lobe of the rotor spans, in radians.
 pub(crate) fn rotor_span<T: Real>(arcs: &Arcs<T>, r: f64) -> T {
     trough_term(arcs, r, arcs.tan_gamma) + crest_term(arcs, r, arcs.tan_beta)
 }
 
-/// What a half-lobe of the rotor spans, by quadrature of `dΦ − dθ₃` over both arcs.
+/// Angle that a half-lobe of the rotor spans, by quadrature of `dΦ − dθ₃` over both arcs.
 pub(crate) fn rotor_span_by_quadrature(arcs: &Arcs, r: f64) -> f64 {
     let Arcs { l, a, r1, r2, gamma, beta, theta3, least, .. } = *arcs;
     let trough = quadrature(0.0, gamma, 64, |x| {
@@ -114,7 +116,7 @@ pub(crate) fn rotor_span_by_quadrature(arcs: &Arcs, r: f64) -> f64 {
     trough + crest - theta3
 }
 
-/// How the rotor's crest keeps off a cusp: the least `ds₁/ds₃` on arc 2; at 0 the rotor has a cusp.
+/// Margin of the rotor's crest against a cusp: the least `ds₁/ds₃` on arc 2; at 0 the rotor has a cusp.
 ///
 /// `ds₁/ds₃ = 1 + 2r·(cos μ/ρ₃ − κ₃)` is monotone along arc 2, and above 1 on arc 1.
 pub(crate) fn least_stretch(arcs: &Arcs, r: f64) -> f64 {
@@ -140,11 +142,11 @@ fn margin(arcs: &Arcs, r: f64) -> f64 {
 /// The closure of any pair of arcs, and how it answers to the two distances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closure {
-    /// What the rotor's half-lobe spans beyond `π/n`, in radians; 0 of a motor.
+    /// Angle that the rotor's half-lobe spans beyond `π/n`, in radians; 0 for a motor.
     pub residual_rad: f64,
-    /// The same by quadrature of the rolling, for a check.
+    /// Residual by quadrature of the rolling, for a check.
     pub residual_by_quadrature_rad: f64,
-    /// `∂/∂a` of the residual at fixed `l`, in radians a module: what an error in `a` opens.
+    /// `∂/∂a` of the residual at fixed `l`, in radians per module: the opening by an error in `a`.
     pub by_crest_distance: f64,
     /// `∂/∂l` of the residual at fixed `a`, in radians a module.
     pub by_trough_distance: f64,
@@ -153,7 +155,7 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// How far a half-lobe stays open: what it must span less what it spans; negative where it overlaps the
+    /// Angle by which a half-lobe stays open: the required span less the actual; negative if it overlaps the
     /// next.
     #[must_use]
     pub fn open(&self) -> Angle {
@@ -181,7 +183,8 @@ impl Closure {
 ///
 /// let mm = Length::new::<millimeter>;
 /// let numbers = MotorNumbers::new(5, 3, 55, 10)?;
-/// // A quarter of a millimetre off, and the rotor overlaps itself by a degree: 0.19° a half-lobe, of which it has six.
+/// // A quarter of a millimetre off, and the rotor overlaps itself by a degree:
+/// // 0.19° a half-lobe, of which it has six.
 /// let known = [Known::TroughDistance(mm(40.0)), Known::CrestDistance(mm(15.55))];
 /// let arcs = StatorArcs::with(numbers, mm(1.0), known)?;
 /// let closure = closure::closure(numbers, &arcs[0])?;
@@ -229,7 +232,7 @@ pub fn is_smooth(numbers: MotorNumbers, arcs: &StatorArcs) -> bool {
     Kernel::of(numbers).is_regular(&arcs.arcs)
 }
 
-/// What ends an interval of a family.
+/// Limit that ends an interval of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
     /// Arc 1 shrinks to a corner, `R₁ = 0`.
@@ -246,13 +249,13 @@ pub enum Limit {
 /// An end of an interval, not a motor itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct End {
-    /// What ends it.
+    /// Limit that ends the interval.
     pub limit: Limit,
     arcs: Option<StatorArcs>,
 }
 
 impl End {
-    /// The arcs there; none where rounding leaves no root at a cusp.
+    /// The arcs there; `None` if rounding leaves no root at a cusp.
     #[must_use]
     pub fn arcs(&self) -> Option<&StatorArcs> {
         self.arcs.as_ref()
@@ -273,7 +276,7 @@ pub struct Interval {
     pub upper: End,
 }
 
-/// All motors of two arcs with given numbers and module: one for each `l` of one interval or two.
+/// Family of all motors of two arcs with given numbers and module: one for each `l` of one interval or two.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Family {
     numbers: MotorNumbers,
@@ -411,7 +414,7 @@ impl Family {
         self.at(length(inverse.recip(), self.module))
     }
 
-    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves
+    /// The arcs at a part of one of the intervals, even in `1/l`; `None` if rounding at its very end leaves
     /// no root.
     pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
         let (from, to) = (interval.lower.inverse(), interval.upper.inverse());
@@ -517,8 +520,8 @@ impl Kernel {
         Arcs { r1: 0.0, r2: d, least: l, ..self.arcs(l, a) }
     }
 
-    /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where
-    /// the residual is without bound; `l` falls with `B`.
+    /// The arcs with `R₁ = 0` with which the rotor closes. The root is between the circle, `B = θ₃`, which
+    /// lacks angle, and `l = 2r`, where the residual is without bound; `l` falls with `B`.
     fn lower_end(&self) -> Arcs {
         let beta = bracketed(self.theta3 * (1.0 + EDGE_ANGLE), PI, |beta| {
             let arcs = self.cornered(beta);
@@ -527,12 +530,12 @@ impl Kernel {
         self.cornered(beta)
     }
 
-    /// Where both curves are smooth and turn one way about the axis, by rising `l`.
+    /// Intervals in which both curves are smooth and turn one way about the axis, by rising `l`.
     ///
-    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to the greatest `l` of a
-    /// machine. The crest only sharpens on the way, so that there is one such place. `cos μ` where the arcs
-    /// meet falls to a least value and rises again: golden section finds it, and where it is below 0, a root
-    /// on either side bounds the gap.
+    /// The search runs over `1/l`: from `R₁ = 0` down to a cusp of the rotor's crest, or to the greatest `l`
+    /// of a machine. The crest only sharpens on the way, so that one such place exists. `cos μ` where the
+    /// arcs meet falls to a least value and rises again: golden section finds it, and if it is below 0, a
+    /// root on either side bounds the gap.
     fn intervals(&self, module: Length) -> Result<Vec<Interval>, FamilyFault> {
         let corner = self.lower_end();
         if corner.r2 <= self.r {
@@ -577,7 +580,7 @@ impl Kernel {
     }
 }
 
-/// Where a function that falls and then rises is least, or below 0: by golden section.
+/// Place at which a function that falls and then rises is least, or below 0, by golden section.
 fn lowest(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let is_below_0 = |found: &Sections| found.inner.iter().any(|(_, value)| *value < 0.0);
     let found = golden_while([low, high], |made, found| made < 40 && !is_below_0(found), &f);

@@ -182,7 +182,7 @@ fn a_family_is_ordered_by_its_distance() {
     }
 }
 
-/// At the least place as closely as a parabola lets one see, or anywhere below 0.
+/// The place found is as close to the least as a parabola allows, or anywhere below 0.
 #[test]
 fn what_falls_and_then_rises_is_lowest_at_its_bottom() {
     for (low, high) in [(0.0, 1.0), (-3.0, 5.0), (1e-9, 2e-3)] {

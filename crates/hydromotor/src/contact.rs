@@ -1,4 +1,4 @@
-//! The contact of a satellite with both wheels along a half-lobe: what every conjugate pair of centrodes has.
+//! The contact of a satellite with both wheels along a half-lobe, common to all conjugate pairs of centrodes.
 //!
 //! In units of the module and radians. Everything is counted from where a stator crest faces a rotor crest
 //! across a satellite; the *phase* `Φ = θ₃ + θ₁` is the angle of the rotor since then. From the crest, radii
@@ -21,7 +21,7 @@ pub(crate) struct Contact {
     pub(crate) s1: f64,
     pub(crate) kappa3: f64,
     pub(crate) kappa1: f64,
-    /// `G = ∫ f dΦ` with `f = ½·ρ₁·ρ₃`: what the satellite sweeps.
+    /// `G = ∫ f dΦ` with `f = ½·ρ₁·ρ₃`: the area that the satellite sweeps.
     pub(crate) swept: f64,
 }
 
@@ -32,7 +32,7 @@ pub(crate) fn conjugate_curvature(r: f64, cos_mu: f64, rho: f64, kappa: f64, rho
     cos_mu / rho_across - turn / (1.0 + 2.0 * r * turn)
 }
 
-/// A quantity that grows along the half-lobe, by which a contact can be sought.
+/// Quantity that grows along the half-lobe and identifies a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum By {
     Phase,
@@ -53,7 +53,7 @@ impl Contact {
         }
     }
 
-    /// How the quantity grows with the stator's arc length; above 0 of a motor.
+    /// Derivative of the quantity by the stator's arc length; above 0 for a motor.
     pub(crate) fn slope(&self, by: By, r: f64) -> f64 {
         let cos_mu = libm::cos(self.mu);
         match by {
@@ -91,12 +91,12 @@ impl Contact {
         }
     }
 
-    /// The same contact whole lobes further back, `end` being that at the trough.
+    /// Returns the contact moved back by whole lobes; `end` is the contact at the trough.
     pub(crate) fn lobes_back(&self, lobes: f64, end: &Self) -> Self {
         if lobes == 0.0 { *self } else { self.shifted(-lobes, end) }
     }
 
-    /// The same contact whole lobes further on, `end` being that at the trough.
+    /// Returns the contact moved on by whole lobes; `end` is the contact at the trough.
     fn shifted(self, lobes: f64, end: &Self) -> Self {
         let by = 2.0 * lobes;
         Self {

@@ -11,21 +11,21 @@
 //! | `ε₁`, `ε` | relative amplitude | 1 |
 //! | `ε₂` | relative amplitude of the second harmonic; 0 of the cosine law | 1 |
 //!
-//! Two conditions fix `c` and `ε₁`: a half-lobe has the length `π·m·Z₁/(2n)`, and the stator closes,
-//! `∫ dΦ = π/N + π/n` with `dΦ = 2·cos μ·(1 + r·κ₁)/ρ₃·ds₁` and `ρ₃ = ρ₁ + 2r·cos μ`. The numbers leave the
+//! Two conditions fix `c` and `ε₁`. A half-lobe has the length `π·m·Z₁/(2n)`. The stator closes,
+//! `∫ dΦ = π/N + π/n`, with `dΦ = 2·cos μ·(1 + r·κ₁)/ρ₃·ds₁` and `ρ₃ = ρ₁ + 2r·cos μ`. The numbers leave the
 //! cosine law no choice: one motor, no family; with the second harmonic `ε₂` is free
-//! ([`crate::second_harmonic`]). The stator's half-lobe spans too much with round wheels, by the condition on
-//! `Z_s`, and less the greater `ε₁`.
+//! ([`crate::second_harmonic`]). With round wheels the stator's half-lobe spans too much, by the condition on
+//! `Z_s`; the span falls with `ε₁`.
 //!
-//! The stator is smooth while `ds₃/ds₁ = 1 − 2r·(cos μ/ρ₁ − κ₁) > 0`. Of the cosine law this is least at the
-//! rotor's trough, where it vanishes at the *cusp limit*
+//! The stator is smooth while `ds₃/ds₁ = 1 − 2r·(cos μ/ρ₁ − κ₁) > 0`. For the cosine law this is least at the
+//! rotor's trough, where it vanishes at the *cusp limit*:
 //!
 //! ```text
 //! 2·r·ε·n² = c·(1 − ε)²
 //! ```
 //!
-//! With `u = ln ρ₁` and dashes for derivatives by `θ₁` it is `1 − 2r·u″/(ρ₁·(1 + u′²)^(3/2))`; with a second
-//! harmonic above 0 the least lies at the trough or between it and the crest, and is sought along the
+//! With `u = ln ρ₁` and dashes for derivatives by `θ₁` it is `1 − 2r·u″/(ρ₁·(1 + u′²)^(3/2))`. With a second
+//! harmonic above 0 the least is at the trough or between it and the crest, and is searched for along the
 //! half-lobe. While it is above 0 everything else is smooth, too: `1 + r·κ₁ > ½ + r·cos μ/ρ₁ > 0`, and
 //! `1 − r·κ₃ = (1 + r·κ₁)·ds₁/ds₃ > 0`. Radii fall from crest to trough while `ε₁ > 4·|ε₂|`.
 //!
@@ -53,10 +53,10 @@ const PANELS: u32 = 48;
 /// Panels where a root is only bracketed.
 const FEW_PANELS: u32 = 6;
 
-/// Places of the half-lobe at which curvatures are looked at before their extremes are refined.
+/// Places of the half-lobe at which curvatures are evaluated before their extremes are refined.
 const CURVATURE_PLACES: usize = 256;
 
-/// Places of the half-lobe at which an extreme is looked at before it is refined.
+/// Places of the half-lobe at which a quantity is evaluated before its extreme is refined.
 const PLACES: u32 = 16;
 
 /// A half-lobe of a cosine-law rotor and its stator.
@@ -64,7 +64,7 @@ const PLACES: u32 = 16;
 pub(crate) struct Cosine {
     law: Law,
     trough: Contact,
-    /// At the ends of the panels.
+    /// Contacts at the ends of the panels.
     edges: Vec<Contact>,
 }
 
@@ -80,7 +80,7 @@ pub(crate) struct Law {
 }
 
 impl Law {
-    /// Of relative amplitudes, scaled to a half-lobe's length.
+    /// Law of relative amplitudes, scaled to a half-lobe's length.
     fn of_length(n: f64, r: f64, [amplitude, second]: [f64; 2], half_length: f64, panels: u32) -> Self {
         let unit = Self { n, r, c: 1.0, amplitude, second };
         Self { c: half_length / quadrature(0.0, PI / n, panels, |theta| unit.curve(theta).2), ..unit }
@@ -121,7 +121,7 @@ impl Law {
         [speed, 2.0 * bend * rho1 / rho3, bend * rho1 * rho1]
     }
 
-    /// What the stator's and the rotor's half-lobes span together.
+    /// Angle that the stator's and the rotor's half-lobes span together.
     fn span(&self, panels: u32) -> f64 {
         quadrature(0.0, PI / self.n, panels, |theta| self.rates(theta)[1])
     }
@@ -186,13 +186,13 @@ impl Numbers {
         Law::of_length(self.n, self.r, amplitudes, self.half_length, panels)
     }
 
-    /// What the half-lobes span too much.
+    /// Angle that the half-lobes span too much.
     fn excess(&self, amplitudes: [f64; 2], panels: u32) -> f64 {
         self.law(amplitudes, panels).span(panels) - self.wanted
     }
 
-    /// At a part `t = 4·ε₂/ε₁` the amplitude `ε₁` at which the stator gets cusps, and what the half-lobes
-    /// span too little there: above 0 where a motor without cusps closes.
+    /// Amplitude `ε₁` at which the stator gets cusps, at a part `t = 4·ε₂/ε₁`, and the angle that the
+    /// half-lobes span too little there. The angle is above 0 if a motor without cusps closes.
     pub(crate) fn cusp(&self, part: f64) -> (f64, f64) {
         // ρ₁ vanishes at the trough where ε₁ − ε₂ = 1; long before, the stator has cusps.
         let most = 0.999 / (1.0 - 0.25 * part);
@@ -209,8 +209,8 @@ impl Numbers {
         (margin > 0.0).then(|| self.closed(0.0, cusp, amplitudes))
     }
 
-    /// The law that closes with an amplitude `ε₂`, with cusps or without; none where radii would not fall
-    /// from crest to trough.
+    /// The law that closes with an amplitude `ε₂`, with cusps or without; `None` if radii would not fall from
+    /// crest to trough.
     pub(crate) fn at_second(&self, second: f64) -> Option<Law> {
         let amplitudes = |amplitude: f64| [amplitude, second];
         // Below, a crest or a trough splits in two.
@@ -228,7 +228,7 @@ impl Numbers {
     /// The law that closes between two amplitudes.
     fn closed(&self, low: f64, high: f64, amplitudes: impl Fn(f64) -> [f64; 2]) -> Law {
         let near = bracketed(low, high, |amplitude| self.excess(amplitudes(amplitude), FEW_PANELS));
-        // What few panels miss, by two steps of the secant: the last bits as with many.
+        // Two steps of the secant correct the error of few panels: the last bits are then as with many.
         let fine = |amplitude: f64| self.excess(amplitudes(amplitude), PANELS);
         let (mut before, mut at_before) = (near * (1.0 - BESIDE_ROOT), fine(near * (1.0 - BESIDE_ROOT)));
         let (mut here, mut at_here) = (near, fine(near));
@@ -359,8 +359,8 @@ impl Conjugate for Cosine {
         if by == By::RotorAngle {
             return self.on_rotor(value);
         }
-        // Between the ends of the panel that holds the value, by Newton's method from the chord: each step
-        // squares what is left.
+        // Newton's method from the chord, between the ends of the panel that holds the value: each step
+        // squares the remaining error.
         let panel = self.edges.partition_point(|edge| edge.get(by) <= value).clamp(1, self.edges.len() - 1);
         let (low, high) = (&self.edges[panel - 1], &self.edges[panel]);
         let share = (value - low.get(by)) / (high.get(by) - low.get(by));

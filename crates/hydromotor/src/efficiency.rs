@@ -13,11 +13,11 @@
 //! | `V_dead` | a model, of the bulk modulus and the dead area given | [`crate::ports::trapped`] |
 //! | `M_flanks` | a model, of the friction coefficient given as a range | [`crate::friction`] |
 //! | `M_gaps` | a model, of the gaps and the viscosity given | [`crate::friction`] |
-//! | `P_ports` | a model, of the discharge coefficient given; left out without ports | [`crate::ports::throttling`] |
+//! | `P_ports` | a model, of the discharge coefficient; 0 without ports | [`crate::ports::throttling`] |
 //!
 //! Gaps, fluid, friction and discharge coefficient are inputs without defaults: none is measured here, and no
-//! result is validated against a made motor. What the models leave out (flank leaks, bearings, seals,
-//! churning, changing viscosity) makes a made motor worse than the map.
+//! result is validated against a made motor. The models leave out flank leaks, bearings, seals, churning and
+//! changing viscosity; these make a made motor worse than the map.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
@@ -32,7 +32,7 @@ use crate::quantity::{PortSide, Quantity};
 use crate::ranges::{positive, positive_pressure};
 use std::f64::consts::TAU;
 
-/// What losses follow from: inputs, none of them with a default.
+/// Inputs of the losses, none of them with a default.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LossInputs<'a> {
     /// Pressure angle of the teeth.
@@ -55,14 +55,14 @@ pub struct LossInputs<'a> {
     pub ports: Option<(&'a PortPlate, f64)>,
 }
 
-/// Whether a figure is given or calculated, and by what.
+/// Origin of a figure: given or calculated, and the basis of the calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// From the geometry of the motor.
+    /// Calculated from the geometry of the motor.
     Geometry,
     /// By a model from inputs that nobody measured here.
     Model,
-    /// From the user.
+    /// Given by the user.
     Input,
 }
 
@@ -91,7 +91,7 @@ pub enum Figure {
 }
 
 impl Figure {
-    /// Where the figure comes from.
+    /// Origin of the figure.
     #[must_use]
     pub const fn origin(self) -> Origin {
         match self {
@@ -116,8 +116,8 @@ impl Figure {
     }
 }
 
-/// A motor at a speed and a pressure. Where there are two values, the first is with the greatest friction,
-/// the second with the least.
+/// A motor at a speed and a pressure. Of two values the first is with the greatest friction, the second with
+/// the least.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingPoint {
     /// Speed of the rotor.
@@ -128,19 +128,19 @@ pub struct OperatingPoint {
     pub ideal_flow: VolumeRate,
     /// `q·Δp/(2π)`.
     pub ideal_torque: Torque,
-    /// Through the end gaps, with Reynolds numbers.
+    /// Leakage through the end gaps, with Reynolds numbers.
     pub leakage: Leakage,
-    /// What chambers take to come to the high pressure.
+    /// Flow that brings the chambers to the high pressure.
     pub charge: VolumeRate,
-    /// What flows in.
+    /// Flow into the motor.
     pub inlet_flow: VolumeRate,
     /// Friction of the flanks.
     pub flank_friction: [Torque; 2],
     /// Drag of the end gaps.
     pub gap_drag: Torque,
-    /// What the ports of both pressures take.
+    /// Power lost in the ports of both pressures.
     pub throttling: Power,
-    /// Torque at the shaft; below 0 where the losses exceed what the pressure drives.
+    /// Torque at the shaft; below 0 if the losses exceed the torque of the pressure.
     pub torque: [Torque; 2],
     /// `η_v`.
     pub volumetric: f64,
@@ -161,7 +161,7 @@ pub struct EfficiencyMap {
     pub rows: Vec<Vec<OperatingPoint>>,
 }
 
-/// What does not change with speed and pressure, in SI units.
+/// Figures that do not change with speed and pressure, in SI units.
 struct Constant {
     displacement: f64,
     /// Power of throttling over the cube of the speed.
@@ -175,13 +175,12 @@ struct Constant {
 }
 
 impl Motor {
-    /// The motor at a speed and a pressure.
+    /// Computes the motor at a speed and a pressure.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for speed and pressure drop; the errors of the inputs, as
-    /// [`Motor::end_leakage`], [`Motor::mean_friction_torque`], [`Motor::gap_drag`],
-    /// [`Motor::dead_volume_charge`] and [`PortPlate::throttling`] have them; [`Error::OtherMotor`] for ports
-    /// of another motor.
+    /// [`Error::NotPositive`] for speed and pressure drop; [`Error::OtherMotor`] for ports of another motor.
+    /// The errors of the inputs are those of [`Motor::end_leakage`], [`Motor::mean_friction_torque`],
+    /// [`Motor::gap_drag`], [`Motor::dead_volume_charge`] and [`PortPlate::throttling`].
     ///
     /// # Example
     /// ```
@@ -190,8 +189,10 @@ impl Motor {
     /// use epicyclic_hydromotor::leakage::{EndGaps, GapFluid};
     /// use epicyclic_hydromotor::{Motor, MotorNumbers};
     /// use uom::si::f64::{Angle, AngularVelocity, Area, DynamicViscosity, Length, MassDensity, Pressure};
-    /// use uom::si::{angle::degree, angular_velocity::revolution_per_minute, dynamic_viscosity::pascal_second};
-    /// use uom::si::{area::square_millimeter, length::{micrometer, millimeter}, mass_density::kilogram_per_cubic_meter, pressure::megapascal};
+    /// use uom::si::{angle::degree, angular_velocity::revolution_per_minute};
+    /// use uom::si::{area::square_millimeter, dynamic_viscosity::pascal_second};
+    /// use uom::si::length::{micrometer, millimeter};
+    /// use uom::si::{mass_density::kilogram_per_cubic_meter, pressure::megapascal};
     ///
     /// let mm = Length::new::<millimeter>;
     /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(0.75), mm(30.0))?;
@@ -248,6 +249,8 @@ impl Motor {
     }
 
     fn constant(&self, inputs: &LossInputs<'_>) -> Result<Constant, Error> {
+        // Friction and charge are proportional to the pressure, drag to the speed and throttling to its cube:
+        // unit values give the factors once for the whole map.
         let one = Pressure::from_si(1.0);
         let displacement = self.displacement(inputs.width)?.si();
         let [low, high] =
@@ -264,6 +267,7 @@ impl Motor {
         };
         let throttling = match inputs.ports {
             Some((plate, discharge)) => {
+                // Ports of another motor would throttle at other angles, and the result would look plausible.
                 if plate.motor() != self {
                     return Err(Error::OtherMotor);
                 }

@@ -1,4 +1,4 @@
-//! What this crate refuses.
+//! Errors of this crate.
 
 use crate::quantity::{ArcsFault, Choice, FamilyFault, OpenPair, PortSide, Quantity, WheelKind};
 
@@ -18,7 +18,7 @@ pub enum Error {
         /// The wheel concerned.
         wheel: WheelKind,
     },
-    /// More teeth than the crate reckons with.
+    /// More teeth than the crate allows.
     #[error("a {wheel} with {teeth} teeth: at most {most}")]
     TooManyTeeth {
         /// The wheel concerned.
@@ -41,7 +41,7 @@ pub enum Error {
         /// The greatest difference allowed.
         most: u32,
     },
-    /// A stator with so many more lobes that neighbouring satellites collide.
+    /// A stator with too many more lobes than the rotor, so that neighbouring satellites collide.
     #[error(
         "{stator} stator lobes on {rotor} rotor lobes: the stator has at most {most} more lobes than the \
          rotor, else the satellites are no neighbours that bound chambers"
@@ -62,9 +62,9 @@ pub enum Error {
     TeethPerLobe {
         /// The wheel concerned.
         wheel: WheelKind,
-        /// Its teeth.
+        /// Teeth of the wheel.
         teeth: u32,
-        /// Its lobes.
+        /// Lobes of the wheel.
         lobes: u32,
         /// The next smaller number allowed; at least one tooth a lobe.
         below: u32,
@@ -98,7 +98,7 @@ pub enum Error {
     /// A range written the wrong way round.
     #[error("{what} from {from} to {to}: write the smaller first")]
     EmptyRange {
-        /// What ranges.
+        /// Quantity of the range.
         what: Quantity,
         /// Lower end.
         from: u32,
@@ -146,7 +146,7 @@ pub enum Error {
         first: Quantity,
         /// The second parameter.
         second: Quantity,
-        /// Why not.
+        /// Reason.
         why: OpenPair,
     },
     /// Two parameters of system (1) that no pair of arcs has.
@@ -210,7 +210,7 @@ pub enum Error {
     NoCosineRotor {
         /// The relative amplitude at which the stator gets cusps.
         cusp_amplitude: f64,
-        /// What the stator's half-lobe spans too much there, degrees.
+        /// Angle that the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
     /// An amplitude of the second harmonic with which no rotor closes without cusps.
@@ -223,7 +223,7 @@ pub enum Error {
         second: f64,
         /// The range's lower end.
         low: f64,
-        /// Its upper end.
+        /// The range's upper end.
         high: f64,
     },
     /// Numbers for which no second-harmonic rotor closes without cusps.
@@ -232,7 +232,7 @@ pub enum Error {
          half-lobe still spans at least {excess_deg:.6}° too much; take more satellite teeth"
     )]
     NoSecondHarmonicRotor {
-        /// What the stator's half-lobe spans too much there at least, degrees.
+        /// Least angle that the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
     /// A tooth whose flanks meet below its tip.
@@ -242,7 +242,7 @@ pub enum Error {
         wheel: WheelKind,
         /// The addendum, modules.
         addendum: f64,
-        /// Where the flanks meet, modules.
+        /// Height at which the flanks meet, modules.
         most: f64,
     },
     /// A rounding for which the tip of the tool has no room.
@@ -288,7 +288,7 @@ pub enum Error {
     /// Limits written the wrong way round, or below 0.
     #[error("{what} from {from} to {to}{}: write the smaller first, neither below 0", spaced(.unit))]
     EmptyLimits {
-        /// What is limited.
+        /// Quantity that is limited.
         what: Quantity,
         /// Lower end.
         from: f64,
@@ -303,7 +303,7 @@ pub enum Error {
         spaced(.unit)
     )]
     EmptySteps {
-        /// What is stepped.
+        /// Quantity that is stepped.
         quantity: Quantity,
         /// First value.
         from: f64,
@@ -314,7 +314,7 @@ pub enum Error {
         /// Unit of the three.
         unit: &'static str,
     },
-    /// More tooth forms than a search takes.
+    /// More tooth forms than a search allows.
     #[error("{forms} tooth forms within the steps: a search takes at most {most}; take greater steps")]
     TooManyForms {
         /// Forms within the steps.
@@ -325,10 +325,10 @@ pub enum Error {
     /// A search without something to choose from.
     #[error("no {what} to choose from: give at least one")]
     NothingToChoose {
-        /// What there is none of.
+        /// Kind of thing that is missing.
         what: Choice,
     },
-    /// Objectives of flanks under load without what they are calculated with.
+    /// Objectives of flanks under load without the inputs of their calculation.
     #[error("objectives of flanks under load without materials: give them, or other objectives")]
     NoFlankOrder,
     /// A limit of a stress without a pressure drop.
@@ -340,7 +340,7 @@ pub enum Error {
     /// A search that its observer ended.
     #[error("the search was cancelled")]
     Cancelled,
-    /// More sets of numbers than a search takes.
+    /// More sets of numbers than a search allows.
     #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
     TooManySets {
         /// Sets within the bounds.
@@ -354,11 +354,11 @@ pub enum Error {
          chambers lie between {low_mm:.4} and {high_mm:.4} mm"
     )]
     PortOutside {
-        /// Which ports.
+        /// Pressure of the port.
         side: PortSide,
-        /// Its least distance from the axis, mm.
+        /// Least distance of the port from the axis, mm.
         from_mm: f64,
-        /// Its greatest distance from the axis, mm.
+        /// Greatest distance of the port from the axis, mm.
         to_mm: f64,
         /// The rotor's least radius, mm.
         low_mm: f64,
@@ -385,7 +385,7 @@ pub enum Error {
          rotor at {rotation_deg:.4}°, so that the ray does not part the chambers; take other numbers or another l, or leave the ports out"
     )]
     SatelliteAcrossRay {
-        /// How far, at most, mm.
+        /// Greatest reach across the ray, mm.
         by_mm: f64,
         /// A rotation of the rotor at which it is so, degrees.
         rotation_deg: f64,
@@ -398,7 +398,7 @@ pub enum Error {
     SatelliteInWheel {
         /// The wheel.
         wheel: WheelKind,
-        /// How far, at most, mm.
+        /// Greatest reach into the wheel, mm.
         by_mm: f64,
         /// A rotation of the rotor at which it is so, degrees.
         rotation_deg: f64,
@@ -409,11 +409,11 @@ pub enum Error {
          lies about {radius_mm:.4} mm from the axis at {angle_deg:.4}° from a crest"
     )]
     PortNeverOpens {
-        /// Which ports.
+        /// Pressure of the ports.
         side: PortSide,
         /// Distance of the ideal port's centre from the axis, mm.
         radius_mm: f64,
-        /// Its polar angle from the crest, degrees.
+        /// Polar angle of the ideal port from the crest, degrees.
         angle_deg: f64,
     },
     /// A port that a chamber always sees.
@@ -422,13 +422,13 @@ pub enum Error {
          of {most_mm:.4} mm at {radius_mm:.4} mm from the axis and {angle_deg:.4}° from a crest"
     )]
     PortNeverCloses {
-        /// Which ports.
+        /// Pressure of the ports.
         side: PortSide,
         /// The greatest diameter of a hole that closes, mm.
         most_mm: f64,
         /// Distance of the ideal port's centre from the axis, mm.
         radius_mm: f64,
-        /// Its polar angle from the crest, degrees.
+        /// Polar angle of the ideal port from the crest, degrees.
         angle_deg: f64,
     },
     /// Ports that leave no opening at some angle.
@@ -436,7 +436,7 @@ pub enum Error {
         "all {side} ports are closed at a rotation of {rotation_deg:.4}°: a flow through them needs one open at every angle"
     )]
     NoOpening {
-        /// Which ports.
+        /// Pressure of the ports.
         side: PortSide,
         /// A rotation of the rotor at which it is so, degrees.
         rotation_deg: f64,
@@ -467,7 +467,7 @@ pub enum Error {
     PlayClosed {
         /// The play when cold, µm.
         play_um: f64,
-        /// What the expansion takes up, µm.
+        /// Expansion by heat, µm.
         closed_um: f64,
         /// The difference of temperatures that takes up all, K.
         most_k: f64,
@@ -530,13 +530,13 @@ impl Error {
     }
 }
 
-/// A unit after its number, and a space but for degrees; of a plain number none.
 /// A number with its unit, without the rounding of binary fractions.
 fn of_unit(value: f64, unit: &str) -> String {
     let value: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     format!("{value}{}", spaced(unit))
 }
 
+/// A unit after its number, with a space except for degrees; empty for a plain number.
 fn spaced(unit: &str) -> String {
     if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }

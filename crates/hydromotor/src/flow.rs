@@ -1,44 +1,48 @@
 //! Flow and torque for ideal ports, without leaks, and their ripple.
 //!
 //! Ideal ports join every growing chamber with the high pressure and every shrinking one with the low one.
-//! What goes through is `b·Σ dA/dφ` over the growing ones a radian; by the virtual work the torque is that
-//! times `Δp`. Both have one ripple
+//! The flow per radian is `b·Σ dA/dφ` over the growing chambers; by the virtual work the torque is that times
+//! `Δp`. Both have one ripple:
 //!
 //! ```text
-//! Q(φ) = b·Σ max(0, f(Φⱼ + 2π/n) − f(Φⱼ))      M(φ) = Q·Δp      M = q·Δp/(2π)      δ = (Q_max − Q_min)/Q_mean
+//! Q(φ) = b·Σ max(0, f(Φⱼ + 2π/n) − f(Φⱼ))      M(φ) = Q·Δp
+//! M = q·Δp/(2π)      δ = (Q_max − Q_min)/Q_mean
 //! ```
 //!
-//! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`; it is smooth but where a chamber changes over
-//! (at 0 and at half a period) and where a satellite passes a junction of the arcs. Its extremes are sought
-//! on each smooth piece, at the ends and at the zeros of `dQ/dφ` between eight places.
+//! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`. It is smooth except where a chamber changes
+//! over (at 0 and at half a period) and where a satellite passes a junction of the arcs. Its extremes are
+//! searched for on each smooth piece, at the ends and at the zeros of `dQ/dφ` between eight places.
 //!
 //! # Pulses
 //!
-//! A chamber grows by `g(Φ) = f(Φ + 2π/n) − f(Φ)` a radian, with the period `P = 2π·(N + n)/(N·n)`: the phase
-//! by which a satellite comes from crest to crest. The `N + n` chambers stand `2π/n` of the phase apart. With
-//! `d = gcd(N, n)` this gives `p = (N + n)/d` different phases, evenly spread over `P`, each of `d` chambers.
-//! All growths sum to 0, so that the growing chambers take as much as the shrinking ones leave:
+//! A chamber grows by `g(Φ) = f(Φ + 2π/n) − f(Φ)` per radian, with the period `P = 2π·(N + n)/(N·n)`: the
+//! phase by which a satellite comes from crest to crest. The `N + n` chambers are `2π/n` of the phase apart.
+//! With `d = gcd(N, n)` this gives `p = (N + n)/d` different phases, evenly spread over `P`, each of `d`
+//! chambers. All growths sum to 0, so that the growing chambers take as much as the shrinking ones leave:
 //!
 //! ```text
 //! Q(φ) = ½·b·d·Σ |g(φ + k·P/p)|, k = 0 … p − 1
 //! ```
 //!
-//! `g` vanishes where a chamber is greatest and, half a period on, where it is least, and nowhere else, since
-//! `f` is even about crests and troughs and falls between them. There `|g|` has a kink, and `Q` a dip;
-//! between two dips it has one crest. With an even `p` a chamber is greatest while another is least: `p` dips
-//! in `P`. With an odd `p` the two kinds alternate: `2·p` dips. A growth like a sine would give, with `M`
-//! pulses in `P`,
+//! `g` vanishes where a chamber is greatest and, half a period on, where it is least. It vanishes nowhere
+//! else, since `f` is even about crests and troughs and falls between them. There `|g|` has a kink, and `Q` a
+//! dip; between two dips it has one crest. With an even `p` a chamber is greatest while another is least: `p`
+//! dips in `P`. With an odd `p` the two kinds alternate: `2·p` dips. A growth like a sine would give, with
+//! `M` pulses in `P`:
 //!
 //! ```text
 //! δ = (π/M)·tan(π/(2·M)) ≈ π²/(2·M²)
 //! ```
 //!
-//! which is 7.8 % of 8 pulses (5×3), 5.0 % of 10 (6×4) and 1.0 % of 22 (7×4). The growth of a motor differs
-//! from a sine, and its ripple from this.
+//! This is 7.8 % with 8 pulses (5×3), 5.0 % with 10 (6×4) and 1.0 % with 22 (7×4). The growth of a motor
+//! differs from a sine, and its ripple from this.
 //!
-//! By `N − n` it is `M = 2·(N + n)` with 1 and 3 lobes more, `N + n` with 2, and a third of the first with 3
-//! where 3 divides `n`. So rotary-hydromotor's remark, that the torque fluctuates less the nearer `N/n` is to
-//! 1, holds among motors with 1 lobe more and among those with 2, and in general it does not.
+//! The number of pulses depends on `N − n`:
+//! - 1 or 3 lobes more: `M = 2·(N + n)`, but a third of it with 3 lobes more if 3 divides `n`;
+//! - 2 lobes more: `M = N + n`.
+//!
+//! rotary-hydromotor remarks that the torque fluctuates less the nearer `N/n` is to 1. This holds among
+//! motors with 1 lobe more and among those with 2; in general it does not.
 
 use crate::quantity::Quantity;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
@@ -51,7 +55,7 @@ use crate::ranges::{finite_angle, finite_pressure, finite_speed};
 use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use std::f64::consts::TAU;
 
-/// Pieces in which a smooth stretch of the flow is looked at.
+/// Pieces of a smooth stretch of the flow in the search for its extremes.
 const PIECES: u32 = 4;
 
 /// The flow over width, a radian of the rotor, and its ripple; times `Δp` and width it is the torque.
@@ -325,7 +329,8 @@ mod tests {
         assert!(ripple(7, 4) < ripple(6, 4) && ripple(7, 4) < ripple(5, 3) && ripple(8, 5) < ripple(9, 6));
     }
 
-    /// Where, but for periods, a satellite passes a crest, a trough or a junction, or a chamber changes over.
+    /// Phases, but for periods, at which a satellite passes a crest, a trough or a junction, or a chamber
+    /// changes over.
     fn breaks(motor: &Motor) -> Vec<f64> {
         let end = motor.shape.trough().phase;
         let mut breaks = vec![0.0, end, 0.5 * motor.chamber_phase(), end - 0.5 * motor.chamber_phase()];
@@ -333,10 +338,10 @@ mod tests {
         breaks.into_iter().flat_map(|place| [place, -place]).collect()
     }
 
-    /// Least and greatest flow over a period from `start` on, by samples: 2000 even ones, and around every
-    /// place where a satellite passes a crest, a trough or a junction, or a chamber changes over, ever closer
-    /// ones, since the least may be a dip as sharp as a needle there; the neighbourhood of the best by golden
-    /// section.
+    /// Least and greatest flow over a period from `start` on, by samples: 2000 even ones, and more around
+    /// every break. A break is a place where a satellite passes a crest, a trough or a junction, or a chamber
+    /// changes over. The samples come ever closer there, since the least may be a dip as sharp as a needle.
+    /// The neighbourhood of the best is refined by golden section.
     fn sampled_extremes(motor: &Motor, start: f64) -> [f64; 2] {
         let period = motor.period();
         let flow = |rotation: f64| get(motor.flow_per_width(Angle::from_si(rotation)).unwrap());
@@ -350,8 +355,7 @@ mod tests {
         [1.0, -1.0].map(|sign| {
             let value = |k: usize| sign * flows[k];
             let best = flows.iter().chain(&at_breaks).map(|flow| sign * flow).fold(f64::INFINITY, f64::min);
-            // Every dip that may be the deepest: what an even sample may miss of one is less than a hundredth
-            // of the flow.
+            // Every dip that may be the deepest: an even sample misses less than a hundredth of the flow.
             let dips = (1..flows.len() - 1)
                 .filter(|&k| value(k) <= value(k - 1).min(value(k + 1)) && value(k) < best + 0.01 * flows[k]);
             let deepest = |k: usize| {

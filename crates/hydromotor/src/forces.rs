@@ -1,21 +1,22 @@
-//! Forces of the pressure on the satellites, and the ports that share it out.
+//! Forces of the pressure on the satellites, and the ports that distribute it.
 //!
 //! # Forces
 //! A satellite parts two chambers along the chord `PP₁ = 2r·cos μ`, which lies on a ray from the axis. The
-//! pressures on its rim amount to those on the chord: a force across the ray, through the satellite's centre,
+//! pressures on its rim add up to those on the chord: a force across the ray, through the satellite's centre,
 //!
 //! ```text
 //! F = (p_back − p_front)·b·2·r·cos μ
 //! ```
 //!
-//! positive the way that angles are counted. Where both sides have one pressure there is none.
+//! positive in the direction in which angles are counted. With equal pressures on both sides it is 0.
 //!
 //! # Ports
-//! Ports lie in the cover, at rest with the stator. Ideal ones give a chamber high pressure while it grows:
-//! counter-clockwise, from a stator trough in its middle to the next crest. They need no more than a hole
-//! that a satellite just covers while it has a chamber at its greatest in front, at the phase `−π/n`, and
-//! until it has one at its least behind, at `−π/N`: within the lens that the two discs share. The high ports
-//! lie behind the crests, the low ones before; the other way round the motor turns back.
+//! Ports are in the cover, at rest with the stator. Ideal ports give a chamber high pressure while it grows:
+//! counter-clockwise, from a stator trough in its middle to the next crest. A port needs no more than a hole
+//! that a satellite just covers. It covers the hole while it has a chamber at its greatest in front, at the
+//! phase `−π/n`, and until it has one at its least behind, at `−π/N`. The hole is within the lens that the
+//! two discs share. The high ports are behind the crests, the low ones before; the other way round the motor
+//! turns back.
 //!
 //! Left out: inertia, friction. The contact forces of the teeth, which share `F` between stator and rotor,
 //! are in [`crate::flanks`].
@@ -51,7 +52,7 @@ pub struct SatelliteForce {
 pub struct Port {
     /// Distance of the lens' centre from the axis.
     pub centre_radius: Length,
-    /// Its polar angle, from the stator's crest at 0.
+    /// Polar angle of the lens' centre, from the stator's crest at 0.
     pub angle: Angle,
     /// The greatest round hole within the lens, its diameter; none at or below 0.
     pub greatest_diameter: Length,
@@ -60,13 +61,13 @@ pub struct Port {
 /// The ports of a motor that turns counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ports {
-    /// With high pressure, one behind every crest.
+    /// Ports with high pressure, one behind every crest.
     pub high: Vec<Port>,
-    /// With low pressure, one before every crest.
+    /// Ports with low pressure, one before every crest.
     pub low: Vec<Port>,
     /// Rotation of the rotor for which a satellite keeps a port covered: `π/n − π/N`.
     pub covered: Angle,
-    /// Rotation of the rotor for which it is open to one chamber: what is left of `2π/n`.
+    /// Rotation of the rotor for which the port is open to one chamber: the rest of `2π/n`.
     pub open: Angle,
 }
 
@@ -80,7 +81,8 @@ impl Motor {
     /// # Example
     /// ```
     /// use epicyclic_hydromotor::{Motor, MotorNumbers};
-    /// use uom::si::{angle::radian, f64::{Angle, Length, Pressure}, force::newton, length::millimeter, pressure::megapascal};
+    /// use uom::si::f64::{Angle, Length, Pressure};
+    /// use uom::si::{angle::radian, force::newton, length::millimeter, pressure::megapascal};
     ///
     /// let mm = Length::new::<millimeter>;
     /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(2.0), mm(80.0))?;

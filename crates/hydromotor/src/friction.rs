@@ -1,19 +1,19 @@
 //! Friction: sliding of the flanks in the mean over the teeth, drag of the end gaps.
 //!
 //! # Flanks
-//! A pair of flanks slides at the distance `|e|` from the pitch point along the line of action as fast as
-//! their wheels turn against each other times that distance. Rolling about `P` on the resting stator, a
-//! satellite turns by `ρ₁/c` a radian of the rotor, `c = ρ₃ − ρ₁`; against the rotor by `ρ₁/c + 1 = ρ₃/c`. A
-//! pair is relieved by the next after a base pitch `p_b = π·m·cos α`, so that `|e|` is `p_b/4` in the mean
-//! with contacts on either side of the pitch point alike. By the work of the friction `μ_f·N` on both flanks
+//! A pair of flanks at the distance `|e|` from the pitch point, along the line of action, slides at that
+//! distance times the relative speed of its wheels. Rolling about `P` on the resting stator, a satellite
+//! turns by `ρ₁/c` per radian of the rotor, `c = ρ₃ − ρ₁`; against the rotor by `ρ₁/c + 1 = ρ₃/c`. A pair is
+//! relieved by the next after a base pitch `p_b = π·m·cos α`. With contacts on either side of the pitch point
+//! alike, the mean of `|e|` is therefore `p_b/4`. By the work of the friction `μ_f·N` on both flanks
 //!
 //! ```text
 //! M_loss = μ_f·(p_b/4)·Σ N·(ρ₁ + ρ₃)/c        over the satellites that part the pressures
 //! ```
 //!
-//! with the flank forces `N` of [`crate::flanks::forces`]. What is lost at an angle, with the contacts where
-//! they are, stands in [`crate::flanks::starting`]. As `N` grows with `Δp·b·m` like the torque, the part lost
-//! depends on shape and `μ_f` alone.
+//! with the flank forces `N` of [`crate::flanks::forces`]. The loss at an angle, with the contacts in their
+//! actual places, is in [`crate::flanks::starting`]. As `N` grows with `Δp·b·m` like the torque, the part
+//! lost depends on shape and `μ_f` alone.
 //!
 //! # End gaps
 //! The oil in a gap `h` between a face and its plate is sheared by `v/h` (Couette); pressure flow adds the
@@ -62,7 +62,7 @@ pub struct FrictionRange {
 }
 
 impl FrictionRange {
-    /// From the least to the greatest; both may be one.
+    /// Range from the least to the greatest coefficient; both may be equal.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless `0 ≤ low ≤ high ≤ 1`.
@@ -72,7 +72,7 @@ impl FrictionRange {
         Ok(Self { low, high })
     }
 
-    /// Both ends.
+    /// Ends of the range: least and greatest.
     #[must_use]
     pub fn ends(self) -> [f64; 2] {
         [self.low, self.high]
@@ -82,9 +82,9 @@ impl FrictionRange {
 /// Drag of the end gaps, the mean over a revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapDrag {
-    /// Of all satellites, referred to the rotor.
+    /// Drag of all satellites, referred to the rotor.
     pub satellites: Torque,
-    /// Of the rotor.
+    /// Drag of the rotor.
     pub rotor: Torque,
 }
 
@@ -162,7 +162,7 @@ impl Motor {
         let numbers = self.numbers();
         let half = PI / f64::from(numbers.stator_lobes());
         let arm = self.mean_sliding_arm(pressure_angle);
-        // What fails within a cycle shows up in the sum.
+        // A failure within a cycle shows up in the sum.
         let mut failed = None;
         let kink = self.shape.kink();
         let mut sum = 0.0;

@@ -21,8 +21,8 @@
 //!
 //! # Source
 //! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in
-//! (4) the copy lost the root; (6)–(8) are restored by integrating the rolling, of which (5) is the
-//! primitive.
+//! (4) the copy lost the root. (6)–(8) are restored by integrating the rolling; (5) is the primitive of that
+//! integral.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
@@ -36,7 +36,7 @@ use crate::motor::SatelliteContact;
 use crate::numbers::MotorNumbers;
 use crate::two_arcs::TwoArcs;
 
-/// The junction of the rotor's arcs, and what formulas (2)–(8) pass on the way.
+/// The junction of the rotor's arcs, and the intermediate values of formulas (2)–(8).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Junction {
     /// `b` of (3).
@@ -58,8 +58,8 @@ pub struct Junction {
 /// Formulas (2)–(8).
 ///
 /// # Errors
-/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`: `b ≤ 1` then; and
-/// where the satellite is no smaller than arc 2, `R₂ ≤ r`.
+/// [`Error::OutOfRange`] if the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`, and then `b ≤ 1`; also
+/// if the satellite is no smaller than arc 2, `R₂ ≤ r`.
 ///
 /// # Example
 /// ```
@@ -101,12 +101,12 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     })
 }
 
-/// Where a satellite touches both wheels on its way over the two arcs, from crest to trough: so many
-/// contacts on each arc, its ends among them. The arcs need not close; what they roll on the rotor spans
-/// `π/n` only if they do ([`crate::closure`]).
+/// Contacts of a satellite with both wheels on its way over the two arcs, from crest to trough: the given
+/// number on each arc, its ends among them. The arcs need not close; the rotor's image of them spans `π/n`
+/// only if they do ([`crate::closure`]).
 ///
 /// # Errors
-/// As [`junction`].
+/// Errors of [`junction`].
 ///
 /// # Example
 /// ```
@@ -182,7 +182,7 @@ mod tests {
                 (rho3, cos_mu, rho3 - 2.0 * r * cos_mu)
             };
             let (end3, _, end1) = place(gamma);
-            // The rotor turns by 2·cos μ·(1 + r/R₁)/ρ₁·ds₃, less what the point goes on the stator.
+            // The rotor turns by 2·cos μ·(1 + r/R₁)/ρ₁·ds₃, less the way of the point on the stator.
             let rate = |x: f64| {
                 let (rho3, cos_mu, rho1) = place(x);
                 (2.0 * cos_mu * (1.0 + r / r1) / rho1 - cos_mu / rho3) * r1

@@ -26,9 +26,9 @@
 //! | [`friction`] | friction of flanks and end gaps, starting torque |
 //! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
-//! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
+//! | [`flanks`] | the flanks under load: forces, bearing, sealing, third contact, stresses, pressure limit |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
-//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and motors of two arcs |
+//! | [`search`] | Pareto front for a displacement or torque, over all numbers and motors of two arcs |
 //! | [`search::forms`] | the same over three families and with the tooth form free |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or

@@ -1,22 +1,22 @@
-//! What makes a motor a machine: bounds of its size, a rotor that turns within the stator, chambers that
+//! Conditions for a machine: bounds of a motor's size, a rotor that turns within the stator, chambers that
 //! never vanish.
 //!
 //! | bound | value | why |
 //! |---|---|---|
 //! | module `m` | [`MODULE_MM`], 0.001 to 1000 mm | no gear is cut beyond |
 //! | width `b` | [`WIDTH_MM`], 0.001 to 10 000 mm | the same |
-//! | distance `l` of arc 1 | [`GREATEST_RADIUS`], 100 times the stator's nominal radius `m·Z₃/2` | beyond, arc 1 is a straight line to any machine tool |
+//! | distance `l` of arc 1 | [`GREATEST_RADIUS`], 100 times `m·Z₃/2` | beyond, arc 1 is nearly straight |
 //!
 //! # Rotor and stator
-//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`, and the rotor passes
-//! every angle `φ`, so that each of its radii comes to face each of the stator's. They overlap at no angle of
-//! the rotor if and only if
+//! Both centrodes are single-valued about the common axis, `ρ₁(θ − φ)` and `ρ₃(θ)`. The rotor passes every
+//! angle `φ`, so that each of its radii comes to face each of the stator's. They overlap at no angle of the
+//! rotor if and only if
 //!
 //! ```text
 //! max ρ₁ = ρ₁(crest) < ρ₃(trough) = min ρ₃
 //! ```
 //!
-//! which is decided by two numbers, without sampling. The least chamber is known in closed form
+//! which two numbers decide, without sampling. The least chamber is known in closed form
 //! ([`crate::chambers`]).
 
 use epicyclic_units::Physical;
@@ -36,7 +36,7 @@ pub const WIDTH_MM: [f64; 2] = [1e-3, 1e4];
 /// The greatest distance `l` of the centre of arc 1 from the axis, over the stator's nominal radius `m·Z₃/2`.
 pub const GREATEST_RADIUS: f64 = 100.0;
 
-/// The greatest `l` in modules with so many teeth of the stator.
+/// Greatest `l` in modules with this number of teeth of the stator.
 pub(crate) fn greatest_distance(stator_teeth: u32) -> f64 {
     GREATEST_RADIUS * 0.5 * f64::from(stator_teeth)
 }
@@ -54,7 +54,7 @@ pub(crate) fn module(value: Length) -> Result<Length, Error> {
 fn bounded(quantity: Quantity, value: Length, range_mm: [f64; 2]) -> Result<Length, Error> {
     let positive = positive_length(quantity, value)?;
     let [low, high] = range_mm;
-    // What is given as an end is not refused by rounding.
+    // A value given as an end of the range is not refused by rounding.
     let slack = [low * (1.0 - SLACK), high * (1.0 + SLACK)];
     let value_mm = positive.mm();
     if ranging(quantity, value_mm, slack, "mm").is_ok() {
@@ -108,7 +108,7 @@ mod tests {
         (0..count).map(point).collect()
     }
 
-    /// Where the ray at an angle meets the polygon: on the straight side between its two corners.
+    /// Radius at which the ray at an angle meets the polygon: on the straight side between its two corners.
     fn radius(polygon: &[[f64; 2]], theta: f64) -> f64 {
         let step = TAU / polygon.len() as f64;
         let place = theta.rem_euclid(TAU) / step;
@@ -118,7 +118,7 @@ mod tests {
         from * to * libm::sin(step) / (from * libm::sin(off) + to * libm::sin(step - off))
     }
 
-    /// The greatest depth of the rotor in the stator, of polygons at so many angles of the rotor.
+    /// Greatest depth of the rotor in the stator, by polygons at this number of angles of the rotor.
     fn depth(motor: &Motor, angles: u32) -> f64 {
         let (stator, rotor) = (polygon(motor, Wheel::Stator), polygon(motor, Wheel::Rotor));
         let mut most = f64::NEG_INFINITY;
@@ -134,8 +134,8 @@ mod tests {
     }
 
     proptest! {
-        /// The decision by two radii is that of polygons turned through a whole turn, both ways; and what is
-        /// accepted has chambers.
+        /// The decision by two radii agrees with polygons turned through a whole turn, both ways; and an
+        /// accepted motor has chambers.
         #[test]
         fn a_rotor_that_is_accepted_never_reaches_into_the_stator(motor in any_closed()) {
             let found = depth(&motor, 120);

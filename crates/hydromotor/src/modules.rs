@@ -2,17 +2,17 @@
 
 use uom::si::f64::{Area, Curvature, Length, Volume};
 
-/// A length of so many modules.
+/// Length of a number of modules.
 pub(crate) fn length(modules: f64, module: Length) -> Length {
     module * modules
 }
 
-/// How many modules a length is.
+/// Length in modules.
 pub(crate) fn modules(value: Length, module: Length) -> f64 {
     (value / module).value
 }
 
-/// An area of so many squared modules.
+/// Area of a number of squared modules.
 pub(crate) fn area(square_modules: f64, module: Length) -> Area {
     square_modules * module * module
 }
@@ -22,7 +22,7 @@ pub(crate) fn curvature(per_module: f64, module: Length) -> Curvature {
     (per_module / module).into()
 }
 
-/// The volume of an area of so many squared modules over a width.
+/// Volume of an area of a number of squared modules over a width.
 pub(crate) fn volume(square_modules: f64, module: Length, width: Length) -> Volume {
     area(square_modules, module) * width
 }

@@ -29,7 +29,7 @@ pub struct Motor {
     pub(crate) shape: Shape,
 }
 
-/// How the centrodes are made.
+/// Form of the centrodes.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::large_enum_variant)] // the larger one is the usual one; boxed, it would cost a search an allocation a motor
 pub(crate) enum Shape {
@@ -61,7 +61,7 @@ impl Motor {
         Self::of_closed_arcs(numbers, arcs_at(numbers, module, trough_distance)?).turning()
     }
 
-    /// From arcs known to close; whether the rotor turns is not asked.
+    /// Motor of arcs known to close; whether the rotor turns is not checked.
     pub(crate) fn of_closed_arcs(numbers: MotorNumbers, arcs: StatorArcs) -> Self {
         let lobe = TwoArcs::new(&arcs.arcs, f64::from(numbers.satellite_teeth()) / 2.0);
         Self { numbers, module: arcs.module, shape: Shape::Arcs(arcs, lobe) }
@@ -106,7 +106,7 @@ impl Motor {
         Self { numbers, module, shape }.turning()
     }
 
-    /// From a law known to close without cusps; whether the rotor turns is not asked.
+    /// Motor of a law known to close without cusps; whether the rotor turns is not checked.
     pub(crate) fn of_law(numbers: MotorNumbers, module: Length, law: Law) -> Self {
         Self { numbers, module, shape: Shape::Cosine(Cosine::of_law(law)) }
     }
@@ -115,6 +115,7 @@ impl Motor {
     /// ([`crate::machine`]).
     pub(crate) fn turning(self) -> Result<Self, Error> {
         let [rotor, stator] = self.facing_radii();
+        // The two radii decide whether the wheels overlap at any angle: see `crate::machine`.
         if rotor >= stator {
             let [rotor_mm, stator_mm] = [rotor, stator].map(|value| length(value, self.module()).mm());
             return Err(Error::RotorInStator { rotor_mm, stator_mm });
@@ -215,7 +216,7 @@ impl Motor {
     }
 }
 
-/// Where a satellite touches both wheels.
+/// Contact of a satellite with both wheels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SatelliteContact {
     /// `Φ = θ₃ + θ₁`: rotation of the rotor since the satellite stood between two crests.
@@ -238,7 +239,7 @@ pub struct SatelliteContact {
 }
 
 impl SatelliteContact {
-    /// From a contact in modules.
+    /// Converts a contact from modules.
     pub(crate) fn of(contact: &Contact, module: Length) -> Self {
         Self {
             rotation: Angle::from_si(contact.phase),

@@ -1,4 +1,4 @@
-//! Which numbers of lobes and teeth make a motor.
+//! Admissible numbers of lobes and teeth of a motor.
 //!
 //! ```text
 //! 1 ≤ N − n ≤ 3          Z_3/N = Z_1/n = an integer          Z_s < (Z_3 − Z_1)/2
@@ -9,7 +9,7 @@
 //! | `N`, `n` | lobes of the stator (the outer wheel 3) and of the rotor (the inner wheel 1) |
 //! | `Z_3`, `Z_1`, `Z_s` | teeth of stator, rotor and satellite |
 //!
-//! Why each:
+//! Reasons:
 //!
 //! - *`N > n`*: with fewer arches than lobes the centrodes of the two wheels interfere.
 //! - *`N − n ≤ 3`*: with more the satellites are too far from being neighbours.
@@ -21,10 +21,10 @@
 //!
 //! Two remarks of the source concern the choice. A common divisor of `N` and `n` makes the reactions in the
 //! bearings of the central wheels vanish ([`MotorNumbers::bearing_reactions_vanish`]), since the pressures
-//! then repeat around the axis. That the torque fluctuates less the closer `N/n` is to 1 is not so: the
-//! number of pulses decides first ([`MotorNumbers::pulses_per_cycle`], derived in [`crate::flow`]). 7×4 with
-//! `N/n = 1.75` has 22 pulses and a ripple of 1.8 %, 6×4 with 1.5 has 10 and 7.4 % (11 teeth a lobe,
-//! satellites of 10, each 0.3 along its family).
+//! then repeat around the axis. The source also says that the torque fluctuates less the closer `N/n` is to
+//! 1, which is not so: the number of pulses decides first ([`MotorNumbers::pulses_per_cycle`], derived in
+//! [`crate::flow`]). 7×4 with `N/n = 1.75` has 22 pulses and a ripple of 1.8 %, 6×4 with 1.5 has 10 and
+//! 7.4 %. Both have 11 teeth a lobe and satellites of 10, each 0.3 along its family.
 //!
 //! # Source
 //! rotary-hydromotor, conditions 1–4. The copy lost the sides of `Z_1/n = Z_3/N` and the bound of `Z_s`; both
@@ -110,11 +110,11 @@ impl MotorNumbers {
         Ok(numbers)
     }
 
-    /// As [`new`](Self::new), with the rotor's teeth `Z_1` given and checked.
+    /// Numbers as by [`new`](Self::new), with the rotor's teeth `Z_1` given and checked.
     ///
     /// # Errors
-    /// Besides those of [`new`](Self::new), [`Error::TeethPerLobe`] where `Z_1/n` is no integer and
-    /// [`Error::TeethPerLobeDiffer`] where it is another one than `Z_3/N`.
+    /// Errors of [`new`](Self::new); [`Error::TeethPerLobe`] if `Z_1/n` is no integer;
+    /// [`Error::TeethPerLobeDiffer`] if `Z_1/n` differs from `Z_3/N`.
     pub fn with_rotor_teeth(
         stator_lobes: u32,
         rotor_lobes: u32,
@@ -273,7 +273,7 @@ impl Default for Bounds {
 impl Bounds {
     /// Every admissible set within the bounds, by rising `N`, `n`, `Z_3`, `Z_s`.
     ///
-    /// Whether a set closes with two arcs is asked of [`crate::closure::Family`].
+    /// [`crate::closure::Family`] decides whether a set closes with two arcs.
     ///
     /// # Errors
     /// [`Error::EmptyRange`] for bounds the wrong way round, [`Error::TooManyTeeth`] above [`MOST_TEETH`].
@@ -298,10 +298,10 @@ impl Bounds {
         Ok(sets)
     }
 
-    /// How many sets [`all`](Self::all) returns, without making them.
+    /// Number of sets that [`all`](Self::all) returns, without making them.
     ///
     /// # Errors
-    /// As [`all`](Self::all).
+    /// Errors of [`all`](Self::all).
     pub fn count(&self) -> Result<u64, Error> {
         let of = |satellites: RangeInclusive<u32>| {
             u64::from((satellites.end() + 1).saturating_sub(*satellites.start()))

@@ -1,4 +1,4 @@
-//! What an error speaks of: a quantity, a wheel, a condition.
+//! Names for errors: quantities, wheels, conditions.
 
 use std::fmt;
 
@@ -136,7 +136,7 @@ words! {
 }
 
 words! {
-    /// What a search chooses from.
+    /// Things that a search chooses from.
     Choice {
         Families "families"
         Objectives "objectives"
@@ -145,7 +145,7 @@ words! {
 }
 
 words! {
-    /// Why two parameters of system (1) leave the arcs open.
+    /// Reason why two parameters of system (1) leave the arcs open.
     OpenPair {
         BothAngles "B − Γ is θ₃, so that the angles leave every length open"
         SameParameter "two different parameters are needed"
@@ -153,7 +153,7 @@ words! {
 }
 
 words! {
-    /// Why no motor of two arcs closes with some numbers.
+    /// Reason why no motor of two arcs closes with some numbers.
     FamilyFault {
         CrestRadius "where R₁ vanishes, the satellite does not fit into the stator's crests"
         RotorCusp "where R₁ vanishes, the rotor already has cusps"

@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use crate::tolerance::SERIES;
 
-/// What the kernels of system (1) and of the closure need of a number.
+/// Operations that the kernels of system (1) and of the closure need of a number.
 pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {

@@ -1,7 +1,7 @@
 //! The motion of the satellites through a revolution: centre, rotation and contacts of each.
 //!
-//! Satellite `j` stands where satellite 0 will after `j/n` of a turn of the rotor, so that all `N + n` run
-//! one behind the other. Its rotation follows from rolling on either wheel alike:
+//! Satellite `j` is where satellite 0 will be after `j/n` of a turn of the rotor, so that all `N + n` run one
+//! behind the other. Its rotation follows equally from rolling on either wheel:
 //!
 //! ```text
 //! α = (θ₃ − μ) − s₃/r = Φ − (θ₁ − μ) − s₁/r
@@ -29,15 +29,16 @@ pub struct Point {
 /// A satellite at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Satellite {
-    /// Its number, from 0 to `N + n − 1`, counter-clockwise.
+    /// Number of the satellite, from 0 to `N + n − 1`, counter-clockwise.
     pub index: u32,
-    /// Its centre.
+    /// Centre of the satellite.
     pub centre: Point,
-    /// Its rotation about itself, counter-clockwise, since it stood at the stator crest on the x axis.
+    /// Rotation of the satellite about itself, counter-clockwise, from its place at the stator crest on the x
+    /// axis.
     pub rotation: Angle,
-    /// Where it touches the stator.
+    /// Contact with the stator.
     pub on_stator: Point,
-    /// Where it touches the rotor.
+    /// Contact with the rotor.
     pub on_rotor: Point,
 }
 
@@ -51,7 +52,7 @@ pub(crate) struct Place {
 }
 
 impl Motor {
-    /// All satellites after a rotation of the rotor.
+    /// Satellites after a rotation of the rotor.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -107,9 +108,9 @@ impl Motor {
     /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which
     /// one pair has it.
     ///
-    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and
-    /// where a satellite passes a jump of the curvature; every minimum that may be the least is refined by
-    /// golden section.
+    /// The distance must exceed the satellite's diameter. It is evaluated for 16 rotations of half a
+    /// chamber's period and where a satellite passes a jump of the curvature; every minimum that may be the
+    /// least is refined by golden section.
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
         let (distance, phase) = self.least_neighbour_kernel();
@@ -122,7 +123,7 @@ impl Motor {
         libm::hypot(one[0] - other[0], one[1] - other[1])
     }
 
-    /// In units of the module: the distance, and the phase of the satellite behind.
+    /// Least distance of neighbouring satellites in units of the module, and the phase of the one behind.
     pub(crate) fn least_neighbour_kernel(&self) -> (f64, f64) {
         let distance = |phase: f64| self.neighbour_distance(phase);
         // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half
@@ -167,7 +168,7 @@ impl Motor {
     }
 }
 
-/// Rotations at which the distance of neighbours is looked at before it is refined.
+/// Rotations at which the distance of neighbours is evaluated before it is refined.
 const ROTATIONS: u32 = 16;
 
 #[cfg(test)]
@@ -254,7 +255,7 @@ mod tests {
             }
         }
 
-        /// At ever closer places around every crest and jump, too.
+        /// The least distance also holds at ever closer places around every crest and jump.
         #[test]
         fn the_least_distance_is_that_of_a_close_look(motor in any_motor()) {
             let (least, at) = motor.least_neighbour_kernel();

@@ -8,25 +8,25 @@
 //! |---|---|---|
 //! | `c` | mean radius of the rotor's centrode | m |
 //! | `ε₁` | relative amplitude | 1 |
-//! | `ε₂` | relative amplitude of the second harmonic; above 0 it sharpens the crests and flattens the troughs | 1 |
+//! | `ε₂` | relative amplitude of the second harmonic; above 0 crests are sharper, troughs flatter | 1 |
 //!
 //! The length of a half-lobe and the closure of the stator fix `c` and `ε₁` as for the cosine law
-//! ([`crate::cosine`]); `ε₂` is free, and at 0 the motor is that of the cosine law. The curvature nowhere
-//! jumps, other than where two arcs meet.
+//! ([`crate::cosine`]). `ε₂` is free, and at 0 the motor is that of the cosine law. The curvature jumps
+//! nowhere, unlike that of two arcs where they meet.
 //!
 //! # The range of `ε₂`
-//! Three things end it:
+//! Three limits end it:
 //!
 //! - the stator gets cusps, `ds₃/ds₁ = 0` ([`HarmonicLimit::StatorCusp`]), at the trough for small `ε₂`,
 //!   between trough and crest for large;
 //! - `ε₁ = 4·ε₂`: the rotor's trough is flat, beyond it is a hill between two troughs
 //!   ([`HarmonicLimit::FlatTrough`]), since `dρ₁/dθ₁ = −c·n·sin nθ₁·(ε₁ + 4·ε₂·cos nθ₁)`;
-//! - `ε₁ = −4·ε₂`: the same of the crest ([`HarmonicLimit::FlatCrest`]).
+//! - `ε₁ = −4·ε₂`: the rotor's crest is flat likewise ([`HarmonicLimit::FlatCrest`]).
 //!
-//! The range is found by the part `t = 4·ε₂/ε₁`, from −1 to 1: at each `t` the half-lobes span the less the
-//! greater `ε₁`, up to the `ε₁` at which the stator gets cusps; a motor closes there if they span too little
-//! at this `ε₁`. What they span too little rises with `t` to one peak, where the cusp leaves the trough, and
-//! falls beyond, so that the range is one interval. That it has one peak is not proved: the tests scan every
+//! The range is found by the part `t = 4·ε₂/ε₁`, from −1 to 1. At each `t` the span of the half-lobes falls
+//! with `ε₁`, up to the `ε₁` at which the stator gets cusps. A motor closes there if they span too little at
+//! this `ε₁`. The missing span rises with `t` to one peak, where the cusp leaves the trough, and falls
+//! beyond, so that the range is one interval. That only one peak exists is not proved: the tests scan every
 //! seventh set of numbers.
 //!
 //! # Source
@@ -75,9 +75,8 @@ impl HarmonicLaw {
 /// [`crate::Motor::of_second_harmonic`].
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`; where radii would not fall from
-/// crest to trough [`Error::OutsideHarmonic`], or [`Error::NoSecondHarmonicRotor`] where there is no range at
-/// all.
+/// [`Error::NotPositive`] for the module, [`Error::NotFinite`] for `ε₂`. If radii would not fall from crest
+/// to trough, [`Error::OutsideHarmonic`], or [`Error::NoSecondHarmonicRotor`] if no range exists at all.
 ///
 /// # Example
 /// ```
@@ -99,7 +98,7 @@ pub fn closure(numbers: MotorNumbers, module: Length, second_amplitude: f64) -> 
     }
 }
 
-/// What ends the range of `ε₂`.
+/// Limit that ends the range of `ε₂`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HarmonicLimit {
     /// The stator gets cusps.
@@ -113,7 +112,7 @@ pub enum HarmonicLimit {
 /// An end of the range, not a motor itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HarmonicEnd {
-    /// What ends it.
+    /// Limit that ends the range.
     pub limit: HarmonicLimit,
     /// `ε₁` there.
     pub amplitude: f64,
@@ -133,7 +132,7 @@ pub struct HarmonicRange {
 /// The range of `ε₂` in which motors close without cusps.
 ///
 /// # Errors
-/// [`Error::NoSecondHarmonicRotor`] where there is none.
+/// [`Error::NoSecondHarmonicRotor`] if no such range exists.
 ///
 /// # Example
 /// ```
@@ -171,8 +170,8 @@ pub fn range(numbers: MotorNumbers) -> Result<HarmonicRange, Error> {
 /// Places of `t` at which the peak is looked for.
 const PLACES: u32 = 16;
 
-/// The ends of the range as parts `t = 4·ε₂/ε₁`; what the half-lobes span too much at the peak where there is
-/// no range.
+/// Ends of the range as parts `t = 4·ε₂/ε₁`. Without a range the error is the angle that the half-lobes span
+/// too much at the peak.
 pub(crate) fn part_ends(kernel: &Numbers) -> Result<[f64; 2], f64> {
     let margin = |part: f64| kernel.cusp(part).1;
     let place = |i: u32| -1.0 + 2.0 * f64::from(i) / f64::from(PLACES);
@@ -221,8 +220,8 @@ pub(crate) fn lobe(numbers: MotorNumbers, second_amplitude: f64) -> Result<Cosin
     }
 }
 
-/// Laws of a search: at so many parts `t` of the range, evenly from end to end, the first and the last a hair
-/// within.
+/// Laws of a search: at this number of parts `t` of the range, evenly from end to end, the first and the last
+/// slightly within.
 pub(crate) fn laws(numbers: MotorNumbers, places: u32, within: f64) -> Vec<Law> {
     let kernel = Numbers::of(numbers);
     let Ok([from, to]) = part_ends(&kernel) else { return Vec::new() };

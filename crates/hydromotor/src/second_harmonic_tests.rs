@@ -157,7 +157,7 @@ fn the_range_is_what_a_scan_finds() {
     }
 }
 
-/// The ranges that the chapter of the theory tells, from the closure's own stretch on either side.
+/// Ranges given in the chapter of the theory, from the closure's own stretch on either side.
 #[test]
 fn the_ranges_of_the_two_motors_of_the_document() {
     for (n, low, high) in [(SIX, 0.0011, 0.0252), ((5, 3, 55, 10), 0.0034, 0.0333)] {

@@ -1,19 +1,19 @@
-//! How nearly the rotor consists of circular arcs.
+//! Fit of the rotor by circular arcs, and its error.
 //!
 //! The source claims that the rotor, like the stator, is made of arcs, and draws circles through `K₁P₁` and
 //! `K₂P₁`: through its crest or trough and the junction of formulas (2)–(8). The exact curve
-//! ([`crate::centrode`]) is not: here is the best pair of tangent arcs, and by how much it misses, and the
-//! same of the source's circles, which meet at an angle.
+//! ([`crate::centrode`]) does not consist of arcs. This module finds the best pair of tangent arcs and its
+//! deviation, and the deviation of the source's circles, which meet at an angle.
 //!
-//! An arc has its centre on the ray of the crest or of the trough, so that the lobes join smoothly; crest
-//! radius `ρ_c`, trough radius `ρ_t` and curvature radius `q_c` of the crest's arc are free, that of the
+//! An arc has its centre on the ray of the crest or of the trough, so that the lobes join smoothly. Crest
+//! radius `ρ_c`, trough radius `ρ_t` and curvature radius `q_c` of the crest's arc are free; that of the
 //! trough's arc follows from tangency:
 //!
 //! ```text
 //! q_t = (q_c² − c² − ρ_t² + 2·c·ρ_t·cos(π/n))/(2·(q_c + c·cos(π/n) − ρ_t))        c = ρ_c − q_c
 //! ```
 //!
-//! The best pair makes the greatest distance from the exact curve, looked at in 401 places, least
+//! The best pair makes the greatest distance from the exact curve, evaluated in 401 places, least
 //! (Chebyshev). Linear in small steps, the problem is solved by exchange of the four places that decide it;
 //! the deviation is the least to a thousandth of itself.
 //!
@@ -31,7 +31,7 @@ use crate::modules::curvature;
 use crate::motor::Motor;
 use crate::tolerance::{BETTER, DIFFERENCE, FINER, LEVEL, NOISE, REACH, SINGULAR};
 
-/// Places along the half-lobe at which the distance is looked at.
+/// Places along the half-lobe at which the distance is evaluated.
 const PLACES: u32 = 400;
 
 /// The best pair of tangent arcs of a rotor's half-lobe.
@@ -86,7 +86,7 @@ impl Arc {
         polar(self.outward[0] + self.curvature * d[0], self.outward[1] + self.curvature * d[1])
     }
 
-    /// Through another point as well.
+    /// Arc through another point as well.
     fn through(apex: [f64; 2], outward: [f64; 2], point: [f64; 2]) -> Self {
         let d = [point[0] - apex[0], point[1] - apex[1]];
         let curvature = -2.0 * (d[0] * outward[0] + d[1] * outward[1]) / (d[0] * d[0] + d[1] * d[1]);
@@ -166,7 +166,7 @@ impl Motor {
         }
     }
 
-    /// The source's circles; none of a motor whose stator has no two arcs.
+    /// The source's circles; `None` for a motor whose stator has no two arcs.
     #[must_use]
     pub fn published_circles(&self) -> Option<PublishedCircles> {
         let junction = self.shape.within(By::Phase, self.shape.kink()?);
@@ -271,7 +271,7 @@ fn compass(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> Option<(
     })
 }
 
-/// Of each point, how its distance goes with the parameters, and the distance.
+/// Slopes of each point's distance by the parameters, and the distance.
 fn rows(points: &[[f64; 2]], parameters: Parameters, span: f64) -> Vec<[f64; 4]> {
     let h = DIFFERENCE * parameters[0];
     let moved = |i: usize, by: f64| {
@@ -367,8 +367,8 @@ mod tests {
         assert!(deviations.iter().all(|&d| d > 0.0105 && d < 0.0225), "{deviations:?}");
     }
 
-    /// Chebyshev: of all `a·x + b·x² + c·x³` on positive `x` that is the best whose greatest deviation stands
-    /// at four points with signs in turn.
+    /// Chebyshev: among all `a·x + b·x² + c·x³` on positive `x` the best one has its greatest deviation at
+    /// four points with alternating signs.
     #[test]
     fn the_best_step_levels_four_distances_of_alternate_signs() {
         let functions: [fn(f64) -> f64; 3] = [libm::exp, |x| libm::sin(3.0 * x), |x| 1.0 / (1.2 + x)];

@@ -1,6 +1,6 @@
 //! The half-lobe whose stator consists of the two arcs of system (1); the rotor in closed form.
 //!
-//! With the angle `x` at the arc's centre, from the crest on arc 2 and from the trough on arc 1, and
+//! Let `x` be the angle at the arc's centre, from the crest on arc 2 and from the trough on arc 1, and
 //! `t = tan(x/2)`:
 //!
 //! ```text
@@ -8,32 +8,32 @@
 //! arc 1:  s₃ = S − R₁·x       μ = −atan2(l·sin x, l·cos x − R₁)     G = G(π/N) − (R₁ + r)·(l·sin x − R₁·x)
 //! ```
 //!
-//! and `Φ` by [`crate::closure`]. `G` is elementary because `ρ₁·ρ₃` cancels in `f·dΦ`.
+//! `Φ` follows from [`crate::closure`]. `G` is elementary because `ρ₁·ρ₃` cancels in `f·dΦ`.
 //!
 //! # The rotor's curvature is monotone on the image of either arc
-//! On arc 2, with `c = cos x`, `P = ρ₁·ρ₃` and `Q = R₂·ρ₃²·ds₁/ds₃`, both linear in `c`, Euler and Savary
-//! give
+//! On arc 2 let `c = cos x`, `P = ρ₁·ρ₃` and `Q = R₂·ρ₃²·ds₁/ds₃`, both linear in `c`. Euler and Savary give:
 //!
 //! ```text
-//! κ₁ = (R₂ + a·c)/P + a·(a + R₂·c)/Q       dκ₁/dc = a·(R₂² − a²)·(R₂²/Q² − 1/P²)       Q/R₂ − P = 2·r·(R₂² − a²)/R₂
+//! κ₁ = (R₂ + a·c)/P + a·(a + R₂·c)/Q       dκ₁/dc = a·(R₂² − a²)·(R₂²/Q² − 1/P²)
+//! Q/R₂ − P = 2·r·(R₂² − a²)/R₂
 //! ```
 //!
-//! so that the slope keeps its sign; on arc 1 likewise with `−R₁` for `R₂` and `l` for `a`. The extremes are
-//! at the crest, on either side of the junction, and at the trough.
+//! So the slope keeps its sign; on arc 1 likewise with `−R₁` for `R₂` and `l` for `a`. The extremes are at
+//! the crest, on either side of the junction, and at the trough.
 
 use crate::arcs::Arcs;
 use crate::closure::{crest_term, trough_term};
 use crate::contact::{By, Conjugate, Contact, conjugate_curvature, greatest_curvatures};
 use epicyclic_numerics::roots::{inverse, smooth_inverse};
 
-/// What two arcs roll on the rotor in a half-lobe, of a closed motor as of arcs that do not close.
+/// Rolling of two arcs on the rotor over a half-lobe, of a closed motor or of arcs that do not close.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TwoArcs {
     arcs: Arcs,
     r: f64,
     /// Phase of a half-lobe.
     end_phase: f64,
-    /// What a satellite sweeps in a half-lobe.
+    /// Area that a satellite sweeps in a half-lobe.
     end_swept: f64,
     trough: Contact,
     junction: Contact,
@@ -42,7 +42,7 @@ pub(crate) struct TwoArcs {
 }
 
 impl TwoArcs {
-    /// From arcs on which a satellite of the radius `r` rolls.
+    /// Half-lobe of arcs on which a satellite of the radius `r` rolls.
     pub(crate) fn new(arcs: &Arcs, r: f64) -> Self {
         let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, .. } = *arcs;
         let crest_phase = beta + crest_term(arcs, r, tan_beta);
@@ -189,7 +189,7 @@ struct Start {
 }
 
 impl Start {
-    /// From the slopes, over `value`, of the inverse at either end.
+    /// Cubic from the slopes, over `value`, of the inverse at either end.
     fn new(end: f64, value: f64, slopes: [f64; 2]) -> Self {
         // At most three times the chord's, so that it stays monotone.
         let [first, last] = slopes.map(|slope| (value / slope).clamp(0.0, 3.0 * end));

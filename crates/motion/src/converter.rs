@@ -8,13 +8,15 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `ω_p`, `ω_t` | speeds of impeller and turbine | rad/s |
-//! | `T_p` | torque that the impeller takes; it acts on its link as `−T_p`, and on that of the turbine as `T_t` | N·m |
+//! | `T_p` | torque that the impeller takes | N·m |
+//! | `T_t` | torque of the turbine | N·m |
 //! | `λ` | capacity, `1/K²` with the K-factor `ω_p/√T_p` | N·m·s²/rad² |
 //! | `μ` | torque ratio | 1 |
 //!
-//! The characteristic is that of a driven impeller: `λ` and `μ` are linear between the points of a table and
-//! level beyond them, and while the impeller stands or turns backwards there is no torque. The oil keeps no
-//! energy. A lock-up clutch is a friction element between the same links.
+//! `T_p` acts on the impeller's link as `−T_p`, `T_t` on the turbine's link as `T_t`. The characteristic is
+//! that of a driven impeller: `λ` and `μ` are linear between the points of a table and level beyond them.
+//! While the impeller is at rest or turns backwards the torque is 0. The oil keeps no energy. A lock-up
+//! clutch is a friction element between the same links.
 
 use crate::Error;
 use crate::course::finite;
@@ -29,12 +31,15 @@ pub struct Converter {
 }
 
 impl Converter {
-    /// From points of speed ratio `ν`, torque ratio `μ`, and capacity `λ` in N·m·s²/rad², in order of `ν`.
+    /// Converter from points of speed ratio `ν`, torque ratio `μ`, and capacity `λ` in N·m·s²/rad², in order
+    /// of `ν`.
     ///
     /// # Errors
-    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite, and of an efficiency `μ·ν` at
-    /// which the converter would give more power than it takes, at a point or between two; [`Error::Order`]
-    /// of speed ratios that do not ascend.
+    /// - [`Error::NoPoints`];
+    /// - [`Error::Value`] for a number that is not finite;
+    /// - [`Error::Value`] also for an efficiency `μ·ν` at which the converter would give more power than it
+    ///   takes, at a point or between two;
+    /// - [`Error::Order`] for speed ratios that do not ascend.
     pub fn new(points: &[[f64; 3]]) -> Result<Self, Error> {
         let field = "the characteristic of a converter";
         if points.is_empty() {
@@ -129,10 +134,10 @@ impl Converter {
     }
 }
 
-/// What a converter does between two events.
+/// Mode of a converter between two events.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Drive {
-    /// The impeller stands or turns backwards.
+    /// The impeller is at rest or turns backwards.
     Idle,
     /// The speed ratio is in this segment.
     Segment(usize),
@@ -149,7 +154,7 @@ pub(crate) struct Coupling {
 }
 
 impl Coupling {
-    /// What it does at these speeds.
+    /// Mode at these speeds.
     pub(crate) fn drive(&self, y: &[f64]) -> Drive {
         let [impeller, turbine] = [0, 1].map(|one| dot(&self.speeds[one], y));
         if impeller > 0.0 {
@@ -187,7 +192,7 @@ impl Coupling {
         }
     }
 
-    /// What it does after one of its margins has ended.
+    /// Mode after one of its margins has ended.
     pub(crate) fn next(&self, drive: Drive, margin: usize, y: &[f64]) -> Drive {
         match (drive, margin) {
             (Drive::Segment(segment), 1) => Drive::Segment(segment - 1),

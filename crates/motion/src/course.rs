@@ -26,7 +26,7 @@ use uom::si::f64::{Angle, AngularVelocity, Time, Torque};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     form: Form,
-    /// What is below 0 is 0.
+    /// Whether values below 0 count as 0.
     is_clipped: bool,
 }
 
@@ -132,8 +132,8 @@ impl Course {
         Torque::from_si(self.piece(time.si()).at(time.si()))
     }
 
-    /// The same as the capacity of a friction element: a harmonic below 0 is 0, and a constant or a table
-    /// below 0 is refused.
+    /// Returns the course as the capacity of a friction element: a harmonic below 0 is 0, and a constant or a
+    /// table below 0 is refused.
     pub(crate) fn into_capacity(mut self, element: &str) -> Result<Self, Error> {
         let least = match &self.form {
             Form::Constant(value) => *value,

@@ -1,8 +1,9 @@
-//! What holds and what slips from here on.
+//! Decision which elements hold and which slip from a moment on.
 //!
 //! Elements and lossy sets whose slip is not 0 go on as they do. The others have three ways each: stuck,
-//! forwards, backwards; a one-way clutch two. Every combination is tried, those first that let go of the
-//! fewest elements that were stuck, then those with the most stuck elements, and is consistent where
+//! forwards, backwards; a one-way clutch has two. Every combination is tried. Those that release the fewest
+//! stuck elements come first, then those with the most stuck elements. A combination is consistent under
+//! these conditions:
 //!
 //! ```text
 //! stuck        |λ| ≤ κ·C, and λ ≥ 0 of a one-way clutch
@@ -12,16 +13,19 @@
 //!
 //! Without losses and with `κ = 1` the accelerations minimize the strictly convex
 //! `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one motion is consistent. With `κ > 1` several may
-//! be: what is stuck then lets go only where nothing else is consistent, and an element that comes to rest
-//! holds where it can, which is the hysteresis of static friction. An element that has just exceeded its
-//! capacity does not hold again at that moment. Where several that share their torque reach their capacities
-//! at once, it is not said which of them slip: at that moment all accelerations are still 0. Then the torques
-//! and capacities a little later tell; what holds less than it can goes on to hold, if that is consistent.
+//! be consistent. A stuck element is then released only if nothing else is consistent, and an element that
+//! comes to rest holds if it can, which is the hysteresis of static friction. An element that has just
+//! exceeded its capacity does not hold again at that moment.
 //!
-//! The meshes of a set at rest are elements, too: it starts to roll where the losses of that direction let
-//! it, and is held by friction where neither direction does. An element that has exceeded its capacity then
-//! *yields*: it carries its capacity without slip, and mesh friction the rest. Where stuck elements make a
-//! set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
+//! If several elements that share their torque reach their capacities at once, all accelerations are still 0
+//! at that moment. So they do not show which elements slip. The torques and capacities a little later then
+//! decide; an element below its capacity goes on to hold, if that is consistent.
+//!
+//! The meshes of a set at rest are elements, too. The set starts to roll if the losses of that direction let
+//! it, and is held by friction if neither direction does. An element that has exceeded its capacity then
+//! *yields*: it carries its capacity without slip, and mesh friction carries the rest. If stuck elements make
+//! a set a block, the share of friction within it in the torque is not determined, and the block is assumed
+//! to have no losses.
 
 use crate::Error;
 use crate::field::{Field, Trigger, push};
@@ -36,7 +40,7 @@ use rustc_hash::FxHashMap;
 /// An element that slips from now on in this direction, since it could not hold.
 pub(crate) type Loosed = (usize, Way);
 
-/// Which patterns have a unique motion; by stuck elements and moving sets.
+/// Uniqueness of the motion under a pattern, by stuck elements and moving sets.
 pub(crate) type Unique = FxHashMap<(Vec<Way>, Vec<Way>), Result<(), Error>>;
 
 /// The state at which it is decided, and what was before.
@@ -46,13 +50,14 @@ pub(crate) struct Moment<'s> {
     /// The largest speed so far.
     pub(crate) speed_scale: f64,
     pub(crate) loosed: &'s [Loosed],
-    /// How far it is looked ahead where that does not tell.
+    /// Time to look ahead if the moment itself does not decide, in s.
     pub(crate) ahead: f64,
-    /// What the elements held before, where those that yield in this direction may go on to do so.
+    /// Torques that the elements held before, for elements that yield and may go on to do so in this
+    /// direction.
     pub(crate) held: Option<&'s [f64]>,
 }
 
-/// What is open, in a moment.
+/// Open elements and sets of a moment.
 struct Open {
     elements: Vec<usize>,
     sets: Vec<usize>,
@@ -271,8 +276,7 @@ impl Field<'_> {
         all.into_iter().map(with).collect()
     }
 
-    /// By how much a pattern is contradicted, over the largest torque or acceleration, with its mesh powers
-    /// settled.
+    /// Violation of a pattern, over the largest torque or acceleration, with its mesh powers settled.
     fn violation(
         &mut self,
         assumed: Pattern,
@@ -364,7 +368,7 @@ impl Field<'_> {
         Ok(false)
     }
 
-    /// Turns the assumed directions that the torques contradict; false where there are none.
+    /// Turns the assumed directions that the torques contradict; false if all agree.
     fn turn_meshes(&mut self) -> bool {
         let mut any = false;
         for (trigger, margin) in self.triggers.iter().zip(&self.margins) {
@@ -428,7 +432,7 @@ impl Field<'_> {
     }
 
     /// Refuses stuck elements whose torques could be split otherwise and load a mesh that loses power: the
-    /// losses would follow the split, which nothing tells.
+    /// losses would follow the split, which is not determined.
     ///
     /// A split that stays in balance is 1 on a dependent element and what this takes from the independent
     /// ones.
@@ -516,7 +520,7 @@ impl Field<'_> {
     }
 }
 
-/// All choices of one option each.
+/// Combinations of one way from each list of options.
 fn product(options: &[Vec<Way>]) -> Vec<Vec<Way>> {
     options.iter().fold(vec![vec![]], |made, ways| {
         made.iter()

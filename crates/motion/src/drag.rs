@@ -6,18 +6,20 @@
 //! M(|s|)·sign s = M_0·sign s + m(s)          M_0 = M(0),  m odd, m(0) = 0
 //! ```
 //!
-//! `m` is smooth at `s = 0`; between the points of the curve it is linear, and what it does not reach of them
-//! is an event. `M_0` is dry friction, carried by a friction element that slips or sticks as any other: at
-//! `s = 0` it holds up to `M_0`, without smoothing. A curve through 0 has none, and needs no event at rest.
-//! Where a shift element or a load stands between the same links, `M_0` adds to what that carries and holds,
-//! so that nothing leaves open how both share a torque; while they stick, the element is told to carry all
-//! that it can, and the drag the rest.
+//! `m` is smooth at `s = 0`; between the points of the curve it is linear, and the end of a segment is an
+//! event. `M_0` is dry friction, carried by a friction element that slips or sticks as any other: at `s = 0`
+//! it holds up to `M_0`, without smoothing. A curve through 0 has no dry friction, and needs no event at
+//! rest.
+//!
+//! A shift element or a load may act between the same links. `M_0` then adds to the torque that it carries
+//! and holds, so that their shares are determined. While they stick, the element has all the torque that it
+//! can carry, and the drag the rest.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `s` | speed of the first link relative to the second | rad/s |
 //! | `M` | size of the torque, by the curve | N·m |
-//! | `M_0` | that at rest; before the first point of a curve that goes on level the torque there | N·m |
+//! | `M_0` | torque at rest; before the first point of a curve that goes on level the torque there | N·m |
 //! | `T_1`, `T_2` | torques on the links | N·m |
 
 use crate::mechanism::Place;
@@ -83,12 +85,12 @@ impl Curve {
         table::segment(&self.points, slip, true)
     }
 
-    /// Where a segment begins and ends; that outside the curve around 0 is left as soon as anything turns.
+    /// Ends of a segment; the segment outside the curve around 0 is left as soon as anything turns.
     pub(crate) fn ends(&self, segment: usize) -> [Option<f64>; 2] {
         if self.is_gap(segment) { [Some(0.0); 2] } else { table::ends(&self.points, segment) }
     }
 
-    /// Whether the curve tells nothing here.
+    /// Whether the curve gives no torque in this segment.
     pub(crate) fn is_outside(&self, segment: usize) -> bool {
         let is_end = !self.points.is_empty() && (segment == 0 || segment == self.points.len());
         self.is_gap(segment) || self.is_refused && is_end
@@ -113,7 +115,7 @@ mod tests {
         Curve::new(&DragCurve::new(&points, beyond).unwrap())
     }
 
-    /// Both parts together are the curve, whatever the sign of the speed.
+    /// Dry friction and the rest add up to the curve, whatever the sign of the speed.
     #[test]
     fn dry_friction_and_the_rest_are_the_curve() {
         for points in [

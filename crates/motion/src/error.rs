@@ -1,4 +1,4 @@
-//! What this crate refuses.
+//! Errors of this crate.
 
 use epicyclic_gears::with_unit;
 
@@ -9,17 +9,17 @@ pub enum Error {
     /// A number that is not allowed.
     #[error("{field} is {value}: {allowed}")]
     Value {
-        /// What the number is, with its unit.
+        /// Quantity of the number, with its unit.
         field: String,
         /// The number given.
         value: f64,
-        /// What is allowed.
+        /// Values allowed.
         allowed: &'static str,
     },
     /// A name that nothing has.
     #[error("there is no {what} {name}")]
     Unknown {
-        /// What was looked for.
+        /// Kind of the unknown thing.
         what: &'static str,
         /// The name given.
         name: String,
@@ -27,7 +27,7 @@ pub enum Error {
     /// A name given twice.
     #[error("the {what} {name} is there already")]
     Duplicate {
-        /// What has the name.
+        /// Kind of thing that has the name.
         what: &'static str,
         /// The name given.
         name: String,
@@ -39,13 +39,13 @@ pub enum Error {
         field: String,
         /// Place of the point, from 1.
         place: usize,
-        /// Its abscissa, SI.
+        /// Abscissa of the point, SI.
         value: f64,
-        /// That of the point before it, SI.
+        /// Abscissa of the previous point, SI.
         before: f64,
         /// Unit of both; empty of plain numbers.
         unit: &'static str,
-        /// What is allowed.
+        /// Order allowed.
         allowed: &'static str,
     },
     /// A table without points.
@@ -59,7 +59,7 @@ pub enum Error {
     PlanetSpeed {
         /// The set.
         set: String,
-        /// What is missing.
+        /// Missing datum.
         missing: &'static str,
     },
     /// A shift element whose links are one piece.
@@ -67,9 +67,9 @@ pub enum Error {
     OnePiece {
         /// The shift element.
         element: String,
-        /// Its links.
+        /// First link of the element.
         first: String,
-        /// The other.
+        /// Second link of the element.
         second: String,
     },
     /// Nothing can move.
@@ -89,9 +89,9 @@ pub enum Error {
         .links.join(", "), inertias_needed(*.missing, .links.len()), if .links.len() == 1 { "it" } else { "them" }
     )]
     NoInertia {
-        /// The links concerned, none of which has an inertia that counts.
+        /// Links concerned, all without an inertia that counts.
         links: Vec<String>,
-        /// How many of them need one.
+        /// Number of links that need one.
         missing: usize,
     },
     /// Losses under which a torque has no motion, or several.
@@ -108,33 +108,33 @@ pub enum Error {
         /// The greatest.
         greatest: f64,
     },
-    /// Stuck elements that share their torque over a rolling set with losses in a way that nothing tells.
+    /// Stuck elements that share their torque over a rolling set with losses in a way that is not determined.
     #[error(
         "at {time_s} s {} on {} hold more than there is to hold while {set} rolls with losses: how they share their torque is open, \
          and so are the losses; leave one of them open, or give {set} no losses",
         .elements.join(", "), .links.join(", ")
     )]
     OpenSplit {
-        /// When.
+        /// Time, s.
         time_s: f64,
         /// The elements.
         elements: Vec<String>,
-        /// Their links.
+        /// Links of the elements.
         links: Vec<String>,
         /// The set.
         set: String,
     },
-    /// More lossy meshes than patterns are searched for.
+    /// Lossy meshes above the number for which patterns are searched.
     #[error(
         "{given} lossy meshes move at once, and at most {most} are taken: give some sets no inertia of planets, or no losses"
     )]
     TooManyMeshes {
-        /// How many.
+        /// Number of lossy meshes.
         given: usize,
         /// The limit.
         most: usize,
     },
-    /// More shift elements without slip than patterns are searched for.
+    /// Shift elements without slip above the number for which patterns are searched.
     #[error(
         "at {time_s} s {given} shift elements, loads and sets are without slip, and at most {most} are taken: {}; engage for good \
          what never slips, or give it no capacity",
@@ -143,11 +143,11 @@ pub enum Error {
     TooManyAtRest {
         /// The shift elements, loads and sets concerned.
         parts: Vec<String>,
-        /// How many.
+        /// Number of shift elements, loads and sets.
         given: usize,
         /// The limit.
         most: usize,
-        /// When.
+        /// Time, s.
         time_s: f64,
     },
     /// No assumption about what holds and what slips is consistent.
@@ -157,17 +157,17 @@ pub enum Error {
         .violation.map_or_else(String::new, |violation| format!("; the best is off by {violation:.3e}"))
     )]
     NoMotion {
-        /// When.
+        /// Time, s.
         time_s: f64,
         /// The shift elements, loads and sets concerned.
         parts: Vec<String>,
-        /// Their links.
+        /// Links of the parts.
         links: Vec<String>,
-        /// By how much the best is contradicted, over the largest torque or acceleration; none where no
-        /// pattern has a solution.
+        /// Violation by the best pattern, over the largest torque or acceleration; `None` if no pattern has a
+        /// solution.
         violation: Option<f64>,
     },
-    /// A speed at which a drag is not told.
+    /// A speed at which a drag has no torque.
     #[error(
         "at {time_s} s the links of the drag {drag} turn at {slip_rad_s} rad/s against each other, and its curve is from {from_rad_s} to \
          {to_rad_s} rad/s: give points there, or beyond: constant"
@@ -175,7 +175,7 @@ pub enum Error {
     DragSpeed {
         /// The drag.
         drag: String,
-        /// Its place among the drags.
+        /// Place of the drag among the drags.
         place: usize,
         /// The speed of its links relative to each other, in size.
         slip_rad_s: f64,
@@ -183,7 +183,7 @@ pub enum Error {
         from_rad_s: f64,
         /// The last speed of its curve.
         to_rad_s: f64,
-        /// When.
+        /// Time, s.
         time_s: f64,
     },
     /// Initial speeds that the sets do not allow.
@@ -193,9 +193,9 @@ pub enum Error {
     InitialSpeeds {
         /// The link.
         link: String,
-        /// Its speed as given.
+        /// Speed of the link as given.
         given: f64,
-        /// Its speed by the others.
+        /// Speed of the link by the others.
         found: f64,
     },
     /// Initial speeds from which others do not follow.
@@ -211,7 +211,7 @@ pub enum Error {
     InitialSlip {
         /// The clutch.
         element: String,
-        /// Its slip.
+        /// Slip of the clutch.
         slip: f64,
     },
     /// A dog clutch that would have to engage by an impact at the start.
@@ -221,7 +221,7 @@ pub enum Error {
     InitialDog {
         /// The clutch.
         element: String,
-        /// Its slip.
+        /// Slip of the clutch.
         slip: f64,
     },
     /// Events that accumulate at a time.
@@ -231,33 +231,33 @@ pub enum Error {
         .parts.join(", "), .links.join(", ")
     )]
     Accumulating {
-        /// When.
+        /// Time, s.
         time_s: f64,
-        /// How many.
+        /// Number of events.
         events: usize,
-        /// In which time.
+        /// Time within which they occur, s.
         within_s: f64,
         /// The parts that had events.
         parts: Vec<String>,
-        /// Their links.
+        /// Links of the parts.
         links: Vec<String>,
     },
-    /// A step shorter than time is told.
+    /// A step shorter than the resolution of time.
     #[error(
         "at {time_s} s the step would have to be shorter than {step_s:.3e} s: speeds or torques grow beyond all bounds"
     )]
     StepTooShort {
-        /// When.
+        /// Time, s.
         time_s: f64,
         /// The step.
         step_s: f64,
     },
-    /// More steps than are taken.
+    /// Steps above the number allowed.
     #[error("more than {most} steps are needed; {time_s} s are calculated")]
     TooManySteps {
         /// The limit.
         most: usize,
-        /// What is calculated.
+        /// Time reached, s.
         time_s: f64,
     },
     /// An invalid gearbox.
@@ -265,7 +265,7 @@ pub enum Error {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
-/// How many of so many links need an inertia, in words.
+/// Number of links, of these, that need an inertia, in words.
 fn inertias_needed(missing: usize, links: usize) -> String {
     match (missing, links) {
         (1, 1) => "it".into(),

@@ -1,7 +1,7 @@
-//! The right side of the equations of motion under a pattern, the energies beside it, and how far the pattern
-//! is from its end.
+//! Right side of the equations of motion under a pattern, with the energies and the margins to the pattern's
+//! end.
 //!
-//! The state is, in this order,
+//! The state has these parts, in this order:
 //!
 //! | part | meaning | unit |
 //! |---|---|---|
@@ -15,7 +15,7 @@
 //! | drag | loss of each drag, `∫ M·abs(s) dt` | J |
 //! | twist | of each shaft, `∫ (ω_1 − ω_2) dt` | rad |
 //!
-//! A *trigger* is what may end a pattern, with a margin that is positive until then.
+//! A *trigger* is an event that may end a pattern, with a margin that is positive until then.
 
 mod triggers;
 
@@ -72,9 +72,9 @@ pub(crate) struct Field<'m> {
     pub(crate) is_open: Vec<bool>,
     /// Whether an element has neither capacity nor dry friction of drags now.
     pub(crate) is_idle: Vec<bool>,
-    /// On which side of each threshold the speed is.
+    /// Side of each threshold on which the speed is.
     pub(crate) sides: Vec<f64>,
-    /// Of each dog clutch that waits to engage the sign of its slip; else 0.
+    /// Sign of the slip of each dog clutch that waits to engage; else 0.
     pub(crate) waits: Vec<f64>,
     /// Whether an element that slips by its [`Way`] has no slip and gets none, see
     /// [`find_triggers`](Self::find_triggers).
@@ -86,15 +86,15 @@ pub(crate) struct Field<'m> {
     /// The largest torque and speed so far.
     pub(crate) torque_scale: f64,
     pub(crate) speed_scale: f64,
-    /// What was evaluated last: torques on nodes, `q̈`, `t`, `λ`, torques of elements on their first links,
-    /// applied torques.
+    /// Results of the last evaluation: torques on nodes, `q̈`, `t`, `λ`, torques of elements on their first
+    /// links, applied torques.
     pub(crate) nodes: Vec<f64>,
     pub(crate) accelerations: Vec<f64>,
     pub(crate) meshes: Vec<f64>,
     reactions: Vec<f64>,
     pub(crate) elements: Vec<f64>,
     pub(crate) applied: Vec<f64>,
-    /// What shafts pass on, and torques on impellers and turbines.
+    /// Torques that shafts pass on, and torques on impellers and turbines.
     pub(crate) shafts: Vec<f64>,
     pub(crate) converters: Vec<[f64; 2]>,
     /// Torques of drags on their first links, without what stuck elements hold of them.
@@ -195,7 +195,7 @@ impl<'m> Field<'m> {
         self.own_capacity(element, t).map(|own| own + self.model.elements[element].dry)
     }
 
-    /// The same without drags.
+    /// Capacity of an element without drags.
     pub(crate) fn own_capacity(&self, element: usize, t: f64) -> Option<f64> {
         match &self.model.elements[element].kind {
             Kind::Friction { static_ratio, curve, .. } => {
@@ -242,8 +242,7 @@ impl<'m> Field<'m> {
         }
     }
 
-    /// What mesh friction adds to the torque on the root of a set that it holds, and takes from that on its
-    /// carrier.
+    /// Torque that mesh friction adds to the root of a set that it holds, and takes from the carrier.
     pub(crate) fn held_torque(&self, set: usize) -> f64 {
         let place = self.system.stuck_sets.iter().position(|&one| one == set);
         place.map_or(0.0, |place| self.reactions[self.system.independent.kept.len() + place])

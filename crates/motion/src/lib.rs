@@ -4,14 +4,14 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`Mechanism`] | what moves: links, planets, sets, bodies beside the gearbox, as matrices; mass matrix, equivalent inertia |
-//! | [`Model`] | what drives, loads and holds it: torques, shift elements, one-way and dog clutches, loads that oppose motion, shafts, converters |
+//! | [`Mechanism`] | links, planets, sets, further bodies, as matrices; mass matrix, equivalent inertia |
+//! | [`Model`] | torques, shift elements, one-way and dog clutches, resistances, shafts, converters |
 //! | [`Course`], [`TorqueLaw`] | torques over time and speed |
 //! | [`Shaft`] | elastic, damped shafts with backlash |
 //! | [`Converter`] | torque converters by their characteristic |
-//! | [`Model::drag`], [`Model::shift_drag`] | drags by the curves of a gearbox file, which can stick at rest |
+//! | [`Model::drag`], [`Model::shift_drag`] | drags by the curves of a gearbox file, sticking at rest |
 //! | [`Start`] | speeds and twists at the start |
-//! | [`Run`] | what [`Model::run`] finds: samples, [events](Event), energies ([`Audit`]) |
+//! | [`Run`] | result of [`Model::run`]: samples, [events](Event), energies ([`Audit`]) |
 //!
 //! Speeds and torques are positive along the common axis; a torque acts on a link from outside
 //! ([sign convention](epicyclic_gears#sign-convention)).
@@ -21,22 +21,30 @@
 //! M·q̈ = Q + Σ λ_stuck     ω = B·q̇     M = Bᵀ·J·B
 //! ```
 //!
-//! Shift elements are dry friction without smoothing: between events it is fixed what holds and what slips,
-//! and the right side is smooth. An event is the end of a slip, a torque above what is held, a capacity that
-//! leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table or of
-//! a drag's curve, the begin and end of contact in a shaft with backlash. It is located in the step, and what
-//! holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the
-//! power through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic
-//! impacts.
+//! Shift elements are dry friction without smoothing: between events the elements that hold and slip are
+//! fixed, and the right side is smooth. These are events:
+//! - the end of a slip, a torque above the capacity, a capacity that leaves 0;
+//! - the release of a one-way clutch;
+//! - a reversal of the power through a lossy mesh;
+//! - a kink of a table or of a drag's curve;
+//! - the begin and end of contact in a shaft with backlash.
 //!
-//! Mesh friction at rest is taken as able to hold while no rolling follows from the torques. Where losses are
-//! large both can be consistent, a block that turns and sets that roll in it; a motion that then changes
-//! between them without end is refused as [accumulating](Error::Accumulating). How it shares a torque with
-//! stuck elements is open as between these; which of several holds longest may then depend on their order.
+//! An event is located in the step. The elements that hold and slip afterwards are found by trying every
+//! combination. Mesh losses follow the sign of the power through each mesh; if they leave the motion open, it
+//! is refused. Dog clutches engage by plastic impacts.
 //!
-//! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where
-//! capacities do and no shaft is between; losses of meshes in an impact; friction and drags over temperature;
-//! friction over pressure; the oil's inertia in a converter.
+//! Mesh friction at rest is assumed to hold as long as no rolling follows from the torques. With large losses
+//! both can be consistent, a block that turns and sets that roll in it; a motion that then changes between
+//! them without end is refused as [accumulating](Error::Accumulating). The split of a torque between mesh
+//! friction and stuck elements is open, as it is between stuck elements; which of several holds longest may
+//! then depend on their order.
+//!
+//! Neglected:
+//! - elasticity and backlash except those of the given [`Shaft`]s, so that torques jump with the capacities
+//!   if no shaft is between;
+//! - losses of meshes in an impact;
+//! - friction and drags over temperature, friction over pressure;
+//! - the oil's inertia in a converter.
 //!
 //! # Example
 //! A power shift of one set: a one-way brake holds the ring until the clutch between sun and ring has taken

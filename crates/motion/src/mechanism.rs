@@ -1,28 +1,30 @@
-//! What moves: links, planets, and the sets between them, as matrices.
+//! The mechanism: links, planets, and the sets between them, as matrices.
 //!
 //! # Speeds
-//! Links joined for ever are one *node*. The sets ask of the nodes, for each central gear `c` beside the
-//! first `r`,
+//! Links joined for ever are one *node*. For each central gear `c` other than the first `r` a set has an
+//! equation of the nodes:
 //!
 //! ```text
 //! (ω_r − ω_H) − i_c·(ω_c − ω_H) = 0      i_c = g_r/g_c
 //! ω_p = ω_H + g_p·(ω_r − ω_H)/g_r        a planet about its own axis, absolute
 //! ```
 //!
-//! Elimination with the largest pivot of what is left makes some node speeds sums of the others; these are
-//! the coordinates `q̇`, and all bodies (nodes, then planets) turn at `ω = B·q̇`.
+//! Elimination with the largest pivot of the remaining entries makes some node speeds sums of the others.
+//! These others are the coordinates `q̇`, and all bodies (nodes, then planets) turn at `ω = B·q̇`.
 //!
 //! # Inertia
 //! ```text
-//! M = Bᵀ·J·B        J = inertia of each link, N·m·r² of planets on their carrier, N·J_p of planets about their own axes
+//! M = Bᵀ·J·B        J = inertia of each link, N·m·r² of planets on their carrier,
+//!                       N·J_p of planets about their own axes
 //! ```
 //!
 //! # Torques
 //! A mesh acts on its gears `A`, `B` and through the bearings of the planets on the carrier `H`; with
-//! `ρ = g_A/g_B`
+//! `ρ = g_A/g_B`:
 //!
 //! ```text
-//! T_B = −ρ·e·T_A     T_H = −T_A − T_B     e = η^w,  w = +1 where power flows from A to B, −1 where it flows back
+//! T_B = −ρ·e·T_A     T_H = −T_A − T_B
+//! e = η^w            w = +1 where power flows from A to B, −1 where it flows back
 //! P = −T_A·(ω_A − ω_H)                    power from A into the mesh, relative to the carrier
 //! loss = P·(1 − e)
 //! ```
@@ -80,7 +82,7 @@ impl MeshForce {
     }
 }
 
-/// What is common to the meshes of a set.
+/// Common data of the meshes of a set.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SetMotion {
     pub(crate) name: String,
@@ -97,7 +99,7 @@ pub(crate) struct SetMotion {
     pub(crate) centrals: Vec<usize>,
 }
 
-/// A gearbox, or shafts alone, with their masses: what moves, without what drives and holds it.
+/// A gearbox, or shafts alone, with their masses: the moving parts, without drives and loads.
 ///
 /// ```
 /// use epicyclic_dynamics::gearbox::Masses;
@@ -115,7 +117,8 @@ pub(crate) struct SetMotion {
 ///     .gear("slow", ["K1"])
 ///     .build()?;
 /// let kg_m2 = MomentOfInertia::new::<kilogram_square_meter>;
-/// let masses = Masses { links: vec![("D".into(), kg_m2(0.5)), ("B".into(), kg_m2(16.0))], ..Masses::default() };
+/// let links = vec![("D".into(), kg_m2(0.5)), ("B".into(), kg_m2(16.0))];
+/// let masses = Masses { links, ..Masses::default() };
 /// assert_eq!(Mechanism::of(&gearbox, &[], &masses)?.freedoms(), 2);
 /// // The brake engaged for good: one freedom, and the drum felt at a quarter of its speed.
 /// let slow = Mechanism::of(&gearbox, &["K1"], &masses)?;
@@ -130,7 +133,7 @@ pub struct Mechanism {
     pub(crate) links: Vec<String>,
     /// Node of each link.
     pub(crate) node: Vec<Place>,
-    /// How many nodes there are; planets follow them.
+    /// Number of nodes; planets follow them.
     pub(crate) nodes: usize,
     /// Nodes whose speeds are the coordinates.
     pub(crate) coordinates: Vec<usize>,
@@ -225,11 +228,11 @@ impl Mechanism {
         Ok(made)
     }
 
-    /// With a body beside the gearbox, a link of its own that only shafts, converters and friction join to
-    /// others: engine, load, vehicle.
+    /// Adds a body that is not part of the gearbox: engine, load, vehicle. It is a link of its own, which
+    /// only shafts, converters and friction join to others.
     ///
     /// # Errors
-    /// [`Error::Duplicate`] of a link that is there; [`Error::Value`]; [`Error::NoInertia`] of one without
+    /// [`Error::Duplicate`] for a link that exists; [`Error::Value`]; [`Error::NoInertia`] for a body without
     /// inertia.
     pub fn with_body(mut self, name: &str, inertia: MomentOfInertia) -> Result<Self, Error> {
         if self.links.iter().any(|link| link == name) {
@@ -265,7 +268,7 @@ impl Mechanism {
         Ok(self)
     }
 
-    /// How many coordinates there are.
+    /// Number of coordinates.
     #[must_use]
     pub fn freedoms(&self) -> usize {
         self.coordinates.len()
@@ -396,7 +399,7 @@ impl Mechanism {
     }
 }
 
-/// Nodes of the links, of which the first is the housing.
+/// Nodes of the links, the housing first.
 fn numbered(groups: &Groups, links: usize) -> (Vec<Place>, usize) {
     let mut node: Vec<Place> = vec![None; links];
     let mut count = 0;

@@ -17,23 +17,23 @@ use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A mechanism with sources, loads, shift elements and thresholds.
 ///
-/// A friction element between two links carries, with `s = ω_1 − ω_2` and the capacity `C`,
+/// A friction element between two links carries, with `s = ω_1 − ω_2` and the capacity `C`:
 ///
 /// ```text
 /// slipping   T_1 = −C·sign s                       T_2 = −T_1
 /// stuck      T_1 as s = 0 asks, |T_1| ≤ κ·C        κ ≥ 1: static over kinetic friction
 /// ```
 ///
-/// and a one-way clutch `T_1 ≥ 0` with `s = 0`, or none with `s > 0`. A load that opposes motion is a
+/// A one-way clutch has `T_1 ≥ 0` with `s = 0`, or no torque with `s > 0`. A load that opposes motion is a
 /// friction element with the housing.
 ///
-/// One-way clutches of the gearbox are there from the start; its other shift elements are open until they are
-/// given a capacity.
+/// One-way clutches of the gearbox are part of the model from the start; its other shift elements are open
+/// until they are given a capacity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     pub(crate) mechanism: Mechanism,
     pub(crate) torques: Vec<Applied>,
-    /// Those with names of their own, then those that carry the dry friction of drags alone.
+    /// Elements with names of their own, then those that carry the dry friction of drags alone.
     pub(crate) elements: Vec<Element>,
     pub(crate) drags: Vec<Drag>,
     pub(crate) thresholds: Vec<Threshold>,
@@ -51,7 +51,7 @@ pub(crate) struct Applied {
     pub(crate) speed: Vec<f64>,
 }
 
-/// What joins two links.
+/// Element that joins two links.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Element {
     pub(crate) name: String,
@@ -65,7 +65,7 @@ pub(crate) struct Element {
     pub(crate) beside: Option<usize>,
 }
 
-/// How an element carries torque.
+/// Kind of an element, by which it carries torque.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Kind {
     /// Capacity while slipping, `κ`, and the factor of the capacity over slip speed; 1 where that has no
@@ -76,7 +76,7 @@ pub(crate) enum Kind {
         curve: Vec<[f64; 2]>,
     },
     OneWay,
-    /// When it shall be engaged from, or open from; the largest slip at which it engages.
+    /// Times from which the clutch is to be engaged or open; the largest slip at which it engages.
     Dog {
         program: Vec<(f64, bool)>,
         limit: f64,
@@ -124,7 +124,7 @@ impl Model {
         made
     }
 
-    /// What moves.
+    /// Mechanism of the model.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
@@ -239,8 +239,8 @@ impl Model {
         }
     }
 
-    /// Joins two links by an elastic, damped shaft with backlash: of the gearbox, the housing, or
-    /// [bodies](Mechanism::with_body) beside it.
+    /// Joins two links by an elastic, damped shaft with backlash: links of the gearbox, the housing, or
+    /// further [bodies](Mechanism::with_body).
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
@@ -251,7 +251,7 @@ impl Model {
         Ok(())
     }
 
-    /// Joins an impeller and a turbine by a torque converter; its reactor stands on the housing.
+    /// Joins an impeller and a turbine by a torque converter; its reactor is held by the housing.
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
@@ -261,19 +261,21 @@ impl Model {
         Ok(())
     }
 
-    /// Joins two links, or a link and the housing, by a dog clutch that is engaged or open from each of these
-    /// times on, and open before.
+    /// Joins two links, or a link and the housing, by a dog clutch. The clutch is engaged or open from each
+    /// of these times on, and open before.
     ///
-    /// It engages as soon as its slip is at most `limit`, at any slip without one, by an impact: it takes the
-    /// slip away at once and keeps the momentum, `Δq̇ = M⁻¹·Dᵀ·Λ` with the impulses `Λ` of all dog clutches
-    /// that are engaged and of the one-way clutches that would slip backwards. Friction, meshes' losses,
-    /// shafts and converters have finite torques and no part in it. What kinetic energy it takes is in
-    /// [`Audit::impacts`](crate::Audit::impacts). Once engaged it carries any torque.
+    /// The clutch engages as soon as its slip is at most `limit`; without a limit it engages at any slip. It
+    /// engages by an impact, which ends the slip at once and keeps the momentum, `Δq̇ = M⁻¹·Dᵀ·Λ`. `Λ` are
+    /// the impulses of all dog clutches that are engaged and of the one-way clutches that would slip
+    /// backwards. Friction, meshes' losses, shafts and converters have finite torques and no part in it. The
+    /// kinetic energy lost is in [`Audit::impacts`](crate::Audit::impacts). Once engaged the clutch carries
+    /// any torque.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::NoPoints`] without times;
-    /// [`Error::Order`] of times that do not ascend; [`Error::Value`] of a time that is not finite and of a
-    /// limit that is not finite or below 0.
+    /// - [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`];
+    /// - [`Error::NoPoints`] without times;
+    /// - [`Error::Order`] for times that do not ascend;
+    /// - [`Error::Value`] for a time that is not finite, and for a limit that is not finite or below 0.
     pub fn dog_clutch(
         &mut self,
         name: &str,
@@ -321,10 +323,10 @@ impl Model {
         self.dog_clutch(name, [&links[0], &links[1]], program, limit)
     }
 
-    /// Lets two links, or a link and the housing, drag on each other by a curve over their relative speed.
-    /// Where the torque at rest is not 0, it is dry friction: what stands between the same links then holds
-    /// so much more, else it sticks by itself. Links that never turn against each other do not drag. To be
-    /// given after elements between the same links.
+    /// Adds a drag between two links, or a link and the housing, by a curve over their relative speed. A
+    /// torque at rest other than 0 is dry friction: an element between the same links then holds that much
+    /// more, otherwise the drag sticks alone. Links that never turn against each other do not drag. Drags
+    /// must be added after the elements between the same links.
     ///
     /// # Errors
     /// [`Error::Unknown`] for a link that is not there.
@@ -379,8 +381,8 @@ impl Model {
         self.drag(name, [&first, &second], curve)
     }
 
-    /// What carries dry friction of this slip, and the sign of its own where this is above 0: friction or a
-    /// one-way clutch that has it already, else an element for it.
+    /// Finds the element that carries dry friction of this slip, and the sign of its own slip when this is
+    /// above 0. It is a friction element or a one-way clutch of the same slip, else a new element.
     fn carrier(&mut self, name: &str, places: [Place; 2], slip: &[f64]) -> (usize, f64) {
         let size = largest_absolute(slip);
         let sign_of = |one: &Element| {
@@ -441,7 +443,7 @@ impl Model {
         }
     }
 
-    /// How many elements are not of drags alone.
+    /// Number of elements that are not of drags alone.
     pub(crate) fn own_elements(&self) -> usize {
         self.elements.iter().take_while(|one| !matches!(one.kind, Kind::Drag)).count()
     }

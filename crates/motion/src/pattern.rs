@@ -1,4 +1,4 @@
-//! Which elements hold or slip and which way power runs, and the equations of motion under such a pattern.
+//! Pattern of elements that hold or slip and of directions of power, and the equations of motion under it.
 //!
 //! ```text
 //! J·B·q̈ − C(e)·t − Dᵀ·λ = T      one row a body: nodes and planets
@@ -6,10 +6,10 @@
 //! ```
 //!
 //! `t` are the torques of the meshes on their first gears, `C(e)` spreads them over gears and carrier, `λ`
-//! are the torques of what is stuck. The system is square, and its determinant is that of the loaded mass
-//! matrix times one that the signs of `e` do not touch: it has the same sign for all patterns of power
-//! directions exactly if the motion is unique for every torque (the column W-property: R. Sznajder and M. S.
-//! Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2).
+//! are the torques of stuck elements and sets. The system is square, and its determinant is that of the
+//! loaded mass matrix times one that the signs of `e` do not touch. It has the same sign for all patterns of
+//! power directions exactly if the motion is unique for every torque. This is the column W-property: R.
+//! Sznajder and M. S. Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2.
 
 use crate::converter::Drive;
 use crate::mechanism::Mechanism;
@@ -18,11 +18,11 @@ use crate::shaft::Flank;
 use crate::tolerance::{PIVOT, RANK};
 use epicyclic_numerics::linear::{Independent, Matrix, Triangles, independent};
 
-/// What an element or the rolling of a set does.
+/// Way of an element, or of the rolling of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Way {
-    /// It carries no friction: a capacity of 0, a one-way clutch that overruns stands under `Forward`; a set
-    /// without losses, or one that other elements hold as a block.
+    /// No friction: a capacity of 0, a set without losses, or one that other elements hold as a block. A
+    /// one-way clutch that overruns is `Forward`.
     Open,
     /// Slip above 0, or about to be.
     Forward,
@@ -91,7 +91,7 @@ pub(crate) struct System {
     pub(crate) reactions: Matrix,
     /// Stuck elements.
     pub(crate) stuck: Vec<usize>,
-    /// Which of these are independent.
+    /// Stuck elements that are independent.
     pub(crate) independent: Independent,
     /// Stuck sets.
     pub(crate) stuck_sets: Vec<usize>,

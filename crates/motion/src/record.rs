@@ -1,4 +1,4 @@
-//! What a run finds: samples, events, energies.
+//! Result of a run: samples, events, energies.
 
 use crate::field::Field;
 use crate::pattern::Way;
@@ -7,16 +7,16 @@ use epicyclic_numerics::values::{dot, largest_absolute};
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
 
-/// What an element does.
+/// State of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
-    /// It carries nothing; of a dog clutch: it is not engaged.
+    /// The element carries nothing; a dog clutch is not engaged.
     Open,
-    /// It slips with `ω_1 > ω_2`; of a one-way clutch: it overruns.
+    /// The element slips with `ω_1 > ω_2`; a one-way clutch overruns.
     Forward,
-    /// It slips with `ω_1 < ω_2`.
+    /// The element slips with `ω_1 < ω_2`.
     Backward,
-    /// It holds its links together.
+    /// The element holds its links together.
     Stuck,
 }
 
@@ -31,18 +31,18 @@ impl From<Way> for State {
     }
 }
 
-/// What an element does; one that yields has no slip.
+/// State of an element; one that yields has no slip.
 fn state(field: &Field, place: usize) -> State {
     if field.yields[place] { State::Stuck } else { field.pattern.elements[place].into() }
 }
 
-/// What the elements do; one without capacity is open, whatever drags hold.
+/// States of the elements; one without capacity is open, whatever drags hold.
 pub(crate) fn states(field: &Field) -> Vec<State> {
     let of = |place: usize| if field.is_open[place] { State::Open } else { state(field, place) };
     (0..field.model.own_elements()).map(of).collect()
 }
 
-/// What the drags do whose dry friction stands alone; none of the others.
+/// States of the drags whose dry friction has an element of its own; `None` for the others.
 pub(crate) fn drag_states(field: &Field) -> Vec<Option<State>> {
     let of = |(place, sign): (usize, f64)| {
         let turned = |state| match state {
@@ -89,7 +89,7 @@ fn shared(field: &Field, t: f64) -> (Vec<f64>, Vec<f64>) {
 /// Speeds, accelerations and torques at a time, in the order of [`Run`]'s names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// When.
+    /// Time of the sample.
     pub time: Time,
     /// Speed of each link.
     pub speeds: Vec<AngularVelocity>,
@@ -99,7 +99,7 @@ pub struct Sample {
     pub torques: Vec<Torque>,
     /// Torque of each element on its first link, without drags.
     pub elements: Vec<Torque>,
-    /// What each element does.
+    /// State of each element.
     pub states: Vec<State>,
     /// Heat of each element from the start on.
     pub heats: Vec<Energy>,
@@ -115,7 +115,7 @@ pub struct Sample {
     pub shafts: Vec<Torque>,
     /// Twist of each shaft.
     pub twists: Vec<Angle>,
-    /// What the ends of each shaft do.
+    /// Contact at the ends of each shaft.
     pub contacts: Vec<Contact>,
     /// Torques of each converter on the links of its impeller and turbine.
     pub converters: Vec<[Torque; 2]>,
@@ -126,7 +126,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// From what a field evaluated last.
+    /// Sample of the last evaluation of a field.
     pub(crate) fn of(field: &Field, t: f64, y: &[f64]) -> Self {
         let mechanism = &field.model.mechanism;
         let of_links = |values: &[f64]| -> Vec<f64> {
@@ -190,50 +190,50 @@ impl Sample {
     }
 }
 
-/// What changes at an event.
+/// Change at an event.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Change {
     /// An element does something else from now on.
     Element {
-        /// Its name.
+        /// Name of the element.
         name: String,
-        /// What it did.
+        /// State before.
         from: State,
-        /// What it does.
+        /// State after.
         to: State,
     },
     /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier,
     /// stuck where it is a block.
     Set {
-        /// Its name.
+        /// Name of the set.
         name: String,
-        /// How it rolled.
+        /// Rolling before.
         from: State,
-        /// How it rolls.
+        /// Rolling after.
         to: State,
     },
     /// The ends of a shaft with backlash come into contact, or part.
     Shaft {
-        /// Its name.
+        /// Name of the shaft.
         name: String,
-        /// What they did.
+        /// Contact before.
         from: Contact,
-        /// What they do.
+        /// Contact after.
         to: Contact,
     },
     /// Links that drag on each other by dry friction alone begin to turn against each other, or stop.
     Drag {
-        /// Its name.
+        /// Name of the drag.
         name: String,
-        /// What they did.
+        /// State before.
         from: State,
-        /// What they do.
+        /// State after.
         to: State,
     },
     /// A threshold is passed.
     Threshold {
-        /// Its name.
+        /// Name of the threshold.
         name: String,
         /// Whether the speed rises.
         is_rising: bool,
@@ -243,7 +243,7 @@ pub enum Change {
 /// Something that happens at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// What changes, all at once.
+    /// Changes, all at once.
     pub changes: Vec<Change>,
     /// Everything right before it: torques jump where elements lock, and speeds where dog clutches engage.
     pub before: Sample,
@@ -339,15 +339,15 @@ pub struct Run {
     /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia
     /// are one.
     pub meshes: Vec<(usize, [String; 2])>,
-    /// At the start, at the times asked for, and at the end.
+    /// Samples at the start, at the times requested, and at the end.
     pub samples: Vec<Sample>,
-    /// What happened, in order.
+    /// Events, in order of time.
     pub events: Vec<Event>,
     /// Energies.
     pub audit: Audit,
     /// Steps that were calculated.
     pub steps: usize,
-    /// How often a mode changed: events, turns of mesh power, kinks of tables over speed.
+    /// Number of changes of a mode: events, reversals of mesh power, kinks of tables over speed.
     pub transitions: usize,
 }
 

@@ -1,13 +1,14 @@
-//! From event to event.
+//! Run of a model from event to event.
 //!
-//! Between events the pattern of what holds and slips is fixed and the right side smooth. Steps of
-//! [`step`](crate::step) go up to the next kink of a course; a margin that is negative at any stage or at the
-//! end of a step is looked for inside it, on the dense output, and the step is then repeated with the length
-//! to the first event, so that the state there has the accuracy of a step and not that of the interpolation.
+//! Between events the pattern of holding and slipping is fixed and the right side smooth. Steps of
+//! [`step`](crate::step) go up to the next kink of a course. If a margin is negative at any stage or at the
+//! end of a step, the event is located within the step, on the dense output. The step is then repeated with
+//! the length to the first event, so that the state there has the accuracy of a step and not that of the
+//! interpolation.
 //!
-//! At an event the slips that vanish are set to 0 exactly, by the plastic [impact](impact) that takes least
-//! kinetic energy, which here only takes away rounding, and the motion goes on from this state. Events within
-//! `1e-10` of a step are one set, decided together.
+//! At an event the slips that vanish are set to 0 exactly, by the plastic [impact](impact) with the least
+//! loss of kinetic energy. Here this only removes rounding, and the motion goes on from this state. Events
+//! within `1e-10` of a step are one set, decided together.
 
 mod impact;
 mod locate;
@@ -40,23 +41,25 @@ impl Model {
         Ok(Sample::of(&runner.field, 0.0, &runner.stepper.y))
     }
 
-    /// The motion from time 0 to an end, with samples at these intervals.
+    /// Calculates the motion from time 0 to an end, with samples at these intervals.
     ///
     /// # Errors
-    /// [`Error::Value`] for an end or interval that is not finite and above 0; [`Error::InitialSpeeds`],
-    /// [`Error::InitialOpen`], [`Error::InitialSlip`], [`Error::Unknown`] for a start that is none;
-    /// [`Error::NotUnique`], [`Error::NoMotion`], [`Error::TooManyMeshes`], [`Error::TooManyAtRest`],
-    /// [`Error::DragSpeed`] for a motion that does not follow; [`Error::Accumulating`],
-    /// [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go on.
+    /// - [`Error::Value`] for an end or interval that is not finite and above 0;
+    /// - [`Error::InitialSpeeds`], [`Error::InitialOpen`], [`Error::InitialSlip`], [`Error::Unknown`] for an
+    ///   invalid start;
+    /// - [`Error::NotUnique`], [`Error::NoMotion`], [`Error::TooManyMeshes`], [`Error::TooManyAtRest`],
+    ///   [`Error::DragSpeed`] for a motion that does not follow;
+    /// - [`Error::Accumulating`], [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go
+    ///   on.
     pub fn run(&self, start: &Start, end: Time, sample_every: Option<Time>) -> Result<Run, Error> {
         self.run_watched(start, end, sample_every, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched: told the time of every step, it may end the motion there. What is found up to then
-    /// is as it would be without.
+    /// Calculates the motion under a watch, which is called with the time of every step and may end the
+    /// motion there. The result up to then is the same as without the watch.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// Errors of [`run`](Self::run).
     pub fn run_watched(
         &self,
         start: &Start,
@@ -151,19 +154,19 @@ struct Runner<'m> {
     transitions: usize,
 }
 
-/// What is told the time of every step.
+/// Function that is called with the time of every step.
 type Watch<'a> = dyn FnMut(Time) -> ControlFlow<()> + 'a;
 
-/// What was before a transition: the pattern, states of the elements and of the drags.
+/// Data before a transition: the pattern, states of the elements and of the drags.
 struct Before(Pattern, Vec<State>, Vec<Option<State>>);
 
-/// How a stretch ends.
+/// End of a stretch.
 enum Stretch {
     /// Before its end, as the one who watches wants.
     Left,
-    /// At a kink, or at the end.
+    /// The stretch reached a kink, or the end of the run.
     Reached,
-    /// With these triggers.
+    /// The stretch was ended by these triggers.
     Fired(Vec<Trigger>),
 }
 
@@ -421,7 +424,7 @@ impl<'m> Runner<'m> {
         Ok(())
     }
 
-    /// Takes the next segment of a drag's curve; refuses a speed of which it tells nothing.
+    /// Takes the next segment of a drag's curve; refuses a speed for which the curve has no torque.
     fn pass_point(&mut self, place: usize, is_upper: bool) -> Result<(), Error> {
         let curve = &self.model.drags[place].curve;
         let segment = &mut self.field.pattern.drags[place];
@@ -430,7 +433,7 @@ impl<'m> Runner<'m> {
         if curve.is_outside(before) || curve.is_outside(*segment) { Err(self.outside(place)) } else { Ok(()) }
     }
 
-    /// Refuses speeds of which the curves of drags tell nothing, where the speeds are not those of a step.
+    /// Refuses speeds for which the curves of drags have no torque, if the speeds are not those of a step.
     fn check_drags(&self) -> Result<(), Error> {
         let zero = SLIP * self.speed_scale;
         let is_refused = |&place: &usize| {
@@ -527,7 +530,7 @@ impl<'m> Runner<'m> {
         places.map(|place| place.map_or(GROUND, |node| model.mechanism.node_name(node)).to_owned()).into()
     }
 
-    /// Where the run is.
+    /// Sample at the current state of the run.
     fn now(&mut self) -> Sample {
         let Self { field, stepper, .. } = self;
         stepper.begin(|t, y, dy| field.evaluate(t, y, dy));

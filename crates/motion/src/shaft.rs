@@ -15,16 +15,16 @@
 //! | `T` | torque that the shaft passes on | N·m |
 //!
 //! # Contact
-//! Flanks only push. Contact begins where the backlash is used up, `δ = 0`, and the torque there jumps to
-//! `d·φ̇`. It ends where the torque has come down to 0, which with damping is before `δ = 0`: from there the
-//! flank alone relaxes and spends what energy it still has in its damper, without torque. Since the torque is
-//! 0 exactly while `φ̇ < −c·δ/d`, that energy goes at `−c·δ·φ̇ > 0`: twist and its rate alone tell the
-//! torque, the stored energy is `½·c·δ²` everywhere, and no heat is ever below 0. The alternative, a massless
-//! flank with a position of its own, would have one more state for each flank and the same torque but for a
-//! second contact within its relaxation `d/c`.
+//! Flanks only push. Contact begins when the backlash is used up, `δ = 0`, and the torque there jumps to
+//! `d·φ̇`. It ends when the torque has come down to 0, which with damping is before `δ = 0`. From there the
+//! flank alone relaxes and spends its remaining energy in its damper, without torque. The torque is 0 exactly
+//! while `φ̇ < −c·δ/d`, so that energy decreases at the rate `−c·δ·φ̇ > 0`. Hence twist and its rate alone
+//! determine the torque, the stored energy is `½·c·δ²` everywhere, and no heat is ever below 0. The
+//! alternative is a massless flank with a position of its own. It would have one more state for each flank
+//! and the same torque but for a second contact within its relaxation `d/c`.
 //!
-//! Without backlash, `j = 0`, there are no flanks: the shaft pulls and pushes. The limit `j → 0` differs from
-//! it by the damping torque that flanks do not pull with.
+//! Without backlash, `j = 0`, the shaft has no flanks: it pulls and pushes. The limit `j → 0` differs from it
+//! by the damping torque that flanks do not pull with.
 
 use crate::Error;
 use crate::course::finite;
@@ -66,10 +66,11 @@ impl Shaft {
         Ok(Self { stiffness, damping: 0.0, backlash: 0.0 })
     }
 
-    /// With a damper beside the spring: `torque` where the ends turn against each other at `speed`.
+    /// Returns the shaft with a damper parallel to the spring: `torque` when the ends turn against each other
+    /// at `speed`.
     ///
     /// # Errors
-    /// [`Error::Value`] of a torque that is not finite or below 0, and of a speed that is not finite and
+    /// [`Error::Value`] for a torque that is not finite or below 0, and for a speed that is not finite and
     /// above 0.
     pub fn damping(self, torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
         let torque = not_negative("the damping torque of a shaft in N·m".into(), torque.si())?;
@@ -78,10 +79,10 @@ impl Shaft {
         Ok(Self { damping, ..self })
     }
 
-    /// With a play between contact on one side and on the other.
+    /// Returns the shaft with a play between contact on one side and on the other.
     ///
     /// # Errors
-    /// [`Error::Value`] of a play that is not finite or below 0.
+    /// [`Error::Value`] for a play that is not finite or below 0.
     pub fn backlash(self, play: Angle) -> Result<Self, Error> {
         let backlash = not_negative("the backlash of a shaft in rad".into(), play.si())?;
         Ok(Self { backlash, ..self })
@@ -96,7 +97,7 @@ fn positive(field: &str, value: f64) -> Result<f64, Error> {
     }
 }
 
-/// What the ends of a shaft do.
+/// Contact at the ends of a shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Contact {
     /// Within the backlash, or apart while the flank relaxes: no torque.
@@ -107,21 +108,21 @@ pub enum Contact {
     Backward,
 }
 
-/// How a shaft passes on torque; what it does between two events.
+/// Mode in which a shaft passes on torque between two events.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Flank {
-    /// Without backlash.
+    /// Shaft without backlash.
     Firm,
     /// Within the backlash.
     Free,
-    /// In contact, 1 where `φ > 0`, −1 where `φ < 0`.
+    /// Flank in contact, 1 if `φ > 0`, −1 if `φ < 0`.
     Touching(i8),
-    /// Beyond the backlash without torque.
+    /// Flank beyond the backlash without torque.
     Relaxing(i8),
 }
 
 impl Flank {
-    /// On which side; 0 on none.
+    /// Side of the flank; 0 without a side.
     fn side(self) -> f64 {
         match self {
             Self::Firm | Self::Free => 0.0,
@@ -129,7 +130,7 @@ impl Flank {
         }
     }
 
-    /// As told to the outside, under this twist.
+    /// Contact as recorded in results, under this twist.
     pub(crate) fn contact(self, twist: f64) -> Contact {
         match self {
             Self::Free | Self::Relaxing(_) => Contact::Free,
@@ -162,7 +163,7 @@ impl Shaft {
         self.stiffness * self.spring(flank, twist) + self.damping * rate
     }
 
-    /// What is passed on.
+    /// Torque that the shaft passes on.
     pub(crate) fn torque(&self, flank: Flank, twist: f64, rate: f64) -> f64 {
         match flank {
             Flank::Firm | Flank::Touching(_) => self.pressed(flank, twist, rate),
@@ -185,7 +186,7 @@ impl Shaft {
         0.5 * self.stiffness * beyond * beyond
     }
 
-    /// What the shaft does under a twist and its rate.
+    /// Mode of the shaft under a twist and its rate.
     pub(crate) fn flank(&self, twist: f64, rate: f64) -> Flank {
         if self.backlash == 0.0 {
             return Flank::Firm;
@@ -202,7 +203,7 @@ impl Shaft {
         }
     }
 
-    /// The two margins up to which a shaft goes on as it does, none where there is no such end; see
+    /// Margins up to which the mode of the shaft goes on, two or `None` for an end that does not exist; see
     /// [`next`](Self::next).
     pub(crate) fn margins(&self, flank: Flank, twist: f64, rate: f64) -> [Option<f64>; 2] {
         let half = 0.5 * self.backlash;
@@ -217,8 +218,8 @@ impl Shaft {
         }
     }
 
-    /// What the shaft does after the first or second of its margins has ended, and the twist there where it
-    /// is known exactly.
+    /// Mode of the shaft after the first or second of its margins has ended, and the twist there if it is
+    /// known exactly.
     pub(crate) fn next(&self, flank: Flank, is_second: bool, twist: f64) -> (Flank, f64) {
         let half = 0.5 * self.backlash;
         let end = |flank: Flank| flank.side() * half;

@@ -1,18 +1,18 @@
-//! How elements that hold the same share their torque.
+//! Split of a torque among elements that hold the same.
 //!
 //! Elements whose slips depend on each other (two brakes on one link, three clutches that make one block)
-//! leave the motion unique and the split of torque open. What is taken is the split that uses the most used
-//! of them least,
+//! leave the motion unique and the split of torque open. The split chosen is the one that uses the most used
+//! element least:
 //!
 //! ```text
 //! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ −M_0 of one-way clutches
 //! ```
 //!
-//! so that they hold as long as any split holds: they slip when τ would exceed 1. Friction elements between
-//! the same links share in proportion to their capacities. A one-way or dog clutch counts with the largest
-//! torque or capacity present. Since there are only a few, the corners of this linear programme are tried
-//! all. Splits that have no element in common are found each by itself: else the most used element of one
-//! would leave the others open.
+//! So the elements hold as long as any split holds: they slip when τ would exceed 1. Friction elements
+//! between the same links share in proportion to their capacities. A one-way or dog clutch counts with the
+//! largest torque or capacity present. Since there are only a few, the corners of this linear programme are
+//! tried all. Splits that have no element in common are found separately: otherwise the most used element of
+//! one would leave the others open.
 
 use crate::tolerance::{PIVOT, RANK, TORQUE};
 use epicyclic_numerics::linear::{Matrix, Triangles};
@@ -22,9 +22,9 @@ use epicyclic_numerics::values::{dot, largest_absolute};
 pub(crate) struct Share {
     pub(crate) base: f64,
     pub(crate) factors: Vec<f64>,
-    /// Its static capacity; none of a one-way or dog clutch.
+    /// Static capacity of the element; `None` for a one-way or dog clutch.
     pub(crate) capacity: Option<f64>,
-    /// The least that a one-way clutch carries: what drags beside it hold against it.
+    /// Least torque of a one-way clutch: that of drags between the same links, which hold against it.
     pub(crate) least: Option<f64>,
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
     Some(found)
 }
 
-/// The same of elements that are all joined by the splits.
+/// Split among elements that are all joined by the splits.
 fn even_of_group(shares: &[Share], count: usize, largest: f64) -> Option<Vec<f64>> {
     // A one-way or dog clutch counts as if it had the largest capacity; one of none as if it had next to
     // none.

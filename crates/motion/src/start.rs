@@ -25,21 +25,22 @@ impl Start {
         Self { is_at_rest: true, ..Self::default() }
     }
 
-    /// These links at these speeds.
+    /// Start with these links at these speeds.
     #[must_use]
     pub fn speeds(speeds: &[(&str, AngularVelocity)]) -> Self {
         let speeds = speeds.iter().map(|(link, speed)| ((*link).to_owned(), speed.si())).collect();
         Self { speeds, ..Self::default() }
     }
 
-    /// With these shafts twisted; the others stand in the middle of their backlash, without torque.
+    /// Returns the start with these shafts twisted; the others are in the middle of their backlash, without
+    /// torque.
     #[must_use]
     pub fn twisted(mut self, twists: &[(&str, Angle)]) -> Self {
         self.twists.extend(twists.iter().map(|(shaft, twist)| ((*shaft).to_owned(), twist.si())));
         self
     }
 
-    /// With the first link of each pair at the speed of the second.
+    /// Returns the start with the first link of each pair at the speed of the second.
     #[must_use]
     pub fn together(mut self, pairs: &[[&str; 2]]) -> Self {
         self.together.extend(pairs.iter().map(|pair| pair.map(ToOwned::to_owned)));

@@ -1,12 +1,12 @@
 //! One step of an explicit Runge–Kutta method of order 8 with dense output of order 7.
 //!
 //! # Why not a crate
-//! An event needs the same step again, shortened, from stages that are known; a derivative that sees every
-//! stage, so that an event inside a step shows; and no allocation at a restart, of which a shift has many. Of
-//! the crates of explicit methods `ode_solvers` integrates to the end without stopping,
-//! `differential-equations` steps singly but cannot repeat a step and allocates some thirty vectors at each
-//! start, and `diffsol` brings its own linear algebra and its own stopping rule for one event at a time.
-//! Hence this file: the method alone, two hundred lines, its order tested.
+//! An event needs the same step again, shortened, from stages that are known. It also needs a derivative that
+//! sees every stage, so that an event inside a step shows; and no allocation at a restart, because a shift
+//! has many restarts. Three crates of explicit methods were considered. `ode_solvers` integrates to the end
+//! without stopping. `differential-equations` steps singly but cannot repeat a step and allocates some thirty
+//! vectors at each start. `diffsol` brings its own linear algebra and its own stopping rule for one event at
+//! a time. Hence this file: the method alone, two hundred lines, its order tested.
 //!
 //! ```text
 //! k_i = f(t + c_i·h, y + h·Σ a_ij·k_j)        y_1 = y + h·Σ b_i·k_i
@@ -191,7 +191,8 @@ mod tests {
         assert!(order > 8.0, "{order}");
     }
 
-    /// Down to speeds whose squares are no longer numbers, as rounding leaves them in what stands still.
+    /// The estimate is a number down to speeds whose squares are no longer numbers, as rounding leaves them
+    /// in bodies at rest.
     #[test]
     fn the_estimate_of_what_hardly_moves_is_a_number() {
         for exponent in -323..0 {

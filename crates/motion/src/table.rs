@@ -17,7 +17,7 @@ pub(crate) fn segment(points: &[[f64; 2]], at: f64, is_rising: bool) -> usize {
     points.partition_point(|point| if is_rising { point[0] <= at } else { point[0] < at })
 }
 
-/// Where a segment begins and ends.
+/// Places at which a segment begins and ends.
 pub(crate) fn ends(points: &[[f64; 2]], segment: usize) -> [Option<f64>; 2] {
     let of = |place: usize| points.get(place).map(|point| point[0]);
     [segment.checked_sub(1).and_then(of), of(segment)]

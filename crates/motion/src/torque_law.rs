@@ -111,6 +111,7 @@ impl TorqueLaw {
             throttle.iter().map(|&(time, opening)| (time, Torque::from_si(opening))).collect();
         let throttle = Course::table(&throttle)?;
         let [closed, full] = [speed_table(closed)?, speed_table(full)?];
+        // With the speeds of both curves in both tables, one segment is enough for the two of them.
         let mut speeds: Vec<f64> = closed.iter().chain(&full).map(|point| point[0]).collect();
         speeds.sort_by(f64::total_cmp);
         speeds.dedup();
@@ -233,6 +234,7 @@ impl Law {
             Self::Power { power, .. } => power / speed,
             Self::Quadratic { factor } => -factor * speed * speed.abs(),
             Self::Kloss { peak, peak_slip, synchronous } => {
+                // This form has no hole at a slip of 0, as s_k/s would have.
                 let slip = 1.0 - speed / synchronous;
                 2.0 * peak * slip * peak_slip / (slip * slip + peak_slip * peak_slip)
             }
@@ -247,7 +249,7 @@ impl Law {
         }
     }
 
-    /// What it has over time: its torque, or a throttle.
+    /// Course over time of the law: its torque, or a throttle.
     pub(crate) fn course(&self) -> Option<&Course> {
         match self {
             Self::Time(course) | Self::Map { throttle: course, .. } => Some(course),

@@ -113,8 +113,8 @@ fn parts(bench: &mut Criterion) {
     });
 }
 
-/// Which sets of five elements have as many functions as there are gears, and each gear in reach of one
-/// somewhere: the search of the structure, and every set of elements by itself.
+/// Benchmark of the sets of five elements whose functions are at least as many as the gears and reach every
+/// gear somewhere. The search of the structure is compared with a test of every set of elements.
 fn coverage(bench: &mut Criterion, structure: &Structure) {
     let wish = wish(&EIGHT_SPEED, 4, 5);
     let grid = Grid::new(&wish.k);

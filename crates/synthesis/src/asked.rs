@@ -1,17 +1,17 @@
-//! What was asked of a search, as text: two searches ask the same where the texts are equal, and then they
+//! Request of a search, as text: two searches have the same request if the texts are equal, and then they
 //! find the same.
 //!
-//! Numbers have as many digits as tell them from every other, so that equal texts are equal numbers, bit by
-//! bit.
+//! Numbers are written with enough digits to distinguish them from every other, so that equal texts are equal
+//! numbers, bit by bit.
 
 use crate::class::Class;
 use crate::rules::Rules;
 use crate::wish::Wish;
 
-/// What was asked, by names.
+/// Request of a search: names and values.
 pub type Asked = Vec<(String, String)>;
 
-/// What a search through a class for a wish is asked.
+/// Returns the request of a search through a class for a wish.
 #[must_use]
 pub fn asked(class: Class, wish: &Wish) -> Asked {
     // Field by field, so that a new one is not forgotten.

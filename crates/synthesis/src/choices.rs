@@ -8,12 +8,12 @@ pub(crate) struct Choices {
 }
 
 impl Choices {
-    /// Of so many things, of up to so many elements.
+    /// Numbering of the choices of `of` things among up to `elements` elements.
     pub(crate) fn new(of: usize, elements: usize) -> Self {
         Self { terms: (1..=of).map(|of| (0..=elements).map(|count| choose(count, of)).collect()).collect() }
     }
 
-    /// What each element adds to the number of a choice as its `place`-th in rising order, from 0.
+    /// Amount that each element adds to the number of a choice as its `place`-th in rising order, from 0.
     pub(crate) fn terms(&self, place: usize) -> &[usize] {
         &self.terms[place]
     }
@@ -43,7 +43,7 @@ impl Choices {
         go(&self.terms, elements, 0, 0, visit);
     }
 
-    /// How many choices of one less of so many elements there are.
+    /// Number of choices of one element less among this number of elements.
     pub(crate) fn count_of_one_less(&self, elements: usize) -> usize {
         choose(elements, self.terms.len() - 1)
     }
@@ -98,7 +98,7 @@ fn go(terms: &[Vec<usize>], left: u64, number: usize, chosen: u64, visit: &mut i
     }
 }
 
-/// How many choices of so many things there are.
+/// Number of choices of `of` things among `count`.
 pub(crate) fn choose(count: usize, of: usize) -> usize {
     (0..of).fold(1, |all, place| all * count.saturating_sub(place) / (place + 1))
 }

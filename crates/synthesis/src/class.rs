@@ -1,4 +1,4 @@
-//! Classes of structures: how many sets and links, and what is left out.
+//! Classes of structures: numbers of sets and links, and the structures left out.
 //!
 //! `n` simple sets; `L` moving links besides the housing, input and output among them. A structure has
 //! `F = L − n` degrees of freedom, so a gear engages `F − 1` shift elements.
@@ -17,7 +17,7 @@ pub const MOST_LINKS: usize = 11;
 /// The most shift elements that a gear engages.
 pub const MOST_ENGAGED: usize = 4;
 
-/// The most shift elements of a gearbox: what real ones have and two more.
+/// Largest number of shift elements of a gearbox: that of real gearboxes and two more.
 pub const MOST_ELEMENTS: usize = 8;
 
 /// A class of structures.
@@ -29,7 +29,7 @@ pub struct Class {
 }
 
 impl Class {
-    /// The class of structures of so many sets and moving links.
+    /// Class of the structures with these numbers of sets and moving links.
     ///
     /// # Errors
     /// [`Error::Sets`] outside 1…[`MOST_SETS`]; [`Error::Links`] below `sets + 2`, where no shift element is
@@ -50,7 +50,7 @@ impl Class {
         Ok(Self { kind, sets, links })
     }
 
-    /// What it keeps.
+    /// Kind of structures in the class.
     #[must_use]
     pub const fn kind(self) -> Kind {
         self.kind

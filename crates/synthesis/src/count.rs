@@ -1,12 +1,12 @@
-//! How many structures a class has, by two ways that find none of them.
+//! Numbers of structures and words of a class, by two methods independent of the enumeration.
 //!
-//! *Mass formula.* The words of a structure, one for each order of its sets that no automorphism makes equal
-//! to another, are `n!/|Aut|`. So `Σ n!/|Aut|` over the structures is the number of all words, and these are
+//! *Mass formula.* A structure has `n!/|Aut|` words, one for each order of its sets that no automorphism
+//! makes equal to another. So `Σ n!/|Aut|` over the structures is the number of all words, and these are
 //! counted without asking which are equal.
 //!
 //! *Burnside's lemma.* Orders of the sets and names of the other links, `n!·(L − 2)!` pairs `(σ, π)`, act on
-//! labelled structures. The structures are as many as a pair leaves labelled structures unchanged in the
-//! mean. Pairs with equal cycle lengths leave equally many.
+//! labelled structures. The number of structures is the mean number of labelled structures that a pair leaves
+//! unchanged. Pairs with equal cycle lengths leave an equal number unchanged.
 
 use crate::class::Class;
 use crate::enumerate;
@@ -18,13 +18,13 @@ use std::ops::ControlFlow;
 /// Counts of a class that agree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// How many structures.
+    /// Number of structures.
     pub structures: u64,
-    /// How many words: structures times orders of their sets, automorphisms left out.
+    /// Number of words: structures times orders of their sets, automorphisms left out.
     pub words: u64,
 }
 
-/// How many structures and words the enumeration finds: `words` is `Σ n!/|Aut|`.
+/// Numbers of structures and words by enumeration: `words` is `Σ n!/|Aut|`.
 #[must_use]
 pub fn enumerated(class: Class) -> Counts {
     let orders: u64 = (1..=class.sets() as u64).product();
@@ -37,7 +37,7 @@ pub fn enumerated(class: Class) -> Counts {
     counts
 }
 
-/// How many structures, counted one by one; nothing where `ended`, which is asked now and then, ends the
+/// Number of structures, counted one by one; `None` if `ended`, which is called now and then, ends the
 /// counting.
 #[must_use]
 pub fn structures(class: Class, ended: &dyn Fn() -> bool) -> Option<usize> {
@@ -49,7 +49,7 @@ pub fn structures(class: Class, ended: &dyn Fn() -> bool) -> Option<usize> {
     whole.is_continue().then_some(count)
 }
 
-/// How many words there are, counted one by one.
+/// Number of words, counted one by one.
 #[must_use]
 pub fn words(class: Class) -> u64 {
     let mut count = 0;
@@ -57,7 +57,7 @@ pub fn words(class: Class) -> u64 {
     count
 }
 
-/// How many structures, by Burnside's lemma.
+/// Number of structures, by Burnside's lemma.
 #[must_use]
 pub fn by_burnside(class: Class) -> u64 {
     let others = class.links() - 2;
@@ -89,7 +89,7 @@ fn fixed(class: Class, set_cycles: &[usize], name_cycles: &[usize]) -> u64 {
     grow(class, set_cycles, &renamed, &mut sets)
 }
 
-/// How many ways to choose the first set of each cycle, the others following from the renaming.
+/// Number of ways to choose the first set of each cycle, the others following from the renaming.
 fn grow(class: Class, cycles: &[usize], renamed: &[Link], sets: &mut Vec<Members>) -> u64 {
     let Some((length, rest)) = cycles.split_first() else {
         return u64::from(belongs(class, sets));
@@ -159,7 +159,7 @@ fn partitions(number: usize) -> Vec<Vec<usize>> {
     found
 }
 
-/// How many permutations have cycles of these lengths.
+/// Number of permutations with cycles of these lengths.
 fn permutations(cycles: &[usize]) -> u64 {
     let mut among = 1;
     for length in 1..=cycles.len().max(cycles.iter().sum()) {

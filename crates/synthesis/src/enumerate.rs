@@ -1,15 +1,15 @@
-//! All structures of a class, each once, in the order of their canonical words.
+//! Enumeration of the structures of a class, each once, in the order of their canonical words.
 //!
 //! Words grow set by set. The first sets of a canonical word are canonical themselves: an order of them with
 //! a smaller word would make the whole word smaller. So a prefix that is not canonical is left at once, and
-//! nothing has to be remembered to find each structure once.
+//! the enumeration finds each structure once without storing those found.
 
 use crate::class::Class;
 use crate::kind::Kind;
 use crate::structure::{FIRST_OTHER, INPUT, Link, Members, Names, OUTPUT, Structure, mask};
 use std::ops::ControlFlow;
 
-/// All structures of a class.
+/// Structures of a class, in canonical order.
 ///
 /// ```
 /// use epicyclic_synthesis::{Class, Kind, enumerate};
@@ -54,10 +54,11 @@ pub fn for_each_word(class: Class, visit: &mut impl FnMut(&[Members])) {
     let _ = go(class, false, &mut Vec::new(), (0, FIRST_OTHER), &mut whole);
 }
 
-/// A structure of a class by chance, `below(n)` being a number below `n`, each as probable: set by set one of
-/// the sets that may follow. The number that comes with it is the product of how many could follow each time,
-/// of which the mean over many draws is the number of structures; a beginning that nothing can follow counts
-/// as 0 and has no structure.
+/// Draws a random structure of a class, set by set from the sets that may follow, all equally probable.
+/// `below(n)` is a random number below `n`.
+///
+/// The number returned with it is the product of the numbers of sets that could follow. Its mean over many
+/// draws is the number of structures. A beginning that nothing can follow counts as 0 and has no structure.
 ///
 /// # Source
 /// D. E. Knuth, Estimating the efficiency of backtrack programs, Mathematics of Computation 29 (1975).
@@ -139,7 +140,7 @@ fn children(
     ControlFlow::Continue(())
 }
 
-/// How many links still need a member.
+/// Number of links that still need a member.
 fn missing(core: bool, touched: u32, last: Link, next: Link) -> usize {
     let ends = [INPUT, OUTPUT].into_iter().filter(|link| core && touched >> link & 1 == 0).count();
     ends + usize::from(last + 1 - next)

@@ -9,10 +9,10 @@
 //! ```
 //!
 //! has the same values there and is of the first degree in each `k` as well. So over a range of `t`, the same
-//! for each of these sets, its extremes are at the corners: with `j` of the `m` at the upper end they are the
-//! coefficients of `P(t … t)` by Bernstein, whose hull holds all its values. All that is said of boxes and
-//! corners holds with the polar forms in place of the polynomials, in boxes whose sets with equal `k` have
-//! one range.
+//! for each of these sets, its extremes are at the corners. With `j` of the `m` at the upper end they are the
+//! coefficients of `P(t … t)` by Bernstein, whose hull holds all its values. All statements on boxes and
+//! corners hold with the polar forms in place of the polynomials, in boxes whose sets with equal `k` have one
+//! range.
 
 use crate::class::MOST_SETS;
 use crate::parts::{Grid, Parts};
@@ -35,8 +35,8 @@ impl Equal {
     /// No sets: each `k` is free.
     pub const NONE: Self = Self(0);
 
-    /// Every choice of so many sets of one kind, where the last so many of all are double-planet sets; of one
-    /// set or none nothing is asked.
+    /// Choices of `count` sets of one kind, if the last `double_planets` of all sets are double-planet sets.
+    /// A `count` of 0 or 1 requires no equal sets.
     #[must_use]
     pub fn choices(count: usize, sets: usize, double_planets: usize) -> Vec<Self> {
         if count <= 1 {
@@ -95,7 +95,7 @@ impl Equal {
         }
     }
 
-    /// Adds up what all of them have at the first: slopes along the common `k`.
+    /// Adds up the slopes of all these sets at the first of them: slopes along the common `k`.
     pub(crate) fn gather(self, slopes: &mut [f64]) {
         for set in self.sets().filter(|set| self.follows(*set)) {
             slopes[self.first_of(set)] += slopes[set];

@@ -1,8 +1,8 @@
-//! What may be wrong with a question.
+//! Errors in the request of a search, or in its result.
 
 use crate::kind::Kind;
 
-/// Why there is no answer.
+/// Error of a search or of the judgement of a solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -10,7 +10,7 @@ pub enum Error {
     /// Too few or too many sets.
     #[error("{sets} planet sets: there may be 1 to {most}")]
     Sets {
-        /// How many were asked for.
+        /// Number of sets requested.
         sets: usize,
         /// The most.
         most: usize,
@@ -18,23 +18,23 @@ pub enum Error {
     /// Too few or too many links.
     #[error("{links} moving links for {sets} planet sets: {} structures have {least} to {most}", kind.name())]
     Links {
-        /// What the class keeps.
+        /// Kind of structures in the class.
         kind: Kind,
-        /// How many sets.
+        /// Number of sets.
         sets: usize,
-        /// How many links were asked for.
+        /// Number of links requested.
         links: usize,
         /// The fewest with which a gear engages a shift element.
         least: usize,
         /// The most.
         most: usize,
     },
-    /// Sets that are no structure.
+    /// Sets that do not form a structure.
     #[error("{name:?} is no structure: {why}")]
     NotAStructure {
         /// The sets as given.
         name: String,
-        /// What is wrong.
+        /// Reason.
         why: &'static str,
     },
     /// A step between wanted ratios that none of them can keep.
@@ -58,10 +58,10 @@ pub enum Error {
         /// The least that the later can be.
         after: f64,
     },
-    /// A share that is none.
+    /// A text that is not a share.
     #[error("{text:?} is no share: write 1/8 for the first of eight, up to 8/8")]
     Share {
-        /// As given.
+        /// Text as given.
         text: String,
     },
     /// Work that was done on other structures.
@@ -75,7 +75,7 @@ pub enum Error {
     /// A wish that no gearbox of the class can have.
     #[error("{why}")]
     Wish {
-        /// What is wrong with it.
+        /// Reason.
         why: String,
     },
     /// A solution that its own ratios or the solver contradict: a part of a search that was changed, or a
@@ -84,10 +84,10 @@ pub enum Error {
     Contradiction {
         /// The structure.
         structure: String,
-        /// What contradicts what.
+        /// Contradiction in words.
         why: String,
     },
-    /// What the solver refuses.
+    /// Error of the solver.
     #[error(transparent)]
     Solver(#[from] epicyclic_train::Error),
     /// Bounds of tooth numbers that nothing can keep.

@@ -1,24 +1,24 @@
-//! How long a search will take, from a sample of its structures.
+//! Estimate of the time of a search, from a sample of its structures.
 //!
 //! # Formula
 //! A search learns functions as it goes, so its first structures take longer than the later ones. A sample,
 //! spread evenly over the structures, is searched twice by one search; the second time it knows all functions
-//! that occur. With `m` structures of `N`, and the times `c` and `w` of the two passes, one thread takes
-//! about
+//! that occur. Let the class have `N` structures, the sample `m`, and let the two passes take the times `c`
+//! and `w`. One thread then takes about
 //!
 //! ```text
 //! t = w·N/m + (c − w)·√(N/m)
 //! ```
 //!
-//! The second term supposes that functions become known as the words of a text do: their number grows with
-//! the root of its length. It is a guess, but for a share of the class that is not small against the sample,
-//! it is the lesser term. Shares that work apart each learn for themselves, so `n` of them take longer than
-//! the whole: in one of them stand `N/n` structures.
+//! The second term assumes that functions become known as the words of a text do: their number grows with the
+//! root of its length. This is a guess. For a share of the class that is large against the sample, it is the
+//! smaller term. Shares that work apart each learn for themselves, so `n` of them take longer than the whole:
+//! each has `N/n` structures.
 //!
-//! The structures of five and six sets take long to count. Where they take longer than a budget, their number
-//! is estimated by draws: a draw goes from set to set, each time to one of those that may follow, and the
-//! product of how many could follow is in the mean the number of structures. The sample is then of the
-//! structures drawn, each as often as its product says.
+//! The structures of five and six sets take long to count. If the count takes longer than a budget, their
+//! number is estimated by draws. A draw goes from set to set, each time to one of those that may follow. The
+//! mean of the product of the numbers of sets that could follow is the number of structures. The sample is
+//! then taken from the drawn structures, each as often as its product requires.
 
 use crate::choices::choose;
 use crate::class::Class;
@@ -31,12 +31,13 @@ use crate::ternary::Word;
 use crate::wish::Wish;
 use crate::work::Share;
 
-/// How many structures a class has.
+/// Number of structures of a class.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Size {
-    /// How many: counted, or estimated by draws.
+    /// Number of structures: counted, or estimated by draws.
     pub structures: usize,
-    /// What was drawn, with the products of how many sets could follow; nothing where all were counted.
+    /// Drawn structures, with the products of the numbers of sets that could follow; empty if all were
+    /// counted.
     drawn: Vec<(f64, Structure)>,
 }
 
@@ -47,8 +48,8 @@ impl Size {
         self.drawn.is_empty()
     }
 
-    /// So many structures of those drawn, one of each choice of double-planet sets, each as often as its
-    /// product says, but never twice.
+    /// Takes `count` of the drawn structures, one of each choice of double-planet sets, each as often as its
+    /// product requires, but never twice.
     fn spread(&self, count: usize, double_planets: usize) -> Vec<Structure> {
         let all: f64 = self.drawn.iter().map(|(weight, _)| weight).sum();
         let (mut reached, mut wanted) = (0.0, 0.5);
@@ -66,8 +67,9 @@ impl Size {
     }
 }
 
-/// How many structures a class has: counted where that takes at most `budget_s` seconds of `clock`, in s,
-/// else estimated by draws for as long. Nothing where `ended` ends it, which is asked now and then.
+/// Number of structures of a class. They are counted if that takes at most `budget_s` seconds of `clock`, in
+/// s; else their number is estimated by draws for as long. `None` if `ended`, which is called now and then,
+/// ends it.
 pub fn size(class: Class, budget_s: f64, clock: &dyn Fn() -> f64, ended: &dyn Fn() -> bool) -> Option<Size> {
     let begun = clock();
     if let Some(structures) = count::structures(class, &|| ended() || clock() - begun > budget_s) {
@@ -114,35 +116,35 @@ pub struct Sample {
     pub structures: usize,
     /// Structures of the sample.
     pub sampled: usize,
-    /// How long it took, in s.
+    /// Time of the first pass, in s.
     pub first_s: f64,
-    /// How long it took again, in s.
+    /// Time of the second pass, in s.
     pub again_s: f64,
-    /// Bytes of what the search learned.
+    /// Memory of the functions that the search learned, bytes.
     pub learned: usize,
     /// Whether it was ended before its last structure was searched: then all times are more.
     pub is_cut: bool,
 }
 
 impl Sample {
-    /// How many samples the share is.
+    /// Size of the share in samples.
     fn times(&self) -> f64 {
         self.structures as f64 / self.sampled.max(1) as f64
     }
 
-    /// What the search took longer the first time, in s.
+    /// Extra time of the first pass over the second, in s.
     fn learning(&self) -> f64 {
         (self.first_s - self.again_s).max(0.0)
     }
 
-    /// How long one thread will take, in s.
+    /// Estimated time of one thread, in s.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         let times = self.times();
         self.again_s * times + self.learning() * times.sqrt()
     }
 
-    /// Into how many shares the search is divided so that each takes one thread so many seconds.
+    /// Number of shares into which the search is divided so that each takes one thread this time, in s.
     #[must_use]
     pub fn shares(&self, seconds: f64) -> f64 {
         // Of the root x of a share's structures over those of the sample: w·x² + (c − w)·x is the time of a
@@ -152,11 +154,11 @@ impl Sample {
         self.times() / (root * root)
     }
 
-    /// About how many bytes a search on so many threads holds: the structures, and on each thread what it
-    /// learned.
+    /// Approximate memory of a search on this number of threads, in bytes: the structures, and on each thread
+    /// the functions learned.
     #[must_use]
     pub fn bytes(&self, threads: usize) -> f64 {
-        /// The members of a structure stand in a block of their own.
+        /// Bytes of the members of a structure, which are a block of their own.
         const MEMBERS: usize = 32;
         let times = self.times();
         let of_structures = self.structures * (size_of::<Structure>() + MEMBERS);
@@ -167,12 +169,12 @@ impl Sample {
 /// The fewest structures of a sample: from one to the next their times differ a hundredfold and more.
 const FEWEST: usize = 8;
 
-/// How many times its budget a sample may take to have so many.
+/// Largest multiple of its budget that a sample may take to reach the fewest structures.
 const PATIENCE: f64 = 20.0;
 
-/// A sample of the search through a share of a class of this size: as many structures as `budget_s` seconds
-/// of `clock`, in s, allow, or 8 where that many are searched in twenty times as long, and at least one. It
-/// takes up to twice as long; where `ended`, which is asked now and then, ends it, the sample is cut.
+/// Searches a sample of a share of a class of this size. The sample has as many structures as `budget_s`
+/// seconds of `clock`, in s, allow, or 8 if these are searched in twenty times as long, and at least one. It
+/// takes up to twice as long; if `ended`, which is called now and then, ends it, the sample is cut.
 ///
 /// # Errors
 /// As [`search`](crate::run::search).
@@ -237,15 +239,15 @@ fn of<W: Word>(
     }
     let between = clock();
     let first_s = between - begun;
-    // What is cut has not learned all.
+    // A search that is cut has not learned all functions.
     let is_cut =
         is_cut || !structures[..sampled].iter().all(|one| search.structure_unless(one, ended).is_some());
     let again_s = if is_cut { first_s } else { clock() - between };
     Sample { sampled, first_s, again_s, learned: search.bytes(), is_cut, ..sample }
 }
 
-/// All places below a number, each once, in an order of which the first so many are spread evenly for any so
-/// many: by the rest of their multiples of the golden section.
+/// Places below a number, each once, in an order whose beginnings of any length are spread evenly. They are
+/// sorted by the fractional part of their multiples of the golden section.
 fn spread(count: usize) -> Vec<usize> {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let rest = |place: usize| (place as f64 * SECTION).fract();

@@ -1,25 +1,25 @@
 //! Products of vectors that change sign when two factors change places, for determinants grown row by row.
 //!
 //! A product of `m` vectors of a space of `F` dimensions has a coordinate for each `m` of the `F` axes: the
-//! minor of the rows there. Coordinates stand in the order of the axes' bits.
+//! minor of the rows there. Coordinates are in the order of the axes' bits.
 
 use crate::ternary::{Ternary, Word};
 
-/// How products of a space are made.
+/// Rules for the products of a space.
 #[derive(Debug, Clone)]
 pub struct Space {
-    /// For each degree, for each coordinate of it, its axes as bits.
+    /// Axes of each coordinate as bits, by degree.
     axes: Vec<Vec<u32>>,
-    /// For each degree from 1, for each coordinate: coordinate of the degree below, axis, and whether the
+    /// Growth of each coordinate, by degree from 1: coordinate of the degree below, axis, and whether the
     /// sign changes.
     growth: Vec<Vec<Vec<(usize, usize, bool)>>>,
-    /// For each pair of axes: the coordinate of degree `F − 2` with the other axes, and whether the sign
+    /// Pairs of axes, each with the coordinate of degree `F − 2` with the other axes, and whether the sign
     /// changes.
     pairs: Vec<(usize, usize, usize, bool)>,
 }
 
 impl Space {
-    /// The space of so many dimensions, at least 2.
+    /// Space of this number of dimensions, at least 2.
     #[must_use]
     pub fn new(dimensions: usize) -> Self {
         let axes: Vec<Vec<u32>> = (0..=dimensions)
@@ -60,7 +60,7 @@ impl Space {
         Self { axes, growth, pairs }
     }
 
-    /// How many coordinates a product of so many vectors has.
+    /// Number of coordinates of a product of this number of vectors.
     #[must_use]
     pub fn coordinates(&self, degree: usize) -> usize {
         self.axes[degree].len()

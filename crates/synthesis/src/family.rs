@@ -1,14 +1,14 @@
 //! Families of solutions: those whose gears have equal formulas.
 //!
-//! Two solutions are of one family where their gears are the same of those wanted and, after an exchange of
-//! sets, have equal formulas one by one. Sets are exchanged only with sets of their own kind with the same
-//! range of `k`: so the members have the same ratios at every `k`, the same best `k` and the same ranges,
-//! each up to the exchange. They differ in what goes on within: efficiency, torques, slips, speeds, and
-//! whether they can be drawn. A solution has the functions that it is told with.
+//! Two solutions are of one family if they have the same of the wanted gears and, after an exchange of sets,
+//! have equal formulas one by one. Sets are exchanged only with sets of their own kind with the same range of
+//! `k`. So the members have the same ratios at every `k`, the same best `k` and the same ranges, each up to
+//! the exchange. They differ inside: in efficiency, torques, slips, speeds, and whether they can be drawn.
+//! The formulas compared are those with which a solution is listed.
 //!
 //! # How it is computed
-//! Of the formulas under all exchanges the least, by their words, stands for the family: two families are
-//! equal where these are.
+//! The least of the formulas under all exchanges, by their words, represents the family: two families are
+//! equal if their least formulas are.
 
 use crate::permutation::Exchange;
 use crate::structure::for_each_order;
@@ -16,12 +16,12 @@ use crate::wish::Wish;
 use crate::work::Found;
 use rustc_hash::FxHashMap;
 
-/// What the members of a family share.
+/// Common properties of the members of a family.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Family {
-    /// Which of the wanted gears they have.
+    /// Places of the wanted gears that the members have.
     gears: Vec<usize>,
-    /// For each set the bits of the ends of its range of `k`.
+    /// Bits of the ends of the range of `k` of each set.
     ranges: Vec<[u64; 2]>,
     double_planets: usize,
     /// The words of the gears' formulas, under the exchange that makes them least.

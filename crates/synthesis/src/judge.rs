@@ -1,4 +1,4 @@
-//! What a solution is worth: shifts, efficiency by the solver, how near its ratios come.
+//! Judgement of a solution: shifts, efficiency by the solver, deviations of its ratios.
 
 use crate::error::Error;
 use crate::gearbox::gearbox;
@@ -25,23 +25,23 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 pub struct Judged {
     /// Best `k`, ranges, greatest deviation.
     pub refined: Refined,
-    /// For each gear the elements that it engages, by their places: of the choices with its ratio those with
-    /// the fewest exchanges between neighbouring gears.
+    /// Engaged elements of each gear, by their places: of the choices with its ratio those with the fewest
+    /// exchanges between neighbouring gears.
     pub engaged: Vec<Vec<usize>>,
-    /// How many shifts between neighbouring forward gears exchange more than one element.
+    /// Number of shifts between neighbouring forward gears that exchange more than one element.
     pub multiple_shifts: usize,
-    /// For each gear the ratio by the solver.
+    /// Ratio of each gear by the solver.
     pub ratios: Vec<f64>,
-    /// For each gear the efficiency by the solver; nothing where its losses leave it none.
+    /// Efficiency of each gear by the solver; `None` if its losses leave it none.
     pub efficiencies: Vec<Option<f64>>,
     /// The greatest slip of an open element in a gear, over the input's speed.
     pub slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of
-    /// a double-planet set what they exceed whatever their teeth ([`planet_speed`]).
+    /// Greatest speed of a planet relative to its carrier in a gear, over the input's. For the planets of a
+    /// double-planet set it is a lower bound for any teeth ([`planet_speed`]).
     pub planet_speed: f64,
-    /// Which sets share planets at the best `k`.
+    /// Sets that share planets at the best `k`.
     pub sharing: Sharing,
     /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish; sets that
     /// share planets are one.
@@ -61,8 +61,7 @@ impl Judged {
         self.least_efficiency(true).unwrap_or(1.0)
     }
 
-    /// The least efficiency of a reverse gear, 0 where a gear has none; nothing where there is no reverse
-    /// gear.
+    /// Least efficiency of a reverse gear, 0 if a gear has none; `None` without a reverse gear.
     #[must_use]
     pub fn reverse_efficiency(&self) -> Option<f64> {
         self.least_efficiency(false)
@@ -80,7 +79,7 @@ impl Judged {
     /// η = Σ s_g·η_g / Σ s_g
     /// ```
     ///
-    /// Nothing where the shares of all forward gears are 0.
+    /// `None` if the shares of all forward gears are 0.
     #[must_use]
     pub fn mean_efficiency(&self, shares: &[f64]) -> Option<f64> {
         let (mut sum, mut all) = (0.0, 0.0);
@@ -92,9 +91,9 @@ impl Judged {
     }
 }
 
-/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`.
-/// After each `judged` is told how many are; from a break on nothing is judged, and there is nothing in the
-/// place of what is left.
+/// Judges all solutions of a wish, in their order; with the feature `parallel` on all threads of the pool.
+/// After each solution `judged` is called with the number judged so far. After a break nothing more is
+/// judged, and the remaining places are `None`.
 ///
 /// # Errors
 /// Those of [`judge`].
@@ -125,13 +124,15 @@ pub fn judge_all(
 /// Judges a solution of a wish; the solver has to confirm each ratio.
 ///
 /// # Errors
-/// [`Error::Contradiction`] where a gear's ratio at the solution's `k` is beyond its bounds, shifts that have
-/// to be single are not, or the solver's ratio of a gear is another than the formula's; else those of the
-/// solver. None are known for solutions of a search with `k` above 1.
+/// - [`Error::Contradiction`] if a gear's ratio at the solution's `k` is beyond its bounds, or differs by the
+///   solver from the formula's;
+/// - [`Error::Contradiction`] if shifts that have to be single are not;
+/// - errors of the solver: none are known for solutions of a search with `k` above 1.
 pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Result<Judged, Error> {
     let solution = &found.solution;
     let contradiction = |why| Error::Contradiction { structure: found.structure.to_string(), why };
     let ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
+    // The solution may come from a changed part of a search, so it is checked against the wish first.
     if ratios.len() != wish.gears.len() || solution.k.len() != wish.k.len() {
         let (gears, sets) = (ratios.len(), solution.k.len());
         return Err(contradiction(format!(
@@ -186,9 +187,9 @@ pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Res
     })
 }
 
-/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a
-/// double-planet set, or of a compound one, are not known, what its planets exceed: of a compound set for
-/// each sun and ring with one planet or two between them.
+/// Greatest speed of a planet relative to its carrier, over the input's. If the teeth of a double-planet set,
+/// or of a compound one, are not known, it is a lower bound; for a compound set over each sun and ring with
+/// one planet or two between them.
 ///
 /// ```text
 /// ∣ω_g − ω_H∣ = ∣ω_s − ω_H∣·z_s/z_g > 2·∣ω_s − ω_H∣/(k − 1)        of both planets of a double-planet set
@@ -226,13 +227,15 @@ fn suns_and_rings(set: &PlanetSet) -> Vec<[usize; 2]> {
         (0..set.centrals().len()).filter(move |central| set.centrals()[*central].kind == kind)
     };
     let pairs = of(CentralKind::Sun).flat_map(|sun| of(CentralKind::Ring).map(move |ring| [sun, ring]));
+    // Three meshes have two planets between sun and ring; the bound on the speed holds for no more.
     pairs.filter(|[sun, ring]| set.path(*sun, *ring).len() <= 3).collect()
 }
 
-/// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.
+/// Elements of each gear with the fewest exchanged between neighbours, and the number of shifts that exchange
+/// several.
 ///
-/// Forward gears stand in falling order of their ratios, and keep the single shifts of the wish; backward
-/// gears take what shares most with the first forward gear.
+/// Forward gears are in falling order of their ratios, and keep the single shifts of the wish. Backward gears
+/// take the choice that shares most with the first forward gear.
 fn exchanges(found: &Found, wish: &Wish) -> Option<(Vec<Vec<usize>>, usize)> {
     let gears = &found.solution.gears;
     let forward = forward(&wish.gears);

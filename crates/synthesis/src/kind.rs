@@ -1,22 +1,22 @@
-//! What a class of structures keeps of all.
+//! Kinds of structures that a class contains.
 
-/// What of all structures a class keeps.
+/// Kind of structures that a class contains.
 ///
-/// Both are *sparse*: any `m` sets touch at least `m + 2` links, the housing among them. This leaves out sets
-/// that are locked, two sets on the same three links, and sets that are locked to the housing. In both every
-/// link but the input and the output is on a member: a link between two shift elements alone would put them
-/// in series.
+/// Structures of both kinds are *sparse*: any `m` sets touch at least `m + 2` links, the housing among them.
+/// This leaves out sets that are locked, two sets on the same three links, and sets that are locked to the
+/// housing. In both kinds every link but the input and the output is on a member: a link between two shift
+/// elements alone would put them in series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// No member on the housing, input and output on members, all sets joined by links.
     Core,
-    /// All sparse structures: members may be on the housing, and shift elements alone may reach the input or
-    /// the output.
+    /// Sparse structures without further condition: members may be on the housing, and shift elements alone
+    /// may reach the input or the output.
     AllSparse,
 }
 
 impl Kind {
-    /// Its name: `core` or `all sparse`.
+    /// Name of the kind: `core` or `all sparse`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -8,29 +8,29 @@
 //! | [`enumerate`], [`count`] | all of a class, each once, and how many by other ways |
 //! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
 //! | [`ratio`] | ratios as formulas, factored |
-//! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
-//! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
+//! | [`parts`] | parts of the range of the ring-to-sun ratios in which a ratio is possible |
+//! | [`wish`] | requirements, and whether any gearbox of a class can fulfil them |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
 //! | [`equal`] | sets with equal `k` |
-//! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
-//! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
+//! | [`rules`], [`shifts`] | further rules: brakes and clutches, single shifts, a direct gear |
+//! | [`run`], [`work`] | a search through a class or a share, on several threads, with breaks |
 //! | [`estimate`] | how long a search will take, from a sample |
-//! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
+//! | [`tally`], [`asked`] | the counts and the request of a search, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
-//! | [`limits`] | steps, slips and speeds that a solution has to keep |
+//! | [`limits`] | limits of steps, slips and speeds for a solution |
 //! | [`family`] | which solutions have equal functions |
-//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
-//! | [`usable`] | limits of a gearbox that is of use, by which a search goes on to larger classes |
+//! | [`rank`] | ratings of a solution by the solver, the Pareto front and the best by an order |
+//! | [`usable`] | limits of a usable gearbox, by which a search goes on to larger classes |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`sharing`] | sets that share planets, as the compound set that they are |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
-//! Every set of shift elements with which each wanted ratio is had within its bounds, at real ring-to-sun
-//! ratios within their range, of every structure of the class. Sets in which some `k` moves no wanted ratio
-//! are *reducible*: counted, not told. Shift elements that lock the same are one; of solutions that an
-//! automorphism of the structure makes equal one is told. Bounds are widened by 10⁻⁹, so that rounding loses
-//! nothing; what is neither found nor excluded is *undecided* and counted.
+//! The search covers every structure of the class, at real ring-to-sun ratios within their range. It finds
+//! every set of shift elements with which each wanted ratio is within its bounds. Sets in which some `k`
+//! moves no wanted ratio are *reducible*: counted, not listed. Shift elements that lock the same are one. Of
+//! solutions that an automorphism of the structure makes equal, one is listed. Bounds are widened by 10⁻⁹, so
+//! that rounding loses nothing. A set that is neither found nor excluded is *undecided* and counted.
 //!
 //! # Source
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets

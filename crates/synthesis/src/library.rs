@@ -1,8 +1,9 @@
-//! The functions that elements engage, each worked out once: its formula, and which gears it reaches where.
+//! Library of the functions that elements engage, each worked out once: its formula, and the parts in which
+//! it reaches each gear.
 //!
-//! A function with its `k` in another order reaches what the first does with the parts of the range in that
-//! order, where the `k` so exchanged have the same range. So the bounds are calculated for one of each such
-//! family alone: in a class of four sets for one in twenty.
+//! Exchanging `k` that have the same range gives a function that reaches the same gears in the
+//! correspondingly exchanged parts. So the bounds are calculated for only one function of each such family:
+//! in a class of four sets for one in twenty.
 
 use crate::motion::Speeds;
 use crate::parts::{Bounds, Grid, Parts};
@@ -14,15 +15,15 @@ use rustc_hash::FxHashMap;
 /// The number of a function in a library.
 pub(crate) type Number = u32;
 
-/// What engaged elements give that no wanted gear can have.
+/// Number for elements whose function no wanted gear can have.
 pub(crate) const USELESS: Number = Number::MAX;
 
-/// A function that reaches a gear somewhere.
+/// A function that reaches a gear in some part of the range.
 struct Record {
     ratio: Ratio,
     /// Gears within reach, as bits.
     gears: u32,
-    /// Where its parts begin: for each of these gears those within reach.
+    /// Beginning of the parts of the function: for each of these gears those within reach.
     reach: usize,
 }
 
@@ -33,7 +34,7 @@ pub(crate) struct Library<W> {
     permutations: Vec<Permutation>,
     by_speeds: FxHashMap<Speeds<W>, Number>,
     by_ratio: FxHashMap<Ratio, Number>,
-    /// For the least formula of each family the gears within reach, and where its parts begin.
+    /// Gears within reach of the least formula of each family, and the beginning of its parts.
     families: FxHashMap<Ratio, (u32, usize)>,
     of_families: Vec<Parts>,
     records: Vec<Record>,
@@ -60,7 +61,7 @@ impl<W: Word> Library<W> {
         &self.grid
     }
 
-    /// About how many bytes it holds: what is allotted, and a byte more for each place of a hash table.
+    /// Approximate memory in bytes: the allotted bytes, and one more for each place of a hash table.
     pub(crate) fn bytes(&self) -> usize {
         let Self { by_speeds, by_ratio, families, of_families, records, reach, .. } = self;
         by_speeds.capacity() * (size_of::<(Speeds<W>, Number)>() + 1)
@@ -124,7 +125,7 @@ impl<W: Word> Library<W> {
         self.records[number as usize].gears
     }
 
-    /// For each of these gears, in turn, the parts in which the function reaches it.
+    /// Parts in which the function reaches each of these gears, in turn.
     pub(crate) fn reach(&self, number: Number) -> &[Parts] {
         let record = &self.records[number as usize];
         &self.reach[record.reach..][..record.gears.count_ones() as usize]

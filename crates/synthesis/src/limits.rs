@@ -1,16 +1,21 @@
 //! Limits that a solution keeps or misses at its best ring-to-sun ratios.
 //!
 //! # What complete means here
-//! Steps, slips and speeds depend on the `k`. They are judged where the greatest deviation of the ratios is
-//! least ([`refine`](crate::refine)), with the elements that are told. A solution that misses a limit there
-//! is left out and counted; at other `k` within its ranges, or with other elements, it might keep it.
+//! Steps, slips and speeds depend on the `k`. They are judged at the point with the least greatest deviation
+//! of the ratios ([`refine`](crate::refine)), with the elements that are listed. A solution that misses a
+//! limit there is left out and counted; at other `k` within its ranges, or with other elements, it might keep
+//! it.
 //!
 //! # Formulas
 //! The step from a forward gear to the next is `i_g/i_{g+1}`, above 1. Slips and speeds are multiples of the
-//! input's speed: `∣ω_u − ω_v∣/ω_1` of an open element, `∣ω∣/ω_1` of a link, `∣ω_g − ω_H∣/ω_1` of a planet on
-//! its carrier, each the greatest over all gears. Of the planets of a double-planet set, which depend on
-//! their teeth, it is what they exceed whatever these ([`planet_speed`](crate::judge::planet_speed)): what
-//! misses the limit misses it with any teeth, and what keeps it may miss it with some.
+//! input's speed, each the greatest over all gears:
+//! - `∣ω_u − ω_v∣/ω_1` of an open element;
+//! - `∣ω∣/ω_1` of a link;
+//! - `∣ω_g − ω_H∣/ω_1` of a planet on its carrier.
+//!
+//! The speed of the planets of a double-planet set depends on their teeth. The value is then a lower bound
+//! for any teeth ([`planet_speed`](crate::judge::planet_speed)): a solution that misses the limit misses it
+//! with any teeth, and one that keeps it may miss it with some.
 
 use crate::Error;
 use crate::judge::Judged;
@@ -18,12 +23,12 @@ use crate::parts::Bounds;
 use crate::wish::forward;
 use std::ops::RangeInclusive;
 
-/// What a solution has to keep at its best `k`. By default nothing.
+/// Limits for a solution at its best `k`. By default none.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Limits {
     /// The range of each ratio step between neighbouring forward gears.
     pub steps: Option<RangeInclusive<f64>>,
-    /// Whether no step is larger than the one before it, from the first gear on.
+    /// Whether no step is larger than the previous step, from the first gear on.
     pub falling_steps: bool,
     /// The greatest slip of an open element over the input's speed.
     pub slip: Option<f64>,
@@ -38,7 +43,7 @@ pub struct Limits {
 pub enum Limit {
     /// A ratio step out of its range.
     Steps,
-    /// A step larger than the one before it.
+    /// A step larger than the previous step.
     FallingSteps,
     /// Slip of an open element.
     Slip,

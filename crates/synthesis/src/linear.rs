@@ -1,23 +1,23 @@
 //! Linear programmes of a few variables, each between −1 and 1, with bounds that hold whatever the rounding.
 //!
-//! The greatest `c·x` with `x` in the cube and `b_i + a_i·x ≥ 0` is sought by the dual simplex method from
-//! the cube's corner that `c` asks for. Any weights `λ_i ≥ 0` bound it:
+//! The dual simplex method finds the greatest `c·x` with `x` in the cube and `b_i + a_i·x ≥ 0`. It starts at
+//! the cube's corner with the greatest `c·x`. Any weights `λ_i ≥ 0` bound it:
 //!
 //! ```text
 //! c·x ≤ Σ λ_i·b_i + Σ_j |c_j + Σ_i λ_i·a_ij|
 //! ```
 //!
-//! The method gives the weights with which this is least; the bound is calculated from them and the rows as
+//! The method gives the weights with which this is least. The bound is calculated from them and the rows as
 //! given, so an error of the method can only make it wider. A bound below every `c·x` of the cube proves that
-//! there is no point.
+//! no point exists.
 
 use crate::tolerance::SLACK;
 
 /// The most variables: the ring-to-sun ratios of six sets, and one more.
 pub(crate) const MOST: usize = 7;
 
-/// How often the method goes on at most. It takes a step or two for each variable; a bound is had wherever it
-/// stops.
+/// Largest number of steps of the method. It needs a step or two for each variable; a bound follows wherever
+/// it stops.
 const STEPS: usize = 48;
 
 /// An inequality `b + a·x ≥ 0`.
@@ -35,7 +35,7 @@ impl Row {
     }
 }
 
-/// What a linear programme came to.
+/// Result of a linear programme.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Optimum {
     /// Proved: no point of the cube keeps all inequalities.
@@ -44,7 +44,7 @@ pub(crate) enum Optimum {
     Most {
         /// The bound.
         bound: f64,
-        /// Where it was reached, up to rounding.
+        /// Point of the bound, up to rounding.
         point: [f64; MOST],
     },
 }
@@ -66,7 +66,7 @@ pub(crate) struct Programme {
 }
 
 impl Programme {
-    /// The greatest `objective·x` of the first so many variables; the others are 0.
+    /// Finds the greatest `objective·x` over the first `variables` variables; the others are 0.
     pub(crate) fn most(&mut self, rows: &[Row], objective: &[f64; MOST], variables: usize) -> Optimum {
         self.table.clear();
         self.table.extend_from_slice(rows);
@@ -185,7 +185,7 @@ impl Programme {
         Optimum::Most { bound: self.bound(rows, objective), point }
     }
 
-    /// What `objective·x` cannot exceed, by the weights.
+    /// Upper bound of `objective·x`, from the weights.
     fn bound(&self, rows: &[Row], objective: &[f64; MOST]) -> f64 {
         let mut slopes = *objective;
         let mut bound = 0.0;
@@ -260,7 +260,8 @@ mod tests {
         assert_eq!(most(&rows, &[0.0, 1.0]), Optimum::None);
     }
 
-    /// All meetings of as many planes as there are variables: the plain way.
+    /// Greatest value by trial of all intersections of as many planes as variables, independent of the
+    /// method.
     fn by_trial(rows: &[Row], objective: &[f64; 3]) -> Option<f64> {
         let mut planes = rows.to_vec();
         for variable in 0..3 {

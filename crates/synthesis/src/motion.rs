@@ -2,22 +2,22 @@
 //!
 //! # Formula
 //! A set ties its links by `(ω_s − ω_H) + k·(ω_r − ω_H) = 0`, an engaged element two links by
-//! `ω_u − ω_v = 0`. With the `n` sets and `e = F − 1` elements as rows, the speed of link `v` is, up to a
-//! factor common to all links, the determinant of these rows and one more that holds a 1 at `v`:
+//! `ω_u − ω_v = 0`. The `n` sets and `e = F − 1` elements are the rows of a matrix. The speed of link `v` is,
+//! up to a factor common to all links, the determinant of these rows and one more with a 1 at `v`:
 //!
 //! ```text
 //! ω_v ∝ det(sets, elements, v) = Σ_S (Π_{i∈S} k_i)·D_v(S)        i = ω_1/ω_2
 //! ```
 //!
-//! In `D_v(S)` a set of `S` has the row of its edge ring–carrier, any other that of sun–carrier: the
-//! incidence matrix of a graph, so `D_v(S)` is 1 or −1 where the edges form a tree with the housing, else 0.
+//! In `D_v(S)` a set of `S` has the row of its edge ring–carrier, any other that of sun–carrier. This is the
+//! incidence matrix of a graph, so `D_v(S)` is 1 or −1 if the edges form a tree with the housing, else 0.
 //!
 //! # How it is computed
-//! The edges of the sets alone leave `F` groups of links apart from the housing's (or have a circle, then
-//! `D_v(S) = 0` for all elements). Modulo the rows of the sets a link is the axis of its group, an element
-//! the difference of two axes, and `D_v(S)` a determinant of `F` rows, times a sign of `S`. All `S` are
-//! calculated at once, as bits of [`Ternary`] words, and products of the first elements are shared by all
-//! sets of elements that begin so.
+//! The edges of the sets alone leave `F` groups of links apart from the housing's, or have a circle; then
+//! `D_v(S) = 0` for all elements. Modulo the rows of the sets a link is the axis of its group, and an element
+//! the difference of two axes. `D_v(S)` is a determinant of `F` rows, times a sign of `S`. All `S` are
+//! calculated at once, as bits of [`Ternary`] words. Sets of elements that begin alike share the products of
+//! the first elements.
 
 use crate::exterior::Space;
 use crate::structure::{HOUSING, INPUT, Link, Members, OUTPUT, Structure};
@@ -31,11 +31,11 @@ pub type Element = [Link; 2];
 pub struct Speeds<W> {
     /// The polynomial of the input's speed.
     pub input: Ternary<W>,
-    /// That of the output's.
+    /// The polynomial of the output's speed.
     pub output: Ternary<W>,
 }
 
-/// All pairs of links that an element may join: none brakes the input or the output.
+/// Pairs of links that an element may join: none brakes the input or the output.
 #[must_use]
 pub fn elements(links: usize) -> Vec<Element> {
     let links = Link::try_from(links).unwrap_or(Link::MAX);
@@ -47,20 +47,20 @@ pub fn elements(links: usize) -> Vec<Element> {
 pub struct Motion<W> {
     space: Space,
     freedom: usize,
-    /// For each link its axis modulo the sets, signed by `S`.
+    /// Axis of each link modulo the sets, signed by `S`.
     axes: Vec<Vec<Ternary<W>>>,
-    /// For each element the difference of its links' axes, without the sign of `S`.
+    /// Difference of the axes of each element's links, without the sign of `S`.
     differences: Vec<Vec<Ternary<W>>>,
-    /// For each pair of axes, for each element: its product with input and output.
+    /// Products of each pair of axes and each element with input and output.
     with_ends: Vec<Vec<Speeds<W>>>,
     /// Products of the first elements, by degree.
     products: Vec<Vec<Ternary<W>>>,
-    /// What the last elements give.
+    /// Speeds with each of the last elements.
     last: Vec<Speeds<W>>,
 }
 
 impl<W: Word> Motion<W> {
-    /// For structures of so many degrees of freedom, at least 2.
+    /// Prepares for structures of this number of degrees of freedom, at least 2.
     #[must_use]
     pub fn new(freedom: usize) -> Self {
         let space = Space::new(freedom);
@@ -191,10 +191,10 @@ impl<W: Word> Motion<W> {
         }
     }
 
-    /// The speeds that these elements give, `F − 1` of them.
+    /// Returns the speeds with these elements, `F − 1` of them.
     ///
     /// # Panics
-    /// Where there are more or fewer elements.
+    /// With more or fewer elements.
     #[must_use]
     pub fn gear(&mut self, elements: &[usize]) -> Speeds<W> {
         assert_eq!(
@@ -214,8 +214,8 @@ impl<W: Word> Motion<W> {
     }
 }
 
-/// For each link the group that the edges of the sets put it in, `None` for that of the housing, and whether
-/// the determinant of these edges and one link of each group is −1; nothing where the edges have a circle.
+/// Group of each link by the edges of the sets, `None` for the housing's group, and whether the determinant
+/// of these edges and one link of each group is −1. The result is `None` if the edges have a circle.
 fn groups(sets: &[Members], links: usize, chosen: usize) -> Option<(Vec<Option<usize>>, bool)> {
     let edges: Vec<[usize; 2]> = sets
         .iter()

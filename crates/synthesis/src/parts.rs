@@ -1,14 +1,13 @@
-//! The range of the ring-to-sun ratios in parts, and which parts hold a ratio that is wanted.
+//! Division of the range of the ring-to-sun ratios into parts, and the parts that hold a wanted ratio.
 //!
 //! The range of each `k` is cut into equal ratios, at most 256 parts altogether. A set of parts is four
 //! words.
 //!
 //! # Why nothing is lost
-//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Where
-//! `P − g·Q` has the same sign at all corners for the lower and the upper bound `g` of a gear, the ratio
-//! `P/Q` is outside these bounds in the whole part, also where `Q` changes its sign:
-//! `(P − g₁·Q)·(P − g₂·Q) > 0`. Where `Q` keeps its sign, this says that the extremes of `P/Q` are at
-//! corners.
+//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Suppose
+//! `P − g·Q` has the same sign at all corners for the lower and the upper bound `g` of a gear. The ratio
+//! `P/Q` is then outside these bounds in the whole part, even if `Q` changes its sign:
+//! `(P − g₁·Q)·(P − g₂·Q) > 0`. If `Q` keeps its sign, this means that the extremes of `P/Q` are at corners.
 
 use crate::ratio::{Polynomial, Ratio};
 use crate::tolerance::WIDENING;
@@ -57,14 +56,14 @@ impl Parts {
         self.0[part / 64] >> (part % 64) & 1 == 1
     }
 
-    /// Whether there is none.
+    /// Whether the set is empty.
     #[inline]
     #[must_use]
     pub fn is_empty(self) -> bool {
         self.0 == [0; 4]
     }
 
-    /// How many there are.
+    /// Number of parts in the set.
     #[must_use]
     pub fn count(self) -> u32 {
         self.0.iter().map(|word| word.count_ones()).sum()
@@ -79,7 +78,7 @@ impl Parts {
         self.0[part / 64] |= 1 << (part % 64);
     }
 
-    /// The first so many.
+    /// Set of the first `count` parts.
     #[must_use]
     pub fn first(count: usize) -> Self {
         (0..count).collect()
@@ -139,7 +138,7 @@ impl Bounds {
         !larger && !smaller
     }
 
-    /// How far a ratio is from the middle, by half the width; without width infinite or not a number.
+    /// Deviation of a ratio from the middle, over half the width; without width infinite or not a number.
     pub(crate) fn deviation(self, ratio: f64) -> f64 {
         (ratio - 0.5 * (self.most + self.least)) / (0.5 * (self.most - self.least))
     }
@@ -159,7 +158,7 @@ pub type Cuboid = Vec<[f64; 2]>;
 pub struct Grid {
     /// The bounds of the parts of each `k`.
     edges: Vec<Vec<f64>>,
-    /// For each part the place of its lowest corner among all corners.
+    /// Place of the lowest corner of each part among all corners.
     lowest: Vec<usize>,
 }
 
@@ -198,13 +197,13 @@ impl Grid {
         place
     }
 
-    /// How many parts.
+    /// Number of parts.
     #[must_use]
     pub fn count(&self) -> usize {
         self.edges.iter().map(|edges| edges.len() - 1).product()
     }
 
-    /// For each `k` by how much the number of a part grows with its part, and how many parts it has.
+    /// Stride of each `k`, by which the number of a part grows, and the number of its parts.
     pub(crate) fn strides(&self) -> Vec<(usize, usize)> {
         let mut stride = 1;
         let of = |edges: &Vec<f64>| {
@@ -263,7 +262,7 @@ impl Grid {
         values
     }
 
-    /// For each gear the parts in which the ratio may be within its bounds.
+    /// Parts in which the ratio may be within the bounds of each gear.
     #[must_use]
     pub fn reach(&self, ratio: Ratio, gears: &[Bounds]) -> Vec<Parts> {
         let sets = self.edges.len();
@@ -287,7 +286,7 @@ impl Grid {
         let mut reach = vec![Parts::default(); gears.len()];
         for (part, corner) in self.lowest.iter().enumerate() {
             if signs[*corner] == 0 {
-                // The output stands still somewhere in the part, so the ratio has no extremes at the corners.
+                // The output is at rest somewhere in the part, so the ratio has no extremes at the corners.
                 for (values, polynomial) in ends.iter_mut().zip(polynomials) {
                     corner_values(&coefficients(polynomial, sets), &self.part(part), values);
                 }
@@ -357,7 +356,7 @@ fn at_bounds(block: &mut [f64], step: usize, least: f64, most: f64) {
     }
 }
 
-/// The coefficients of a polynomial in so many `k`.
+/// Coefficients of a polynomial in this number of `k`.
 pub(crate) fn coefficients(polynomial: Polynomial, sets: usize) -> Vec<f64> {
     (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect()
 }

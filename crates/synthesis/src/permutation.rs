@@ -10,7 +10,7 @@ const MOST_SETS: usize = 4;
 /// An exchange of the `k`.
 #[derive(Debug, Clone)]
 pub(crate) struct Exchange {
-    /// For each product of `k` what it becomes.
+    /// Image of each product of `k`.
     products: Vec<usize>,
     is_identity: bool,
 }
@@ -19,11 +19,11 @@ pub(crate) struct Exchange {
 #[derive(Debug, Clone)]
 pub(crate) struct Permutation {
     exchange: Exchange,
-    /// For each part of the range where it was before.
+    /// Previous place of each part of the range.
     before: Vec<usize>,
 }
 
-/// All exchanges that keep the ranges, the identity first.
+/// Exchanges that keep the ranges, the identity first.
 pub(crate) fn permutations(grid: &Grid) -> Vec<Permutation> {
     let whole = grid.whole();
     let sets = whole.len();
@@ -40,7 +40,7 @@ pub(crate) fn permutations(grid: &Grid) -> Vec<Permutation> {
 }
 
 impl Exchange {
-    /// Each `k_j` becomes `k_order[j]`.
+    /// Exchange in which `k_j` becomes `k_order[j]`.
     pub(crate) fn new(order: &[usize]) -> Self {
         let product = |product: usize| {
             let sets = order.iter().enumerate().filter(|(set, _)| product >> set & 1 == 1);
@@ -79,7 +79,7 @@ impl Exchange {
 }
 
 impl Permutation {
-    /// Each `k_j` becomes `k_order[j]`.
+    /// Permutation in which `k_j` becomes `k_order[j]`.
     fn new(order: &[usize], grid: &Grid) -> Self {
         let strides = grid.strides();
         let part = |part: usize| -> usize {

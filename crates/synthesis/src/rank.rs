@@ -1,26 +1,35 @@
-//! What a solution is worth: figures by the solver at its best ring-to-sun ratios, the Pareto front, the best
-//! by an order.
+//! Rating of a solution: figures by the solver at its best ring-to-sun ratios, the Pareto front, the best by
+//! an order.
 //!
-//! | objective | better | meaning |
-//! |---|---|---|
-//! | [`Drawable`](Objective::Drawable) | 0 | 1 where links would cross in the scheme, with all shift elements ([`epicyclic_layout`]) |
-//! | [`Shifts`](Objective::Shifts) | less | shifts between neighbouring forward gears that exchange more than one shift element |
-//! | [`Efficiency`](Objective::Efficiency) | more | the least η of a forward gear, 0 where the losses hold one; with shares of time their mean η |
-//! | [`Drag`](Objective::Drag) | less | the mean over the forward gears of `Σ abs(ω_1 − ω_2)/ω_in` over the open shift elements |
-//! | [`Torque`](Objective::Torque) | less | the greatest torque of a shift element or a member of a set in any gear, over the input's, with losses |
-//! | [`Speed`](Objective::Speed) | less | the greatest speed of a link, or of a planet relative to its carrier, in any gear, over the input's |
-//! | [`Circulation`](Objective::Circulation) | less | the greatest circulating power of a gear, over what enters, with losses |
-//! | [`Progression`](Objective::Progression) | less | the greatest ratio of a step to the step before it; at or below 1 the steps fall throughout |
-//! | [`Deviation`](Objective::Deviation) | less | the greatest deviation of a ratio, by half its bounds' width |
-//! | [`Reverse`](Objective::Reverse) | more | the least η of a reverse gear, 0 where the losses hold one, 1 where there is none |
+//! Objectives, with the better direction:
+//! - [`Drawable`](Objective::Drawable), 0 is better: 1 if links would cross in the scheme, with all shift
+//!   elements ([`epicyclic_layout`]).
+//! - [`Shifts`](Objective::Shifts), less: shifts between neighbouring forward gears that exchange more than
+//!   one shift element.
+//! - [`Efficiency`](Objective::Efficiency), more: the least η of a forward gear, 0 if the losses hold one;
+//!   with shares of time their mean η.
+//! - [`Drag`](Objective::Drag), less: the mean over the forward gears of `Σ abs(ω_1 − ω_2)/ω_in` over the
+//!   open shift elements.
+//! - [`Torque`](Objective::Torque), less: the greatest torque of a shift element or a member of a set in any
+//!   gear, over the input's, with losses.
+//! - [`Speed`](Objective::Speed), less: the greatest speed of a link, or of a planet relative to its carrier,
+//!   in any gear, over the input's.
+//! - [`Circulation`](Objective::Circulation), less: the greatest circulating power of a gear, over the power
+//!   that enters, with losses.
+//! - [`Progression`](Objective::Progression), less: the greatest ratio of a step to the previous step; at or
+//!   below 1 the steps fall throughout.
+//! - [`Deviation`](Objective::Deviation), less: the greatest deviation of a ratio, over half its bounds'
+//!   width.
+//! - [`Reverse`](Objective::Reverse), more: the least η of a reverse gear, 0 if the losses hold one, 1
+//!   without a reverse gear.
 //!
-//! The drag measure has no torque of an open shift element in it, which depends on its size, oil and
-//! clearances: it compares gearboxes of the same shift elements. With fewer than two steps between forward
-//! gears there is no progression, and all are alike in it.
+//! The drag measure holds no torque of an open shift element, which depends on its size, oil and clearances:
+//! it compares gearboxes of the same shift elements. With fewer than two steps between forward gears no
+//! progression exists, and all are equal in it.
 //!
-//! Nothing is weighed against anything. A solution dominates another if it is nowhere worse and somewhere
-//! better; the front holds what nothing dominates. Objectives are compared in steps of 10⁻⁵, since the best
-//! `k` are found to 10⁻⁴ of the deviation.
+//! Objectives are not weighed against each other. A solution dominates another if it is nowhere worse and
+//! somewhere better; the front holds the non-dominated solutions. Objectives are compared in steps of 10⁻⁵,
+//! since the best `k` are found to 10⁻⁴ of the deviation.
 
 use crate::judge::{Judged, planet_speed};
 use crate::tolerance::ALIKE;
@@ -30,10 +39,10 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
-/// How many objectives there are.
+/// Number of objectives.
 const COUNT: usize = 10;
 
-/// What a solution is measured by.
+/// Objective by which a solution is rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Objective {
     /// Whether its scheme can be drawn without links that cross.
@@ -67,7 +76,7 @@ pub struct UnknownObjective {
 }
 
 impl Objective {
-    /// All, in the order in which they decide unless said otherwise.
+    /// Objectives, in the order in which they decide by default.
     pub const ALL: [Self; COUNT] = [
         Self::Drawable,
         Self::Shifts,
@@ -81,7 +90,7 @@ impl Objective {
         Self::Reverse,
     ];
 
-    /// Its name.
+    /// Name of the objective.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -98,7 +107,7 @@ impl Objective {
         }
     }
 
-    /// All objectives, these first in their order.
+    /// Order of all objectives that begins with the given ones.
     #[must_use]
     pub fn order(first: &[Self]) -> Vec<Self> {
         let mut order: Vec<Self> = Vec::new();
@@ -133,8 +142,8 @@ pub struct GearRating {
     pub shift_element_torque: f64,
     /// The greatest torque of a member of a set over the input's, with losses.
     pub member_torque: f64,
-    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 where it is engaged, nothing where a
-    /// speed does not follow.
+    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 if it is engaged, `None` if a speed
+    /// does not follow.
     pub slips: Vec<Option<f64>>,
     /// The sum of the slips of the open shift elements.
     pub drag: f64,
@@ -142,11 +151,11 @@ pub struct GearRating {
     pub link_speed: f64,
     /// The greatest speed of a planet relative to its carrier, over the input's, as [`planet_speed`] has it.
     pub planet_speed: f64,
-    /// Circulating power over what enters, with losses.
+    /// Circulating power over the power that enters, with losses.
     pub circulation: f64,
 }
 
-/// What a solution is worth.
+/// Rating of a solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rating {
     /// The gears in the order of the wish.
@@ -162,7 +171,7 @@ impl Rating {
     /// ([`Judged::mean_efficiency`]) in place of the least.
     ///
     /// # Errors
-    /// Those of the solver; none are known for what [`judge`](crate::judge::judge) made.
+    /// Errors of the solver; none are known for a result of [`judge`](crate::judge::judge).
     pub fn of(judged: &Judged, shares: Option<&[f64]>) -> Result<Self, epicyclic_train::Error> {
         let gearbox = &judged.gearbox;
         let gears: Vec<GearRating> = gearbox
@@ -207,14 +216,14 @@ impl Rating {
         self.value(Objective::Drawable) == 0.0
     }
 
-    /// What is to be made small, in steps of what tells solutions apart.
+    /// Value of an objective to be minimised, in steps below which solutions count as equal.
     fn cost(&self, objective: Objective) -> f64 {
         let is_more_better = matches!(objective, Objective::Efficiency | Objective::Reverse);
         let sign = if is_more_better { -1.0 } else { 1.0 };
         (sign * self.value(objective) / ALIKE).round()
     }
 
-    /// Which of two comes first by an order of objectives.
+    /// Compares two ratings by an order of objectives; the better comes first.
     #[must_use]
     pub fn compare(&self, other: &Self, order: &[Objective]) -> Ordering {
         let decides = self.decides(other, order);

@@ -1,9 +1,10 @@
 //! Ratios as formulas: quotients of two polynomials in the ring-to-sun ratios, factored, common factors
 //! cancelled.
 //!
-//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. So it splits over a
-//! set `U` of them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's
-//! first row and column are the factors. With coefficients −1, 0 and 1 those of the factors are such, too.
+//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. Consider its
+//! coefficients as a table, by the products within a set `U` of the `kᵢ` and the products of the others. The
+//! polynomial splits over `U` if this table has rank 1; the table's first row and column are the factors.
+//! With coefficients −1, 0 and 1 those of the factors are such, too.
 
 use crate::motion::Speeds;
 use crate::ternary::{Ternary, Word};
@@ -42,9 +43,9 @@ impl Polynomial {
         self.products().fold(0, |all, product| all | product)
     }
 
-    /// Its value.
+    /// Value of the polynomial.
     ///
-    /// Not the value of a polynomial whose variables exceed `k`: each needs its place.
+    /// Every variable needs its place in `k`: the value of a polynomial with more variables would be wrong.
     #[must_use]
     pub fn value(self, k: &[f64]) -> f64 {
         let term = |product: usize| {
@@ -62,13 +63,13 @@ impl Polynomial {
         self
     }
 
-    /// The same with a first coefficient of 1, and whether the sign was changed.
+    /// Returns the polynomial with a first coefficient of 1, and whether the sign was changed.
     fn positive(self) -> (Self, bool) {
         let negative = self.products().next().is_some_and(|first| self.coefficient(first) < 0);
         (if negative { self.negated() } else { self }, negative)
     }
 
-    /// Its factors over the variables `within` and over the others, if it is such a product.
+    /// Factors of the polynomial over the variables `within` and over the others, if it is such a product.
     fn split(self, within: usize) -> Option<(Self, Self)> {
         let base = self.products().next()?;
         let part = |mask: usize| {
@@ -134,7 +135,7 @@ impl Ratio {
     /// The ratio 1 of a direct gear.
     pub const ONE: Self = Self { numerator: Polynomial::ONE, denominator: Polynomial::ONE };
 
-    /// The ratio of these speeds, unless input or output stand still for every `k`.
+    /// Ratio of these speeds, unless input or output are at rest for every `k`.
     #[must_use]
     pub fn new(input: Polynomial, output: Polynomial) -> Option<Self> {
         if input.is_zero() || output.is_zero() {
@@ -157,26 +158,26 @@ impl Ratio {
         Some(Self { numerator: if one != other { numerator.negated() } else { numerator }, denominator })
     }
 
-    /// The ratio of the speeds of a gear, unless input or output stand still for every `k`.
+    /// Ratio of the speeds of a gear, unless input or output are at rest for every `k`.
     #[must_use]
     pub fn of<W: Word>(speeds: Speeds<W>) -> Option<Self> {
         let wide = |speed: Ternary<W>| Ternary { plus: speed.plus.into(), minus: speed.minus.into() };
         Self::new(wide(speeds.input), wide(speeds.output))
     }
 
-    /// Its words, by which ratios are put in an order.
+    /// Words of the ratio, by which ratios are ordered.
     pub(crate) const fn words(self) -> [u64; 4] {
         let Self { numerator, denominator } = self;
         [numerator.plus, numerator.minus, denominator.plus, denominator.minus]
     }
 
-    /// Its value; infinite or not a number where the output stands still.
+    /// Value of the ratio; infinite or not a number if the output is at rest.
     #[must_use]
     pub fn value(self, k: &[f64]) -> f64 {
         self.numerator.value(k) / self.denominator.value(k)
     }
 
-    /// It with these names of the `k`.
+    /// Formats the ratio with the given names of the `k`.
     #[must_use]
     pub fn text(self, name: &dyn Fn(usize) -> String) -> String {
         match Quotient::new(&written(self.numerator), &written(self.denominator)) {
@@ -194,7 +195,7 @@ impl Ratio {
     }
 }
 
-/// The same for the solver's formulas, which write it.
+/// Converts a polynomial to the solver's form, which can be written as text.
 fn written(polynomial: Polynomial) -> formula::polynomial::Polynomial {
     let term =
         |product: usize| Some((u32::try_from(product).ok()?, i64::from(polynomial.coefficient(product))));

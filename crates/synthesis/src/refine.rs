@@ -1,10 +1,10 @@
 //! The best ring-to-sun ratios of a solution, and the range that each may have.
 //!
-//! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least, and where
-//! the others leave a choice the next greatest, and so on. The range of a `k` ends at the outermost points
-//! with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or
-//! one farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost,
-//! fill whole surfaces, the proof would take long; so it is sought half as closely after every 1024 ranges
+//! The *best* point has the least greatest deviation of a gear, over half its bounds' width. If the others
+//! leave a choice, the next greatest deviation is least, and so on. The range of a `k` ends at the outermost
+//! points with all gears within their bounds. Both are proved for the gears' functions as found: no better
+//! point, and none farther out, exists, up to 10⁻⁶. If the points with the least deviation, or the outermost,
+//! fill whole surfaces, the proof would take long. The tolerance is then doubled after every 1024 ranges
 //! (`region`).
 
 use crate::equal::Equal;

@@ -1,28 +1,27 @@
-//! The points at which given functions are within the bounds of their gears: contracted, covered by small
-//! ranges, and searched for their outermost points.
+//! Region of the points at which given functions are within the bounds of their gears: contracted, covered by
+//! small ranges, and searched for its outermost points.
 //!
 //! # Formula
-//! With `c` the middle and `h` half the width of a gear's bounds, its ratio deviates by at most the part `t`
-//! of `h` where
+//! With `c` the middle and `h` half the width of a gear's bounds, its ratio deviates by at most `t·h` if:
 //!
 //! ```text
 //! s·(P − (c − t·h)·Q) ≥ 0   and   s·((c + t·h)·Q − P) ≥ 0        s the sign of Q
 //! ```
 //!
 //! Both are of the first degree in each `k` and in `t`. So over a range of them, with `x_j` from −1 to 1
-//! across it, they are `Σ_S w_S·Π_{j∈S} x_j`, and what exceeds the linear part, `|S| ≥ 2`, is itself of the
+//! across it, they are `Σ_S w_S·Π_{j∈S} x_j`. The part beyond the linear one, `|S| ≥ 2`, is itself of the
 //! first degree in each `x_j`: its greatest value is at a corner. With that value added the linear parts are
 //! inequalities that every point keeps. They are wrong by the square of the range's width; a linear programme
 //! over them bounds each `k`, and `t`.
 //!
-//! Where some `k` are equal, polynomials are their [polar forms](crate::equal), and the sum of what those `k`
-//! have in an inequality stands at the first of them.
+//! If some `k` are equal, polynomials are their [polar forms](crate::equal). An inequality then has the sum
+//! of the slopes of these `k` at the first of them.
 //!
 //! # Complete
-//! A range is given up where the programme, or the signs at the corners, prove that it holds no point with
-//! more than was found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points
-//! fill a surface, ranges along all of it promise hardly more than was found; then the search for them ends
-//! sooner ([`Region::least_deviation`]).
+//! A range is given up if the programme, or the signs at the corners, prove that it holds no better point
+//! than the one found. A range below 10⁻⁷ of each `k` is given up as well. If the outermost points fill a
+//! surface, ranges along all of it promise hardly more; then the search for them ends sooner
+//! ([`Region::least_deviation`]).
 
 use crate::equal::Equal;
 use crate::linear::{MOST, Optimum, Programme, Row};
@@ -38,20 +37,21 @@ use std::collections::BinaryHeap;
 /// A range of each `k`, and after them of `t`.
 type Range = [[f64; 2]; MOST];
 
-/// What is left of a range's widths at most for contracting it once more.
+/// Largest remaining part of a range's widths for which contracting is repeated.
 const WORTH_MORE: f64 = 0.8;
 
 /// The part of half the width of a gear's bounds by which the linear inequalities of a covering range may be
 /// wrong.
 const STRAIGHT: f64 = 0.5;
 
-/// The most ranges of a cover, as long as no function's output stands still in them.
+/// Largest number of ranges of a cover, as long as no function's output is at rest in them.
 const COVER: usize = 512;
 
-/// After how many ranges an outermost point is sought half as closely.
+/// Number of ranges after which the tolerance of an outermost point is doubled.
 const MANY: usize = 1024;
 
-/// How far about a point, as a part of each `k`, gears that keep others from being nearer are sought.
+/// Distance about a point, as a part of each `k`, within which to look for gears that keep others from being
+/// nearer.
 const ABOUT: f64 = 0.003;
 
 /// The most steps of one width towards an outermost point.
@@ -61,7 +61,7 @@ const STEPS: usize = 4;
 struct Form {
     coefficients: [Vec<f64>; 2],
     gear: Bounds,
-    /// Its deviation is no more to be made less, but may not exceed this.
+    /// Upper bound of a deviation that is settled: not to be made less, but not to exceed this.
     settled: Option<f64>,
     /// Any ratio within the bounds is as good.
     free: bool,
@@ -69,7 +69,7 @@ struct Form {
 
 /// A linear inequality over a range.
 struct Edge {
-    /// What stands in products with others, for each variable, in the units of its row.
+    /// Sum of the products with others, for each variable, in the units of its row.
     bends: [f64; MOST],
     /// The row's unit, over half the width of the gear's bounds.
     unit: f64,
@@ -80,13 +80,13 @@ struct Edge {
 /// The points where each gear is within its bounds by its function.
 pub(crate) struct Region {
     sets: usize,
-    /// Sets with equal `k`: their ranges are one, and in the inequalities the first stands for all.
+    /// Sets with equal `k`: their ranges are one, and in the inequalities the first represents all.
     equal: Equal,
     forms: Vec<Form>,
     programme: Programme,
     rows: Vec<Row>,
     edges: Vec<Edge>,
-    /// Whether an output may stand still in the range, so that its gear has no inequality.
+    /// Whether an output may be at rest in the range, so that its gear has no inequality.
     stands: bool,
     /// Whether the inequalities are those of the planes that touch in the middle of the range: they prove
     /// nothing, but lead on.
@@ -98,18 +98,18 @@ pub(crate) struct Region {
 /// An outermost point.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Outermost {
-    /// The coordinate that was sought.
+    /// Value of the coordinate, greatest or least.
     pub(crate) value: f64,
     /// The ring-to-sun ratios.
     pub(crate) k: Vec<f64>,
 }
 
-/// A coordinate of which the most is sought, `t` after the `k`.
+/// Coordinate to be made greatest or least; `t` comes after the `k`.
 struct Sought<'a> {
     coordinate: usize,
     /// 1 for the greatest, −1 for the least.
     side: f64,
-    /// For a `k` a point within the bounds.
+    /// Point within the bounds, if the coordinate is a `k`.
     within: Option<&'a [f64]>,
 }
 
@@ -142,8 +142,8 @@ impl PartialEq for Promise {
 impl Eq for Promise {}
 
 impl Region {
-    /// Of these functions and gears, in turn, of which these are as good anywhere within their bounds, where
-    /// these `k` are equal.
+    /// Region of these functions and gears, in turn, with these `k` equal. For the gears in `free` any ratio
+    /// within the bounds is as good.
     pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], free: &[usize], sets: usize, equal: Equal) -> Self {
         let form = |(place, (ratio, gear)): (usize, (&Ratio, &Bounds))| Form {
             coefficients: Function::with_equal(*ratio, sets, equal).coefficients,
@@ -165,8 +165,8 @@ impl Region {
         }
     }
 
-    /// The greatest deviation of a gear that is not settled, by half the width of its bounds; infinite or not
-    /// a number where an output stands still, infinite where a settled one exceeds its own.
+    /// Greatest deviation of a gear that is not settled, over half the width of its bounds. Infinite or not a
+    /// number if an output is at rest, infinite if a settled deviation exceeds its bound.
     pub(crate) fn deviation(&mut self, k: &[f64]) -> f64 {
         let [above, below] = &mut self.values;
         let mut most: f64 = 0.0;
@@ -183,8 +183,8 @@ impl Region {
         most
     }
 
-    /// Ranges that together hold every point, as long as they are not too many each so small that its
-    /// inequalities are nearly straight.
+    /// Covers the region by ranges, which are so small that their inequalities are nearly straight, as long
+    /// as their number is not too large.
     pub(crate) fn cover(&mut self, range_of_k: &Cuboid) -> Vec<Range> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -219,9 +219,9 @@ impl Region {
         self.outermost(&cover, &sought, known, close)
     }
 
-    /// Of the points about one with the least greatest deviation that where the deviations of the other gears
-    /// are least, too: the gears that keep the greatest from being less are settled, and the greatest of the
-    /// others is made least, until none is left.
+    /// Point, of those near one with the least greatest deviation, with the least deviations of the other
+    /// gears too. The gears that keep the greatest deviation from being less are settled. The greatest of the
+    /// others is then made least, until none is left.
     pub(crate) fn least_of_others(&mut self, range_of_k: &Cuboid, best: &Outermost) -> Vec<f64> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -268,8 +268,7 @@ impl Region {
         self.outermost(cover, &sought, known, close).value
     }
 
-    /// The outermost point of some ranges, up to `close`: where many ranges promise hardly more, up to twice
-    /// as much after so many of them.
+    /// Outermost point of some ranges, up to `close`; the tolerance is doubled after every `MANY` ranges.
     fn outermost(
         &mut self,
         ranges: &[Range],
@@ -325,7 +324,7 @@ impl Region {
         best
     }
 
-    /// What no point of a range exceeds, by its inequalities, and the point that keeps them with the most.
+    /// Upper bound of the coordinate in a range, by its inequalities, and the point at which they reach it.
     fn promised(&mut self, range: &Range, sought: &Sought<'_>) -> Option<(f64, Vec<f64>)> {
         let mut objective = [0.0; MOST];
         objective[sought.coordinate] = sought.side;
@@ -380,8 +379,7 @@ impl Region {
         self.tangent = false;
     }
 
-    /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may
-    /// hold a point.
+    /// Contracts a range by its inequalities, and sets up those of the rest. False if it holds no point.
     fn contract(&mut self, range: &mut Range) -> bool {
         loop {
             if !self.straighten(range) {
@@ -449,7 +447,7 @@ impl Region {
             let sign = if least > 0.0 { 1.0 } else { -1.0 };
             let unit = half * least.abs().min(most.abs());
             let widening = WIDENING * middle.abs() * least.abs().max(most.abs());
-            // Some room for what bends.
+            // The bounds of `t` leave some room for the nonlinear part.
             let t = match form.settled {
                 Some(settled) if !form.free => [settled - 0.5 * NEAR; 2],
                 Some(settled) => [settled; 2],
@@ -481,7 +479,7 @@ impl Region {
         if values.iter().all(|value| *value >= 0.0) {
             return true;
         }
-        // From values at the corners to what stands in each product of the x.
+        // Values at the corners become the coefficients of the products of the x.
         let mut step = 1;
         while step < corners {
             for block in values.chunks_exact_mut(2 * step) {
@@ -553,7 +551,7 @@ impl Region {
     }
 }
 
-/// A range of so many times each `k` about a point, within a whole.
+/// Range about a point by the part `width` of each `k`, within a whole.
 fn about(whole: &Range, k: &[f64], width: f64) -> Range {
     let mut about = *whole;
     for (about, k) in about.iter_mut().zip(k) {

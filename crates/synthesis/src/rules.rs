@@ -1,15 +1,14 @@
-//! What a gearbox has to keep besides its ratios: brakes and clutches, shifts, a direct gear.
+//! Rules for a gearbox besides its ratios: brakes and clutches, shifts, a direct gear.
 //!
 //! # What complete means here
-//! Each rule acts on all choices that a solution leaves, before one is told:
+//! Rules are applied to all choices that a solution leaves, before one is listed:
 //!
-//! - *Brakes and clutches*: elements that lock the same are one element, which may be built as a brake or as
-//!   a clutch where the pairs of links have both. A set of elements is kept if some choice of pairs has
-//!   numbers within both ranges, and such a choice is told. Sets that cannot come to such numbers are not
-//!   searched.
-//! - *Shifts* and the *direct gear* depend on which function each gear takes and which elements engage it. A
-//!   set of elements is kept if some functions and some choices keep the rule at a common point; where all
-//!   ratios can be had, but not so, it is counted.
+//! - *Brakes and clutches*: elements that lock the same are one element. It may be built as a brake or as a
+//!   clutch if its pairs of links allow both. A set of elements is kept if some choice of pairs has numbers
+//!   within both ranges, and such a choice is listed. Sets that cannot come to such numbers are not searched.
+//! - *Shifts* and the *direct gear* depend on the function of each gear and the elements that engage it. A
+//!   set of elements is kept if some functions and some choices keep the rule at a common point. A set that
+//!   has all ratios, but not with the rule, is counted.
 
 use crate::error::Error;
 use crate::motion::Element;
@@ -18,14 +17,14 @@ use crate::shifts::Shifts;
 use crate::structure::HOUSING;
 use std::ops::RangeInclusive;
 
-/// What a gearbox has to keep besides its ratios. By default nothing.
+/// Rules for a gearbox besides its ratios. By default none.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Rules {
-    /// How many of the elements are brakes.
+    /// Range of the number of brakes among the elements.
     pub brakes: RangeInclusive<usize>,
-    /// How many of the elements are clutches.
+    /// Range of the number of clutches among the elements.
     pub clutches: RangeInclusive<usize>,
-    /// Which shifts are single.
+    /// Shifts that have to be single.
     pub shifts: Shifts,
     /// Whether a gear turns the gearbox as one block: its ratio is 1 whatever the `k`.
     pub direct: bool,
@@ -44,7 +43,7 @@ pub(crate) fn may_be(pairs: &[Element]) -> [bool; 2] {
 }
 
 impl Rules {
-    /// Whether gearboxes with these gears and so many elements can keep them at all.
+    /// Checks whether gearboxes with these gears and this number of elements can keep the rules at all.
     pub(crate) fn check(&self, gears: &[Bounds], elements: usize) -> Result<(), Error> {
         let fault = |why: String| Err(Error::Wish { why });
         if self.brakes_of(elements, 0, 0).is_none() {
@@ -61,16 +60,15 @@ impl Rules {
         Ok(())
     }
 
-    /// Whether some numbers of brakes and clutches among so many elements are not wanted.
+    /// Whether the rules exclude some numbers of brakes and clutches among this number of elements.
     pub(crate) fn counts_brakes(&self, elements: usize) -> bool {
         !(0..=elements)
             .all(|brakes| self.brakes.contains(&brakes) && self.clutches.contains(&(elements - brakes)))
     }
 
-    /// How many of some elements are brakes where the numbers are within both ranges: of the possible the
-    /// most.
+    /// Number of brakes among some elements if both numbers are within their ranges: the largest possible.
     ///
-    /// Of so many elements these can be brakes alone, and these clutches alone.
+    /// Of these elements `brakes_alone` can only be brakes, and `clutches_alone` only clutches.
     pub(crate) fn brakes_of(
         &self,
         elements: usize,
@@ -83,8 +81,8 @@ impl Rules {
             .find(|brakes| self.brakes.contains(brakes) && self.clutches.contains(&(elements - brakes)))
     }
 
-    /// Elements with their pairs in an order that puts first what keeps the numbers of brakes and clutches:
-    /// brakes where there is a choice, as long as they may be.
+    /// Sorts the pairs of each element so that the first keeps the numbers of brakes and clutches: a brake if
+    /// there is a choice, as long as their number allows it.
     pub(crate) fn order(&self, elements: &mut [Vec<Element>]) {
         let count =
             |which: fn([bool; 2]) -> bool| elements.iter().filter(|pairs| which(may_be(pairs))).count();

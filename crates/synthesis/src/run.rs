@@ -13,20 +13,20 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// What a search found.
+/// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// Structures in the class.
     pub class_size: usize,
     /// Solutions in the order of their structures and elements.
     pub found: Vec<Found>,
-    /// What was searched.
+    /// Counts of the search.
     pub tally: Tally,
     /// Whether all structures were searched, not ended by `progress`.
     pub complete: bool,
 }
 
-/// All gearboxes of a class that have the wanted gears.
+/// Searches a class for all gearboxes that have the wanted gears.
 ///
 /// `progress` is called by one thread at a time, after some structures; a break ends the search, and what was
 /// found so far is kept. The answer does not depend on the number of threads.
@@ -49,9 +49,11 @@ pub struct Answer {
 /// ```
 ///
 /// # Errors
-/// [`Error::Wish`] where nothing can be had: no gears, gears whose bounds overlap, hold 0 or exceed
-/// [`MOST_GEARS`](crate::wish::MOST_GEARS), more gears than choices of elements, fewer elements than a gear
-/// engages, or a range of `k` that is empty or not above 0.
+/// [`Error::Wish`] for a wish that nothing can fulfil:
+/// - no gears, or more than [`MOST_GEARS`](crate::wish::MOST_GEARS);
+/// - bounds of gears that overlap or hold 0;
+/// - more gears than choices of elements, or fewer elements than a gear engages;
+/// - a range of `k` that is empty or not above 0.
 pub fn search(
     class: Class,
     wish: &Wish,
@@ -67,14 +69,14 @@ pub fn search(
     })
 }
 
-/// Goes on with a search from what is done of it: structures that were searched are not searched again.
+/// Continues a search from previous work: structures that were searched are not searched again.
 ///
 /// `kept` is called by one thread at a time with all that is done, after some structures; a break ends the
-/// search. What is found in a structure depends on the class, the wish and the structure alone, so the work
-/// that is complete is the same whether it was broken off or not, and on any number of threads.
+/// search. The result for a structure depends on the class, the wish and the structure alone. So the complete
+/// work does not depend on breaks, nor on the number of threads.
 ///
 /// # Errors
-/// As [`search`], and [`Error::OtherWork`] where `before` is not work on this share.
+/// Errors of [`search`], and [`Error::OtherWork`] if `before` is not work on this share.
 pub fn go_on(
     class: Class,
     wish: &Wish,
@@ -91,7 +93,7 @@ pub fn go_on(
     }
 }
 
-/// How many structures a thread searches before it puts what it found to the rest.
+/// Number of structures that a thread searches before it adds its results to the rest.
 const CHUNK: usize = 16;
 
 fn go_on_with<W: Word + Send>(

@@ -1,20 +1,20 @@
-//! All sets of elements of a structure that have the wanted gears.
+//! Search for all sets of elements of a structure that have the wanted gears.
 //!
 //! # Steps
 //! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the library.
-//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the
-//!    range of `k` at once, up to as many elements as may be.
+//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, up to as many as may
+//!    be. This is done in all parts of the range of `k` at once.
 //! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its
 //!    own.
-//! 4. In each such part a point is sought, or proved not to be there ([`solve`](crate::solve)).
+//! 4. In each such part a point is searched for, or proved not to exist ([`solve`](crate::solve)).
 //!
-//! Where some sets of one kind have to have equal `k`, steps 2 and 3 keep to the parts that hold such points,
-//! and step 4 is taken for each choice of these sets ([`equal`](crate::equal)).
+//! If some sets of one kind have to have equal `k`, steps 2 and 3 keep to the parts that hold such points.
+//! Step 4 is then taken for each choice of these sets ([`equal`](crate::equal)).
 //!
 //! # Why nothing is lost
-//! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in
-//! it. Step 2 splits by parts: in a part where the chosen elements do not reach a gear, a solution must have
-//! a further choice that does; where they reach all gears, any further element is tried.
+//! Steps 2 and 3 leave out what a part excludes by the signs at its corners, which hold everywhere in it.
+//! Step 2 splits by parts. In a part in which the chosen elements do not reach a gear, a solution must have a
+//! further choice that does. In a part in which they reach all gears, any further element is tried.
 
 mod decide;
 
@@ -37,11 +37,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// A set of elements with all gears.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// For each element the pairs of links that it may join, all of which lock the same.
+    /// Pairs of links that each element may join; the pairs of an element all lock the same.
     pub elements: Vec<Vec<Element>>,
     /// Ring-to-sun ratios with which all gears are within their bounds.
     pub k: Vec<f64>,
-    /// Which of them are equal, where the wish asks for it.
+    /// Sets with equal `k`, if the wish requires them.
     pub equal: Equal,
     /// The gears in the order of the wish.
     pub gears: Vec<Gear>,
@@ -50,26 +50,25 @@ pub struct Solution {
 /// A gear of a solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Gear {
-    /// Its ratio as a formula.
+    /// Ratio of the gear as a formula.
     pub ratio: Ratio,
     /// The elements that it engages, by their places: each choice that gives this ratio.
     pub engaged: Vec<Vec<usize>>,
 }
 
-/// A search through structures of one class. What it learns of functions is kept from one structure to the
-/// next.
+/// A search through structures of one class. The functions learned are kept from one structure to the next.
 pub struct Search<W> {
     wish: Wish,
     engaged: usize,
     motion: Motion<W>,
-    /// All pairs of links.
+    /// Pairs of links that an element may join.
     pairs: Vec<Element>,
     library: Library<W>,
     /// Every choice of sets with equal `k`, and the parts in which they can be.
     equals: Vec<(Equal, Parts)>,
     /// The parts in which some can be.
     open: Parts,
-    /// Pairs of gears of which the first has the higher ratio.
+    /// Pairs of gears, the first with the higher ratio.
     falling: Vec<[usize; 2]>,
     tally: Tally,
     /// The functions of the structure.
@@ -78,13 +77,13 @@ pub struct Search<W> {
     elements: Vec<Vec<Element>>,
     /// Whether the wish bounds the numbers of brakes and clutches.
     counts_brakes: bool,
-    /// Those that can be brakes alone, and those that can be clutches alone, as bits.
+    /// Elements that can only be brakes, and elements that can only be clutches, as bits.
     alone: [u64; 2],
     /// Gears, those with the fewest choices first.
     order: Vec<usize>,
-    /// Chosen elements, and the parts in which they were gone on from.
+    /// Chosen elements, and the parts in which the search continued from them.
     visited: FxHashMap<u64, Parts>,
-    /// Full sets of elements that were looked at.
+    /// Full sets of elements that were evaluated.
     seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
@@ -95,7 +94,7 @@ pub struct Search<W> {
 }
 
 impl<W: Word> Search<W> {
-    /// For structures of so many sets, with `wish.k` for each, and links.
+    /// Prepares a search through structures with this number of links and one set for each range of `wish.k`.
     #[must_use]
     pub fn new(wish: Wish, links: usize) -> Self {
         let sets = wish.k.len();
@@ -129,24 +128,24 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// What was searched since the last call.
+    /// Takes the counts since the last call.
     pub fn take_tally(&mut self) -> Tally {
         std::mem::take(&mut self.tally)
     }
 
-    /// About how many bytes it holds of what it learned.
+    /// Approximate memory of what the search has learned, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.library.bytes()
     }
 
-    /// All solutions of a structure; of those that an automorphism makes equal, one.
+    /// Solutions of a structure; of those that an automorphism makes equal, one.
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
         self.solutions(structure, &Watch::new(&|| false))
     }
 
-    /// The same, unless it is ended before all are found: `ended` is asked now and then. Then nothing of it
-    /// is counted.
+    /// Solutions of a structure, as by `structure`. `None` if `ended`, which is called now and then, ends the
+    /// search before all are found; then the structure is not counted.
     pub fn structure_unless(
         &mut self,
         structure: &Structure,
@@ -192,7 +191,7 @@ impl<W: Word> Search<W> {
         found
     }
 
-    /// How the structure's automorphisms, but the identity, permute its elements.
+    /// Permutations of the elements by the structure's automorphisms other than the identity.
     fn symmetries(&self, structure: &Structure) -> Vec<Vec<usize>> {
         let automorphisms = structure.automorphisms();
         // The ranges of k move with the sets.
@@ -335,8 +334,8 @@ impl<W: Word> Search<W> {
         self.room.extend([known, added]);
     }
 
-    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of
-    /// which each choice with an element that is not chosen yet can give one.
+    /// Parts in which chosen elements may belong to a solution. Every gear needs a function of its own, and
+    /// each choice with an element that is not chosen yet can give one.
     fn promising(&self, chosen: u64, functions: &[u64]) -> Parts {
         let known = choose(chosen.count_ones() as usize, self.engaged);
         let more = choose(self.wish.elements, self.engaged) - known;
@@ -384,7 +383,7 @@ fn image(chosen: u64, places: &[usize]) -> u64 {
         .fold(0, |all, (_, place)| all | 1 << place)
 }
 
-/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all
+/// Parts held by at least this number of some sets of parts: their numbers are added up bit by bit, for all
 /// parts at once.
 fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
     if least == 0 {

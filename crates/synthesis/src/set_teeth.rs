@@ -8,9 +8,9 @@ use epicyclic_train::set::{Gearing, SetSpec};
 /// Tooth numbers of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SetTeeth {
-    /// Of a simple set.
+    /// Tooth numbers of a simple set.
     Simple(ToothNumbers),
-    /// Of a double-planet set.
+    /// Tooth numbers of a double-planet set.
     DoublePlanet(DoublePlanetNumbers),
 }
 

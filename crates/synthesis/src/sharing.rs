@@ -1,7 +1,7 @@
 //! Sets that share planets: halves of one compound set, such as a Ravigneaux set.
 //!
-//! Two sets with one carrier link and a sun link or a ring link in common can have this sun or ring as one
-//! gear, and the planet in mesh with it as one planet. The mesh of the two then exists once.
+//! Two sets with one carrier link and a common sun link or ring link can share gears. They have this sun or
+//! ring as one gear, and the planet in mesh with it as one planet. The mesh of the two then exists once.
 //!
 //! ```text
 //! planets    simple set  p          double-planet set  g (with the sun), f (with the ring)
@@ -13,12 +13,11 @@
 //!
 //! # Room
 //! With common gears of equal teeth the `k` give the proportions of all central gears, and
-//! `z_p = (z_b − z_a)/2` the planet of a simple set. It has to leave room for the rest: the planet of a
-//! simple set would run into the sun of a double-planet set with the same ring unless that sun is the smaller
-//! one. The conditions are those of [`epicyclic_gears::double_planet`], with the largest ring at
-//! [`MOST_TEETH`], three planets of each kind and no planet below [`LEAST_TEETH`]: what does not fit there
-//! fits with no smaller ring. Profile shift, and whether all teeth are whole numbers, are left to the tooth
-//! numbers.
+//! `z_p = (z_b − z_a)/2` the planet of a simple set. This planet has to leave room for the rest: it would run
+//! into the sun of a double-planet set with the same ring unless that sun is the smaller one. The conditions
+//! are those of [`epicyclic_gears::double_planet`], with the largest ring at [`MOST_TEETH`], three planets of
+//! each kind and no planet below [`LEAST_TEETH`]. A set that does not fit there fits with no smaller ring.
+//! Profile shift, and whether all teeth are whole numbers, are left to the tooth numbers.
 
 use crate::names::{real_k, solver_name};
 use crate::set_teeth::SetTeeth;
@@ -40,7 +39,7 @@ pub const LEAST_TEETH: u32 = 12;
 /// Planets of each kind, while teeth are not chosen.
 const PLANETS: u32 = 3;
 
-/// Which sets of a structure share planets.
+/// Sets of a structure that share planets.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sharing {
     /// The compound sets, by the first of their sets.
@@ -54,9 +53,9 @@ pub struct Sharing {
 pub struct Compound {
     /// The places of the sets, ascending.
     pub sets: Vec<usize>,
-    /// For each of these sets its members: sun, ring, carrier.
+    /// Members of each of these sets: sun, ring, carrier.
     members: Vec<Members>,
-    /// For each of these sets its planets from the sun to the ring, by their numbers in the compound set.
+    /// Planets of each of these sets from the sun to the ring, by their numbers in the compound set.
     planets: Vec<Vec<usize>>,
 }
 
@@ -65,11 +64,11 @@ pub struct Compound {
 pub struct Apart {
     /// The places of the sets.
     pub sets: [usize; 2],
-    /// Why they share no planet.
+    /// Obstacle to a common planet.
     pub why: Obstacle,
 }
 
-/// Why two sets share no planet.
+/// Reason why two sets share no planet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Obstacle {
     /// The common planet would need steps: the sets would give it two centre distances.
@@ -123,7 +122,7 @@ impl Sharing {
     }
 }
 
-/// What two sets on one carrier have in common: sun or ring.
+/// Common member of two sets on one carrier: sun or ring.
 fn common(one: Members, other: Members) -> Option<End> {
     let [sun, ring, carrier] = [0, 1, 2].map(|place| one[place] == other[place]);
     match (carrier, sun, ring) {
@@ -178,7 +177,7 @@ impl Compound {
         self.planets.iter().flatten().max().map_or(0, |most| most + 1)
     }
 
-    /// Why its sets cannot share planets at these `k`.
+    /// Reason why the sets cannot share planets at these `k`.
     fn fault(&self, structure: &Structure, k: &[f64]) -> Option<Obstacle> {
         let is_simple = |own: &&Vec<usize>| own.len() == 1;
         let mut simple: Vec<usize> = self.planets.iter().filter(is_simple).flatten().copied().collect();
@@ -214,9 +213,9 @@ impl Compound {
         known.into_iter().map(Option::unwrap_or_default).collect()
     }
 
-    /// Teeth of all planets with which so many of each, at equal angles, fit suns and rings with these
-    /// teeth: those of simple sets by equal centre distances, the others as large as they can be for gears
-    /// that do turn, each the earlier the larger.
+    /// Teeth of all planets with which this number of each, at equal angles, fits suns and rings with these
+    /// teeth. Those of simple sets follow from equal centre distances. The others are as large as gears that
+    /// can turn allow, the earlier ones preferred.
     fn fill(
         &self,
         gears: &[[f64; 2]],
@@ -358,15 +357,15 @@ impl Compound {
         common
     }
 
-    /// Its name in a gearbox of the solver: the numbers of its sets, `2+3`.
+    /// Name of the compound set in a gearbox of the solver: the numbers of its sets, `2+3`.
     #[must_use]
     pub fn name(&self) -> String {
         let numbers: Vec<String> = self.sets.iter().map(|set| (set + 1).to_string()).collect();
         numbers.join("+")
     }
 
-    /// Names of its planets: `long` of those that several sets have, `short` of the others, with numbers
-    /// where there are several.
+    /// Names of the planets: `long` for those that several sets have, `short` for the others, with numbers if
+    /// there are several.
     fn names(&self) -> Vec<String> {
         let is_shared = |planet: usize| self.planets.iter().filter(|own| own.contains(&planet)).count() > 1;
         let count = self.planet_count();

@@ -1,19 +1,19 @@
-//! Which elements neighbouring gears exchange.
+//! Elements that neighbouring gears exchange.
 //!
-//! A shift is *single* where it opens one element and engages one. A gear may have several choices of
-//! elements that give its function, so that whether a shift is single depends on the choices of both gears.
+//! A shift is *single* if it opens one element and engages one. A gear may have several choices of elements
+//! that give its function. Whether a shift is single therefore depends on the choices of both gears.
 //!
 //! # How it is computed
-//! Gears are taken in turn, and for each pair of choices of a gear and the one before the least cost of a way
-//! there is kept (dynamic programming). With two choices remembered, a shift that skips a gear can be judged
-//! as well.
+//! Gears are taken in turn. For each pair of choices of a gear and the previous one the least cost of a way
+//! to them is kept (dynamic programming). With two choices remembered, a shift that skips a gear can be
+//! judged as well.
 
-/// Which shifts between forward gears have to be single.
+/// Shifts between forward gears that have to be single.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Shifts {
-    /// Those between neighbours.
+    /// Shifts between neighbours.
     pub neighbours: bool,
-    /// Those from each gear to the next but one: 1–3, 2–4 and so on.
+    /// Shifts from each gear to the next but one: 1–3, 2–4 and so on.
     pub skips: bool,
 }
 
@@ -24,17 +24,17 @@ impl Shifts {
     }
 }
 
-/// How many elements of one choice the other has not.
+/// Number of elements of one choice that the other has not.
 pub(crate) const fn exchanged(one: u64, other: u64) -> u32 {
     (one & !other).count_ones()
 }
 
-/// What it costs to come to two choices, and the choice before both; nothing where no way leads there.
+/// Cost of a way to two choices, and the choice before both; `None` if no way leads there.
 type Way = Option<(u32, usize)>;
 
-/// For gears in turn, each with choices of elements as bits, the choices with the fewest exchanges beyond the
-/// first of each shift between neighbours; nothing where shifts that have to be single cannot be. Of equal
-/// ones the least, from the last gear on.
+/// Finds, for gears in turn, the choices of elements (as bits) with the fewest exchanges beyond the first of
+/// each shift between neighbours. `None` if shifts that have to be single cannot be. Of equal ones it takes
+/// the least, from the last gear on.
 pub(crate) fn fewest(gears: &[&[u64]], single: Shifts) -> Option<Vec<usize>> {
     let Some((first, others)) = gears.split_first() else { return Some(Vec::new()) };
     // For each step, by the choice before and the choice now: the least cost, and the choice before both.

@@ -1,25 +1,25 @@
-//! Whether a set of elements has all wanted gears at common ring-to-sun ratios.
+//! Solver that decides whether a set of elements has all wanted gears at common ring-to-sun ratios.
 //!
 //! # Method
-//! A box of `k` and the functions that its elements can engage. A gear can be had from a function only if the
-//! box reaches its bounds ([`parts`](crate::parts)). Where a gear has one function left, the box shrinks to
-//! what this function allows: each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so along an
-//! edge of the box it begins or ends at one point, and the hull of these points over all parallel edges holds
-//! every solution. Where several functions are left, each is tried. When all gears have theirs, a point is
-//! sought from the middle of the box; if none is found, the box is halved.
+//! The state is a box of `k` and the functions that its elements can engage. A function gives a gear only if
+//! the box reaches the gear's bounds ([`parts`](crate::parts)). If a gear has one function left, the box
+//! shrinks to what this function allows. Each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so
+//! along an edge of the box it begins or ends at one point. The hull of these points over all parallel edges
+//! holds every solution. If several functions are left, each is tried. When all gears have theirs, a point is
+//! searched for from the middle of the box; if none is found, the box is halved.
 //!
-//! Where some `k` have to be equal, boxes have one range for them, and polynomials their
-//! [polar forms](crate::equal). Where gears with overlapping bounds have to fall, a box is given up in which
-//! the highest ratio of the one is not above the lowest of the next.
+//! If some `k` have to be equal, boxes have one range for them, and polynomials their [polar
+//! forms](crate::equal). If gears with overlapping bounds have to fall, a box is given up in which the
+//! highest ratio of the one is not above the lowest of the next.
 //!
 //! # Complete
 //! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither
 //! a solution nor a proof is *undecided*, and counted.
 //!
-//! Bounds of round numbers may leave the gears one common point, or a line of them, where several are at
-//! their bounds: `k₂·k₃` up to 3.78 beside `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to
-//! the last digit, so a point is taken where they are kept but for 10⁻⁸ of them. Else all of the line would
-//! be halved to the smallest boxes.
+//! Bounds of round numbers may leave one common point, or a line of points, at which several gears are at
+//! their bounds: `k₂·k₃` up to 3.78 with `k₂ ≥ 2.7` and `k₃ ≥ 1.4`. No rounded point keeps such bounds to the
+//! last digit, so a point may exceed them by 10⁻⁸ of them. Otherwise all of the line would be halved to the
+//! smallest boxes.
 
 use crate::class::MOST_SETS;
 use crate::equal::Equal;
@@ -40,26 +40,26 @@ const STEPS: usize = 6;
 /// The greatest deviation, by half the width of the bounds, from which steps towards the bounds are taken.
 const NEAR_BOUNDS: f64 = 1.1;
 
-/// What is left of the sum of a box's logarithmic widths at most for shrinking it once more.
+/// Largest remaining part of the sum of a box's logarithmic widths for which shrinking is repeated.
 const WORTH_MORE: f64 = 0.8;
 
 /// A function that some of the elements engage.
 #[derive(Debug, Clone)]
 pub struct Function {
-    /// Its formula.
+    /// Formula of the ratio.
     pub ratio: Ratio,
     /// Coefficients of `P` and `Q`.
     pub(crate) coefficients: [Vec<f64>; 2],
 }
 
 impl Function {
-    /// With its coefficients for so many sets.
+    /// Function with its coefficients for this number of sets.
     #[must_use]
     pub fn new(ratio: Ratio, sets: usize) -> Self {
         Self::with_equal(ratio, sets, Equal::NONE)
     }
 
-    /// The same where some `k` are equal: with the coefficients of the polar forms.
+    /// Function with the coefficients of the polar forms, for sets with equal `k`.
     #[must_use]
     pub fn with_equal(ratio: Ratio, sets: usize, equal: Equal) -> Self {
         let polar = |polynomial| {
@@ -71,17 +71,17 @@ impl Function {
     }
 }
 
-/// What a search in a box came to.
+/// Result of a search in a box.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
     /// A point with all gears.
     Found {
         /// The ring-to-sun ratios.
         k: Vec<f64>,
-        /// For each gear its function.
+        /// Function of each gear.
         functions: Vec<usize>,
     },
-    /// Proved: there is none.
+    /// Proof that no point exists.
     None,
     /// No point was found, and some boxes were too small to go on.
     Undecided,
@@ -95,11 +95,11 @@ pub struct Solver<'a> {
     widened: Vec<Bounds>,
     /// The bounds for a point that is found.
     accepted: Vec<Bounds>,
-    /// Which functions together are an answer.
+    /// Test whether functions together are an answer.
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
     /// Sets with equal `k`: their ranges stay one.
     equal: Equal,
-    /// Pairs of gears of which the first has the higher ratio.
+    /// Pairs of gears, the first with the higher ratio.
     falling: &'a [[usize; 2]],
     /// Whether the search is to end.
     watch: Option<&'a Watch<'a>>,
@@ -143,22 +143,22 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The same for points where some `k` are equal, for functions [with them](Function::with_equal) and
-    /// boxes that have one range for them.
+    /// Returns the solver for points with some equal `k`. The functions must be [made with
+    /// them](Function::with_equal), and boxes must have one range for them.
     #[must_use]
     pub const fn with_equal(mut self, equal: Equal) -> Self {
         self.equal = equal;
         self
     }
 
-    /// The same for points where of each of these pairs of gears the first has the higher ratio.
+    /// Returns the solver for points at which the first gear of each pair has the higher ratio.
     #[must_use]
     pub(crate) const fn with_falling(mut self, falling: &'a [[usize; 2]]) -> Self {
         self.falling = falling;
         self
     }
 
-    /// The same, watched: where it is ended the box counts as undecided.
+    /// Returns the solver with a watch: if the watch ends it, the box counts as undecided.
     #[must_use]
     pub(crate) const fn with_watch(mut self, watch: &'a Watch<'a>) -> Self {
         self.watch = Some(watch);
@@ -263,7 +263,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// Of the gears with several functions the one with the fewest.
+    /// Gear with the fewest functions among those with several.
     fn most_settled(&self, left: &[(usize, u32)]) -> Option<usize> {
         let counts =
             (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
@@ -274,8 +274,8 @@ impl<'a> Solver<'a> {
             .map(|(gear, _)| gear)
     }
 
-    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each
-    /// have their own.
+    /// Takes from functions the gears that they do not reach in a box; `None` if the gears cannot each have
+    /// their own.
     fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears that one function reaches, at most.
@@ -301,8 +301,8 @@ impl<'a> Solver<'a> {
         self.settle(left)
     }
 
-    /// Takes from functions the gears that are another's alone; nothing where the gears cannot each have
-    /// their own.
+    /// Takes from functions the gears that are another's alone; `None` if the gears cannot each have their
+    /// own.
     fn settle(&mut self, left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
         // Gears of one function, and of several.
@@ -335,7 +335,7 @@ impl<'a> Solver<'a> {
         can_match(&self.masks, gears).then_some(())
     }
 
-    /// Those of some gears whose bounds a function may reach in a box.
+    /// Gears, among the given ones, whose bounds a function may reach in a box.
     fn reached(&mut self, cuboid: &[[f64; 2]], function: usize, gears: u32) -> u32 {
         self.evaluate(cuboid, function);
         let [above, below] = &self.values;
@@ -361,8 +361,8 @@ impl<'a> Solver<'a> {
         corner_values(&self.functions[function].coefficients[1], cuboid, below);
     }
 
-    /// Whether somewhere in a box each pair of gears may be in falling order: where the highest ratio of the
-    /// one is not above the lowest of the other, it is not.
+    /// Whether each pair of gears may be in falling order anywhere in a box. It may not if the highest ratio
+    /// of the one is not above the lowest of the other.
     fn may_fall(&mut self, cuboid: &[[f64; 2]], functions: &[usize]) -> bool {
         self.falling.iter().all(|[higher, lower]| {
             let most = self.extremes(cuboid, functions[*higher]).map(|[_, most]| most);
@@ -371,7 +371,7 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// The least and the greatest ratio of a function in a box, unless its output may stand still in it.
+    /// The least and the greatest ratio of a function in a box, unless its output may be at rest in it.
     fn extremes(&mut self, cuboid: &[[f64; 2]], function: usize) -> Option<[f64; 2]> {
         self.evaluate(cuboid, function);
         let [above, below] = &self.values;
@@ -384,8 +384,8 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing
-    /// where there are none.
+    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; `None` if
+    /// no such point exists.
     fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: usize) -> Option<()> {
         let gear = self.widened[gear];
         self.evaluate(cuboid, function);
@@ -432,9 +432,9 @@ impl<'a> Solver<'a> {
         Some(())
     }
 
-    /// A point of the box where each gear is within its bounds, but for what is accepted, if a few
-    /// Gauss-Newton steps from the middle lead there: first towards the middles of all bounds, and from near
-    /// the bounds towards those that are missed.
+    /// Point of the box at which each gear is within its accepted bounds, if a few Gauss-Newton steps from
+    /// the middle lead to one. They go first towards the middles of all bounds, and from near the bounds
+    /// towards those that are missed.
     fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
         for to_bounds in [false, true] {
@@ -460,8 +460,8 @@ impl<'a> Solver<'a> {
         None
     }
 
-    /// The step that least squares of the deviations, each by half the width of its bounds, ask for;
-    /// `to_bounds` of what exceeds the bounds alone.
+    /// Least-squares step for the deviations, each over half the width of its bounds; with `to_bounds` only
+    /// for the parts beyond the bounds.
     fn step(&self, k: &[f64], functions: &[usize], deviations: &[f64], to_bounds: bool) -> Option<Vec<f64>> {
         let sets = k.len();
         let mut normal = Matrix::zeros(sets, sets + 1);
@@ -536,7 +536,7 @@ fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
 /// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting
 /// paths).
 pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
-    /// Whether a gear can be had for a function, those that have one already moving to others.
+    /// Whether a function can get a gear, with functions that have one already moving to others.
     fn augment(function: usize, reaches: &[u32], owners: &mut [usize; 32], visited: &mut u32) -> bool {
         loop {
             let open = reaches[function] & !*visited;

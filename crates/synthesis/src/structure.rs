@@ -1,9 +1,9 @@
 //! Structures: how the members of simple sets are tied.
 //!
 //! A structure is a list of sets, each the links of its sun, ring and carrier. Link 0 is the housing, 1 the
-//! input, 2 the output; the others are named `a`, `b`, `c` …. Two structures are equal where they differ in
-//! the order of the sets and in the names of the other links alone. Of the equal ones the least word counts,
-//! where the other links are numbered as they first occur: the *canonical word*.
+//! input, 2 the output; the others are named `a`, `b`, `c` …. Two structures are equal if they differ only in
+//! the order of the sets and in the names of the other links. Of the equal ones the least word represents the
+//! structure, with the other links numbered as they first occur: the *canonical word*.
 //!
 //! # Double-planet sets
 //! Some sets may be double-planet sets. For speeds such a set is a simple one with ring and carrier
@@ -13,7 +13,7 @@
 //! (ω_s − ω_H) − k·(ω_r − ω_H) = 0   is   ω_s + k′·ω_H − (1 + k′)·ω_r = 0   with k′ = k − 1
 //! ```
 //!
-//! So the word has its sun, *carrier* and *ring*, in this order, and its `k′`. Double-planet sets stand after
+//! So the word has its sun, *carrier* and *ring*, in this order, and its `k′`. Double-planet sets come after
 //! the simple ones; the canonical word is the least of those that keep this. Written, a structure shows sun,
 //! ring and carrier of the real set and a star: `0-1-c x-2-h y-2-h*`.
 
@@ -41,7 +41,7 @@ pub type Members = [Link; 3];
 pub struct Structure {
     sets: Vec<Members>,
     links: usize,
-    /// How many of the last sets are double-planet sets.
+    /// Number of double-planet sets, which are the last.
     double: usize,
 }
 
@@ -61,7 +61,7 @@ pub fn link_of_name(name: char) -> Option<Link> {
 }
 
 impl Structure {
-    /// The structure of these sets with so many moving links, in its canonical word.
+    /// Structure of these sets with this number of moving links, in its canonical word.
     ///
     /// # Errors
     /// [`Error::NotAStructure`] where a link is beyond `links` or on no member, a set has a link twice, or
@@ -70,21 +70,21 @@ impl Structure {
         Self::canonical(sets, links).map(|(structure, _)| structure)
     }
 
-    /// The same, with the order in which the canonical word takes the given sets.
+    /// Structure of these sets, and the order in which the canonical word takes them.
     ///
     /// # Errors
-    /// As [`Structure::new`].
+    /// Errors of [`Structure::new`].
     pub fn canonical(sets: &[Members], links: usize) -> Result<(Self, Vec<usize>), Error> {
         Self::check(sets, links)?;
         let (sets, order) = canonical_word(sets);
         Ok((Self { sets, links, double: 0 }, order))
     }
 
-    /// The same where some of the sets are double-planet sets: links of sun, ring and carrier of each real
-    /// set, and whether it is one.
+    /// Structure of simple and double-planet sets: links of sun, ring and carrier of each real set, and
+    /// whether it is a double-planet set.
     ///
     /// # Errors
-    /// As [`Structure::new`].
+    /// Errors of [`Structure::new`].
     pub fn with_kinds(sets: &[(Members, bool)], links: usize) -> Result<(Self, Vec<usize>), Error> {
         let words: Vec<Members> = sets.iter().map(|(members, double)| exchanged(*members, *double)).collect();
         Self::check(&words, links)?;
@@ -96,7 +96,7 @@ impl Structure {
         Ok((Self { sets, links, double }, order))
     }
 
-    /// Refuses sets that are no structure.
+    /// Refuses sets that do not form a structure.
     fn check(sets: &[Members], links: usize) -> Result<(), Error> {
         let fault = if links > crate::class::MOST_LINKS || sets.len() > crate::class::MOST_SETS {
             Some("it has too many sets or links")
@@ -117,12 +117,12 @@ impl Structure {
         }
     }
 
-    /// From a word that is canonical already.
+    /// Structure of a word that is canonical already.
     pub(crate) const fn of_canonical_word(sets: Vec<Members>, links: usize) -> Self {
         Self { sets, links, double: 0 }
     }
 
-    /// The structures with so many double-planet sets among these, in which any may be double; each once.
+    /// Structures with this number of double-planet sets among these, in which any may be double; each once.
     #[must_use]
     pub fn with_double_planets(&self, count: usize) -> Vec<Self> {
         let sets = self.sets.len();
@@ -137,7 +137,7 @@ impl Structure {
         all
     }
 
-    /// How many of the last sets are double-planet sets.
+    /// Number of double-planet sets, which are the last.
     #[must_use]
     pub const fn double_planets(&self) -> usize {
         self.double
@@ -149,10 +149,11 @@ impl Structure {
         place + self.double >= self.sets.len()
     }
 
-    /// Links of sun, ring and carrier of the set at this place, of a double-planet set those of the real one.
+    /// Links of sun, ring and carrier of the set at this place; for a double-planet set those of the real
+    /// set.
     ///
     /// # Panics
-    /// Where there is no such set.
+    /// For a place beyond the last set.
     #[must_use]
     pub fn members(&self, place: usize) -> Members {
         exchanged(self.sets[place], self.is_double_planet(place))
@@ -192,7 +193,7 @@ impl Structure {
         found
     }
 
-    /// How the other links are renamed by an order of the sets that gives the same word:
+    /// New names of the other links under an order of the sets that gives the same word:
     /// `new = renaming[old]`.
     #[must_use]
     pub fn renaming(&self, order: &[usize]) -> Vec<Link> {
@@ -228,8 +229,8 @@ const fn exchanged([sun, ring, carrier]: Members, is_double_planet: bool) -> Mem
     if is_double_planet { [sun, carrier, ring] } else { [sun, ring, carrier] }
 }
 
-/// The least word over the orders in which double-planet sets stand after the others, and the first order
-/// that gives it.
+/// Least word over the orders with the double-planet sets after the others, and the first order that gives
+/// it.
 fn least_word(sets: &[Members], is_double_planet: &dyn Fn(usize) -> bool) -> (Vec<Members>, Vec<usize>) {
     let mut least: Option<(Vec<Members>, Vec<usize>)> = None;
     for_each_order(sets.len(), &mut |order| {
@@ -365,8 +366,8 @@ impl FromStr for Structure {
 }
 
 impl Structure {
-    /// Reads a structure, and gives for each link of the canonical word the letter that the text has for it.
-    /// Input and output count as links also where no member stands on them.
+    /// Reads a structure, and returns for each link of the canonical word its letter in the text. Input and
+    /// output count as links even if no member is on them.
     ///
     /// # Errors
     /// [`Error::NotAStructure`].

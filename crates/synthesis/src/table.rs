@@ -15,7 +15,7 @@ use rustc_hash::FxHashMap;
 /// The number of a function within a structure.
 pub(crate) type Local = u32;
 
-/// What elements give that no wanted gear can have.
+/// Number for choices whose function no wanted gear can have.
 const NONE: Local = Local::MAX;
 
 /// A set of functions, one bit each, and a last word for choices without one.
@@ -28,29 +28,29 @@ pub(crate) struct Table<W> {
     elements: usize,
     by_speeds: FxHashMap<Speeds<W>, Local>,
     by_number: FxHashMap<Number, Local>,
-    /// For each choice its function.
+    /// Function of each choice.
     of_choice: Vec<Local>,
-    /// For each choice of one element less, for each element: the bit of the function that both have.
+    /// Bit of the function of each choice of one element less, completed by each element.
     completed: Vec<u32>,
     numbers: Vec<Number>,
-    /// For each function the gears that it reaches, as bits.
+    /// Gears that each function reaches, as bits.
     reached: Vec<u32>,
-    /// For each function the parts within reach of some gear.
+    /// Parts of each function within reach of some gear.
     useful: Vec<Parts>,
-    /// For each function, for each gear, the parts within reach.
+    /// Parts within reach of each function, for each gear.
     reach: Vec<Parts>,
-    /// For each function the choices that have it, as bits.
+    /// Choices that have each function, as bits.
     having: Vec<Vec<u64>>,
-    /// For each gear the functions that reach it.
+    /// Functions that reach each gear.
     reaching: Vec<Vec<Local>>,
-    /// The same as sets.
+    /// Sets of the functions that reach each gear, as bits.
     reaching_bits: Vec<u64>,
-    /// How many words a set of functions has without the last.
+    /// Number of words of a set of functions without the last.
     words: usize,
 }
 
 impl<W: Word> Table<W> {
-    /// For gears that engage so many of at most so many elements.
+    /// Table for gears that engage this number of at most `elements` elements.
     pub(crate) fn new(engaged: usize, elements: usize, gears: usize) -> Self {
         Self {
             choices: Choices::new(engaged, elements),
@@ -71,7 +71,7 @@ impl<W: Word> Table<W> {
         }
     }
 
-    /// Takes up a structure with so many elements.
+    /// Takes up a structure with this number of elements.
     pub(crate) fn take(
         &mut self,
         engaged: usize,
@@ -159,7 +159,7 @@ impl<W: Word> Table<W> {
         local
     }
 
-    /// How many choices reach a gear.
+    /// Number of choices that reach a gear.
     pub(crate) fn choices_for(&self, gear: usize) -> usize {
         self.reaching[gear].iter().map(|local| self.having[*local as usize].len()).sum()
     }
@@ -207,7 +207,7 @@ impl<W: Word> Table<W> {
         });
     }
 
-    /// For each element the functions that it adds to those of some elements: `words + 1` words each.
+    /// Functions that each element adds to those of some elements: `words + 1` words for each element.
     pub(crate) fn added(&mut self, chosen: u64, added: &mut Vec<u64>) {
         if self.completed.is_empty() {
             self.complete();
@@ -223,7 +223,7 @@ impl<W: Word> Table<W> {
         });
     }
 
-    /// Sets up what elements give with each choice of one less.
+    /// Sets up the functions that elements give with each choice of one less.
     fn complete(&mut self) {
         let without = u32::try_from(64 * self.words).unwrap_or(u32::MAX);
         let less = self.choices.count_of_one_less(self.elements);
@@ -237,12 +237,12 @@ impl<W: Word> Table<W> {
         }
     }
 
-    /// How many words a set of functions has.
+    /// Number of words of a set of functions.
     pub(crate) fn words(&self) -> usize {
         self.words
     }
 
-    /// Whether some functions reach every gear, each somewhere, and are as many as these.
+    /// Whether some functions reach every gear, each in some part, and are at least as many as the gears.
     #[inline]
     pub(crate) fn may_have_all(&self, functions: &[u64]) -> bool {
         let count: u32 = functions.iter().map(|word| word.count_ones()).sum();
@@ -268,7 +268,7 @@ impl<W: Word> Table<W> {
         covered
     }
 
-    /// For each of some functions the parts within reach of some gear.
+    /// Parts of each of some functions within reach of some gear.
     pub(crate) fn useful(&self, functions: &[u64]) -> impl Iterator<Item = Parts> {
         members(functions).map(|local| self.useful[local as usize])
     }

@@ -1,6 +1,6 @@
-//! Counts of what a search came to.
+//! Counts of the results of a search.
 
-/// Counts of what a search came to.
+/// Counts of the results of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
     /// Structures searched.
@@ -20,7 +20,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// What is counted, in the order of [`Tally::counts`].
+    /// Names of the counts, in the order of [`Tally::counts`].
     pub const NAMES: [&str; 7] = [
         "structures",
         "in reach",
@@ -31,7 +31,7 @@ impl Tally {
         "undecided",
     ];
 
-    /// All counts.
+    /// Counts in the order of `NAMES`.
     #[must_use]
     pub const fn counts(self) -> [u64; Self::NAMES.len()] {
         // Field by field, so that a new one is not forgotten.
@@ -47,7 +47,7 @@ impl Tally {
         [structures, in_reach, candidates, reducible, without_direct, without_single_shifts, undecided]
     }
 
-    /// From all counts.
+    /// Tally of these counts.
     #[must_use]
     pub const fn of_counts(counts: [u64; Self::NAMES.len()]) -> Self {
         let [structures, in_reach, candidates, reducible, without_direct, without_single_shifts, undecided] =

@@ -2,21 +2,21 @@
 //!
 //! # Steps
 //! 1. The tooth numbers of a simple set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre
-//!    distances, assembly, clearance between planets. Sets that differ in the number of planets alone are
-//!    one, with the most planets. Those of a double-planet set are those of
-//!    [`epicyclic_gears::double_planet`]: of the pairs of planets that fit a sun and a ring the one that
-//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend
-//!    on it. Simple sets with profile shift ([`Choice::shifted`]) are those that
-//!    [`epicyclic_gears::involute::search`] closes; of the planets that fit a sun and a ring one is taken,
+//!    distances, assembly, clearance between planets. Sets that differ only in the number of planets are one,
+//!    with the most planets. The tooth numbers of a double-planet set are those of
+//!    [`epicyclic_gears::double_planet`]. Of the pairs of planets that fit a sun and a ring,
+//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes one, since ratios do not
+//!    depend on it. Simple sets with profile shift ([`Choice::shifted`]) are those that
+//!    [`epicyclic_gears::involute::search`] closes. Of the planets that fit a sun and a ring one is taken,
 //!    since ratios do not depend on it either.
-//! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets.
-//!    Their box is shrunk by the signs of `P − gQ` at its corners, which hold everywhere in it, and a box
-//!    without a point ends the branch.
+//! 2. The choices are put into the ratios set by set, which leaves polynomials in the `k` of the other sets.
+//!    The box of these `k` is shrunk by the signs of `P − gQ` at its corners, which hold everywhere in it. A
+//!    box without a point ends the branch.
 //! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns'
 //!    teeth, also with `k′ = (z_ring − z_sun)/z_sun` of double-planet sets.
 //!
-//! So nothing is lost: step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹, and step 3
-//! takes a ratio that is off its bound by the rounding of one division.
+//! So nothing is lost. Step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹. Step 3
+//! accepts a ratio that is off its bound by the rounding of one division.
 
 use crate::Error;
 use crate::parts::{Bounds, Cuboid};
@@ -37,10 +37,10 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-/// The most boxes that are looked at for one solution, some ten seconds of work.
+/// Largest number of boxes for one solution, some ten seconds of work.
 pub const MOST_BOXES: u64 = 30_000_000;
 
-/// Which tooth numbers are the best.
+/// Objective for the best tooth numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Aim {
     /// The least greatest deviation of a ratio, by half its bounds' width; of equal ones the fewest teeth.
@@ -50,7 +50,7 @@ pub enum Aim {
     Teeth,
 }
 
-/// How many sets must be alike at least; 0 and 1 ask for nothing.
+/// Least number of sets that must be alike; 0 and 1 require nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Alike {
     /// Sets with equal rings.
@@ -62,7 +62,7 @@ pub struct Alike {
 }
 
 impl Alike {
-    /// Whether some chosen sets, with so many still to be chosen, can be so.
+    /// Whether some chosen sets, with `left` still to be chosen, can be alike as required.
     fn can_be(self, chosen: &[&SetTeeth], left: usize) -> bool {
         fn most<T: PartialEq>(of: impl Fn(usize) -> T, count: usize) -> usize {
             let alike = |one: usize| (0..count).filter(|other| of(*other) == of(one)).count();
@@ -80,7 +80,7 @@ impl Alike {
     }
 }
 
-/// What is wanted of the gears.
+/// Required ratios of the gears.
 #[derive(Debug, Clone, Copy)]
 pub struct Gears<'a> {
     /// The bounds of each gear's ratio.
@@ -91,7 +91,7 @@ pub struct Gears<'a> {
 }
 
 impl<'a> Gears<'a> {
-    /// Gears of which none are side by side.
+    /// Gears without any side by side.
     #[must_use]
     pub const fn apart(bounds: &'a [Bounds]) -> Self {
         Self { bounds, side_by_side: &[] }
@@ -111,7 +111,7 @@ impl<'a> Gears<'a> {
 /// Tooth numbers of all sets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// Of each set.
+    /// Tooth numbers of each set.
     pub sets: Vec<SetTeeth>,
     /// The ratio of each gear.
     pub ratios: Vec<Fraction>,
@@ -131,18 +131,18 @@ impl Design {
 /// The tooth numbers found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Designs {
-    /// How many there are.
+    /// Number of designs found.
     pub count: u64,
-    /// Whether all were found: not more than [`MOST_BOXES`] boxes had to be looked at.
+    /// Whether all were found: at most [`MOST_BOXES`] boxes were needed.
     pub complete: bool,
     /// The best, best first.
     pub first: Vec<Design>,
 }
 
-/// What the tooth numbers of all sets are chosen from.
+/// Tooth numbers of all sets to choose from.
 #[derive(Debug, Clone, Copy)]
 pub struct Sets<'a> {
-    /// Those of each set.
+    /// Tooth numbers of each set.
     pub choices: &'a [&'a Choice],
     /// The sets that share planets.
     pub compounds: &'a [Compound],
@@ -185,9 +185,9 @@ impl Choice {
         Ok(Self { left_out, ..Self::sorted(sets) })
     }
 
-    /// All of simple sets with profile shift within bounds, each pair of sun and ring once: of the planets
-    /// with which it closes those with the least offset of the ring, of two with equal ones the smaller, and
-    /// as many as there is room for.
+    /// Simple sets with profile shift within bounds, each pair of sun and ring once. Of the planets with
+    /// which a pair closes, the one with the least offset of the ring is taken, of two with equal offsets the
+    /// smaller. The number of planets is the largest that fits.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds, offsets and limits that nothing can keep.
@@ -212,8 +212,8 @@ impl Choice {
         Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
     }
 
-    /// All of double-planet sets within bounds, each pair of sun and ring once. The bounds of the ratio are
-    /// those of the real `k`.
+    /// Double-planet sets within bounds, each pair of sun and ring once. The bounds of the ratio are those of
+    /// the real `k`.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
@@ -227,7 +227,7 @@ impl Choice {
         Self { sets: all, left_out: None }
     }
 
-    /// How many there are.
+    /// Number of tooth numbers to choose from.
     #[must_use]
     pub fn count(&self) -> usize {
         self.sets.len()
@@ -240,7 +240,7 @@ impl Choice {
         self.left_out.as_deref()
     }
 
-    /// Those within a range, also where rounding, as of `k − 1`, leaves them just outside.
+    /// Tooth numbers within a range, also those that rounding, as of `k − 1`, leaves just outside.
     fn between(&self, [least, most]: [f64; 2]) -> &[SetTeeth] {
         let slack = |end: f64| 4.0 * f64::EPSILON * (1.0 + end);
         let from = self.sets.partition_point(|set| set.k_of_word() < least - slack(least));
@@ -249,14 +249,14 @@ impl Choice {
     }
 }
 
-/// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side
-/// by side, the best `most` of them told. Each set has its range of `k`, of a double-planet set of `k′`, and
-/// its tooth numbers to choose from. Sets that share planets have equal teeth where they have a gear in
-/// common, and planets that fit all of them. What is found is not complete where `ended`, which is asked now
-/// and then, ends the trial.
+/// Finds all tooth numbers with which gears of these ratios are within their bounds, and fall if they are
+/// side by side; the best `most` are listed. Each set has its range of `k`, for a double-planet set of `k′`,
+/// and its tooth numbers to choose from. Sets that share planets have equal teeth on a common gear, and
+/// planets that fit all of them. The result is not complete if `ended`, which is called now and then, ends
+/// the trial.
 ///
 /// # Panics
-/// Where there are not as many choices as ranges.
+/// Unless there are as many choices as ranges.
 #[must_use]
 pub fn designs(
     ratios: &[Ratio],
@@ -294,7 +294,7 @@ pub fn designs(
     search.found
 }
 
-/// Sets with common planets by their suns and rings; none where there are none.
+/// Sets with common planets by their suns and rings; `None` if no planets fit.
 type SharedPlanets = FxHashMap<Vec<[ToothCount; 2]>, Option<Vec<SetTeeth>>>;
 
 struct Search<'a> {
@@ -302,7 +302,7 @@ struct Search<'a> {
     gears: Gears<'a>,
     widened: Vec<Bounds>,
     from: Sets<'a>,
-    /// For each compound set its sets with common planets, by their suns and rings.
+    /// Sets with common planets of each compound set, by their suns and rings.
     planets: Vec<SharedPlanets>,
     alike: Alike,
     aim: Aim,
@@ -314,7 +314,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Chooses the first set of a box of what is left, whose polynomials are these.
+    /// Chooses the first set of the remaining box, whose polynomials are these.
     fn go(&mut self, functions: &[[Vec<f64>; 2]], mut cuboid: Cuboid, chosen: &mut Vec<&'a SetTeeth>) {
         if cuboid.is_empty() {
             return self.decide(chosen);
@@ -390,7 +390,7 @@ impl<'a> Search<'a> {
 }
 
 impl Search<'_> {
-    /// A full choice with planets that fit all sets which share them; nothing where there are none.
+    /// A full choice with planets that fit all sets which share them; `None` if no planets fit.
     fn with_common_planets(&mut self, chosen: &[&SetTeeth]) -> Option<Vec<SetTeeth>> {
         let mut sets: Vec<SetTeeth> = chosen.iter().map(|set| **set).collect();
         let Some(bounds) = self.from.bounds else { return Some(sets) };
@@ -461,7 +461,7 @@ fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) ->
                         return false;
                     }
                     let [least, most] = *side;
-                    // What rounding could cut off stays.
+                    // Points that rounding could cut off stay.
                     let lower = (least + first * (most - least)) * (1.0 - WIDENING);
                     let upper = (least + last * (most - least)) * (1.0 + WIDENING);
                     *side = [lower.max(least), upper.min(most)];
@@ -475,8 +475,8 @@ fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) ->
     }
 }
 
-/// Where along the edges of one side, from 0 to 1, a polynomial with these values at the corners is anywhere
-/// at least 0.
+/// Range along the edges of one side, from 0 to 1, in which a polynomial with these values at the corners is
+/// anywhere at least 0.
 fn where_positive(values: &[f64], set: usize) -> [f64; 2] {
     let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
     for corner in (0..values.len()).filter(|corner| corner >> set & 1 == 0) {

@@ -1,9 +1,9 @@
 //! Polynomials whose coefficients are −1, 0 and 1, all coefficients in two words.
 //!
-//! A ratio of a gearbox of simple sets is a quotient of two polynomials in the ring-to-sun ratios `k₁ … kₙ`,
-//! each of at most the first degree in each `kᵢ`. Their coefficients are signed counts of spanning trees of
-//! which there is one or none, so they are −1, 0 or 1. Bit `S` of a word stands for the product of the `kᵢ`
-//! whose bit is in `S`.
+//! A ratio of a gearbox of simple sets is a quotient of two polynomials in the ring-to-sun ratios `k₁ … kₙ`.
+//! Each polynomial is of at most the first degree in each `kᵢ`. The coefficients are signed counts of
+//! spanning trees. Each count is at most one, so they are −1, 0 or 1. Bit `S` of a word represents the
+//! product of the `kᵢ` whose bit is in `S`.
 //!
 //! Coefficients are added and multiplied modulo 3, all `2ⁿ` at once by a few operations on whole words. Where
 //! the result is known to be −1, 0 or 1, this is exact, whatever the terms between were.
@@ -40,9 +40,9 @@ word!(u8 u16 u32 u64);
 /// Coefficients −1, 0 and 1, one for each bit of `W`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub struct Ternary<W> {
-    /// Where the coefficient is 1.
+    /// Bits of the coefficients 1.
     pub plus: W,
-    /// Where it is −1.
+    /// Bits of the coefficients −1.
     pub minus: W,
 }
 
@@ -72,7 +72,7 @@ impl<W: Word> Ternary<W> {
         }
     }
 
-    /// With every sign changed.
+    /// Polynomial with every sign changed.
     #[inline]
     #[must_use]
     pub fn negated(self) -> Self {

@@ -1,17 +1,16 @@
-//! Limits of a gearbox that is of use. A search goes on to larger classes while what it has found keeps none
-//! of them.
+//! Limits of a usable gearbox. A search goes on to larger classes as long as no gearbox found keeps them.
 
 use crate::judge::Judged;
 use crate::rank::Rating;
 
-/// Limits of a gearbox that is of use.
+/// Limits of a usable gearbox.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Usable {
     /// The least efficiency of a forward gear.
     pub forward: f64,
     /// The least efficiency of a reverse gear.
     pub reverse: f64,
-    /// The greatest circulating power of a forward gear, over what enters.
+    /// The greatest circulating power of a forward gear, over the power that enters.
     pub circulation: f64,
 }
 
@@ -21,7 +20,7 @@ impl Default for Usable {
     }
 }
 
-/// Why a gearbox is of no use.
+/// Reason why a gearbox is of no use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fault {
     /// Links would cross in its scheme.
@@ -30,7 +29,7 @@ pub enum Fault {
     Forward,
     /// A reverse gear has a lower efficiency.
     Reverse,
-    /// More power circulates in a forward gear.
+    /// A forward gear has more circulating power.
     Circulation,
 }
 

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-/// How often there is an occasion to ask for each time that is asked.
+/// Number of calls for each time that the end is asked for.
 const EVERY: u32 = 64;
 
 /// Asks now and then whether a search is to end; once it is, it stays so.

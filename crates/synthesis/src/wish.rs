@@ -1,4 +1,4 @@
-//! What is wanted of a gearbox, and whether any can have it.
+//! Requirements for a gearbox, and whether any gearbox can fulfil them.
 
 use crate::choices::choose;
 use crate::class::{Class, MOST_ELEMENTS};
@@ -14,23 +14,23 @@ use std::ops::RangeInclusive;
 /// The most gears of a wish: one bit each.
 pub const MOST_GEARS: usize = 30;
 
-/// What is wanted of a gearbox.
+/// Requirements for a gearbox.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wish {
     /// The bounds of each gear's ratio.
     pub gears: Vec<Bounds>,
-    /// How many elements.
+    /// Number of shift elements.
     pub elements: usize,
     /// The range of each set's ring-to-sun ratio, of a double-planet set that of `k′ = k − 1`.
     pub k: Vec<RangeInclusive<f64>>,
-    /// How many of the sets, the last of them, are double-planet sets; any sets of a structure may be.
+    /// Number of double-planet sets, which are the last; any sets of a structure may be.
     pub double_planets: usize,
-    /// At least so many sets of one kind have equal `k`; 0 and 1 ask for nothing.
+    /// Least number of sets of one kind with equal `k`; 0 and 1 require nothing.
     pub equal_k: usize,
     /// Gears side by side, by their places, each list the highest ratio first: their bounds may overlap, and
     /// their ratios fall. Of these any ratio within the bounds is as good.
     pub side_by_side: Vec<Vec<usize>>,
-    /// What else a gearbox has to keep.
+    /// Further rules for the gearbox.
     pub rules: Rules,
 }
 
@@ -61,6 +61,7 @@ impl Wish {
         }
         for (place, gear) in self.gears.iter().enumerate() {
             let ordered = gear.least.is_finite() && gear.most.is_finite() && gear.least <= gear.most;
+            // The product is positive only if both bounds have one sign and neither is 0.
             if !ordered || gear.least * gear.most <= 0.0 {
                 let Bounds { least, most } = gear;
                 return fault(format!(
@@ -129,7 +130,7 @@ impl Wish {
         self.rules.check(&self.gears, self.elements)
     }
 
-    /// The pairs of gears side by side of which the first has the higher ratio.
+    /// Pairs of gears side by side, the first with the higher ratio.
     #[must_use]
     pub fn falling(&self) -> Vec<[usize; 2]> {
         self.side_by_side.iter().flat_map(|run| run.windows(2).map(|pair| [pair[0], pair[1]])).collect()
@@ -169,7 +170,7 @@ impl Wish {
         Err(Error::Wish { why })
     }
 
-    /// Whether so many sets can have equal `k`.
+    /// Whether this number of sets can have equal `k`.
     fn check_equal_k(&self) -> Result<(), Error> {
         if self.equal_k <= 1 {
             return Ok(());
@@ -181,6 +182,7 @@ impl Wish {
                 format!("{} sets of one kind with equal k, yet there are {most} of one kind", self.equal_k);
             return Err(Error::Wish { why });
         }
+        // The boxes of the solver have one range for all sets with equal k.
         if [simple, double].iter().any(|ranges| ranges.windows(2).any(|pair| pair[0] != pair[1])) {
             let why = "equal k are searched among sets of one kind: these need one range of k".into();
             return Err(Error::Wish { why });

@@ -1,4 +1,4 @@
-//! Work on a share of a class: which structures were searched, and what was found in them.
+//! Work on a share of a class: the structures that were searched, and the solutions found in them.
 
 use crate::class::Class;
 use crate::enumerate;
@@ -20,7 +20,7 @@ pub struct Found {
     pub solution: Solution,
 }
 
-/// How far a search is.
+/// Progress of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// Structures that were searched.
@@ -31,13 +31,13 @@ pub struct Progress {
     pub found: usize,
 }
 
-/// Which structures of a class are searched: of `of` shares the one with this number, from 0. The structures
-/// are dealt out in turn in the order of their canonical words.
+/// Share of a class to be searched: of `of` shares the one with this number, from 0. The structures are dealt
+/// out in turn in the order of their canonical words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Share {
     /// The number of the share.
     pub number: usize,
-    /// How many shares there are.
+    /// Number of shares.
     pub of: usize,
 }
 
@@ -45,9 +45,9 @@ impl Share {
     /// The whole class.
     pub const WHOLE: Self = Self { number: 0, of: 1 };
 
-    /// Its structures in the order of their canonical words, and how many the class has. Where some sets are
-    /// double-planet sets, each structure comes once with every choice of them, and these are dealt out.
-    /// Nothing where `ended`, which is asked now and then, ends the search for them.
+    /// Structures of the share in the order of their canonical words, and the number of structures in the
+    /// class. With double-planet sets each structure comes once with every choice of them, and these are
+    /// dealt out. `None` if `ended`, which is called now and then, ends the enumeration.
     #[must_use]
     pub fn structures(
         self,
@@ -111,7 +111,7 @@ impl FromStr for Share {
     }
 }
 
-/// What is done of a search through a share.
+/// Completed work of a search through a share.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Work {
     /// Structures in the class; 0 before the search begins.
@@ -121,8 +121,8 @@ pub struct Work {
     /// Places in the share of those that were searched: ranges in rising order that neither touch nor
     /// overlap.
     pub done: Vec<Range<usize>>,
-    /// What was found, with the place of its structure in the share; in the order of places and elements once
-    /// the search ends.
+    /// Solutions found, with the place of their structure in the share; in the order of places and elements
+    /// once the search ends.
     pub found: Vec<(usize, Found)>,
     /// Counts.
     pub tally: Tally,
@@ -136,8 +136,8 @@ impl Work {
         self.class_size > 0 && self.done_count() == self.structures
     }
 
-    /// Whether what is done is ranges as it says, within the share, and what was found is of structures that
-    /// were searched.
+    /// Whether the work is consistent: its ranges are in order and within the share, and solutions belong to
+    /// structures that were searched.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)
@@ -150,7 +150,7 @@ impl Work {
         ordered && within && self.found.iter().all(|(place, _)| is_done(*place))
     }
 
-    /// How far the search is.
+    /// Progress of the search.
     #[must_use]
     pub fn progress(&self) -> Progress {
         Progress { done: self.done_count(), of: self.structures, found: self.found.len() }
@@ -160,8 +160,9 @@ impl Work {
         self.done.iter().map(ExactSizeIterator::len).sum()
     }
 
-    /// The same for a share with so many structures, as new or if it is of such a share.
+    /// Work for a share with this number of structures. The work must be new or belong to such a share.
     pub(crate) fn on(mut self, class_size: usize, structures: usize) -> Result<Self, Error> {
+        // New work takes the sizes of the share; other work has to match them.
         if self == Self::default() {
             (self.class_size, self.structures) = (class_size, structures);
         }
@@ -179,9 +180,10 @@ impl Work {
         starts.zip(ends).flat_map(|(start, end)| start..end)
     }
 
-    /// Adds what was found at some places in rising order, and what was counted there.
+    /// Adds the solutions found at some places in rising order, and their counts.
     pub(crate) fn add(&mut self, places: &[usize], found: Vec<(usize, Found)>, tally: Tally) {
         for place in places {
+            // Ranges that touch are joined, so that the list stays short and `is_sound` can ask for gaps.
             let at = self.done.partition_point(|range| range.end < *place);
             match self.done.get_mut(at) {
                 Some(range) if range.end == *place => range.end += 1,

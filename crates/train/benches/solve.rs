@@ -1,5 +1,6 @@
-//! A full analysis of a gear (speeds, torques, losses, sign pattern, efficiency), topology compiled
-//! outside the timing, ratios and losses inside; beside it the plain way with nalgebra.
+//! Benchmark of a full analysis of a gear: speeds, torques, losses, sign pattern, efficiency. The topology is
+//! compiled outside the timing, ratios and losses are inside. The comparison is a plain solution with
+//! nalgebra.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -94,7 +95,7 @@ fn compare(criterion: &mut Criterion, name: &str, gearbox: &Gearbox, gear: &str,
     group.finish();
 }
 
-/// Beside it every set an equation, every link a speed.
+/// Comparison with a plain solution: every set is an equation, every link a speed.
 fn compare_short(criterion: &mut Criterion, name: &str, gearbox: &Gearbox, gear: &str) {
     let (ratios, values) = (plain::ratios(gearbox), gearbox.values());
     let etas: Vec<f64> = values.efficiencies.iter().map(|eta| eta.get()).collect();
@@ -106,7 +107,7 @@ fn compare_short(criterion: &mut Criterion, name: &str, gearbox: &Gearbox, gear:
     });
 }
 
-/// Beside it every mesh a force, every body a balance.
+/// Comparison with a plain solution: every mesh is a force, every body a balance.
 fn compare_compound(criterion: &mut Criterion, name: &str, plan: &BoxPlan) {
     let gearbox = plan.build(None).expect("the plan is a gearbox");
     compare(criterion, name, &gearbox, "g", || {

@@ -1,4 +1,5 @@
-//! All gears of a four-speed gearbox for many basic ratios, and beside it an analysis of every variant.
+//! Benchmark of all gears of a four-speed gearbox for many basic ratios, compared with an analysis of every
+//! variant.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -28,7 +29,7 @@ fn simpson([front, rear]: [f64; 2]) -> Gearbox {
         .expect("a Simpson set is a gearbox")
 }
 
-/// What is added up, so that nothing is left out.
+/// Sum of ratios and efficiencies, so that the compiler removes none of them.
 fn analysed(k: [f64; 2]) -> f64 {
     let gearbox = simpson(k);
     let of = |gear: &str| {

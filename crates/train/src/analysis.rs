@@ -12,11 +12,11 @@ use crate::{Error, Gear, Gearbox, LinkId, State};
 use epicyclic_gears::simple_set::Fraction;
 use std::sync::OnceLock;
 
-/// What the solver says of one gear.
+/// Result of solving one gear: state, ratio, speeds, torques and efficiencies.
 ///
-/// Speeds are multiples of the input's speed and torques of the input's torque;
-/// [`at`](Self::at) turns them into quantities. What is asked for is computed when it is first asked for, and
-/// kept: a ratio or a speed costs neither torques nor efficiencies.
+/// Speeds are multiples of the input's speed and torques of the input's torque; [`at`](Self::at) turns them
+/// into quantities. A result is computed on first request and then kept: a ratio or a speed costs neither
+/// torques nor efficiencies.
 #[derive(Debug, Clone)]
 pub struct Analysis<'g> {
     pub(crate) gearbox: &'g Gearbox,
@@ -63,7 +63,7 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a gear that does not exist. That a gear is not driven is no error: see
+    /// [`Error::Unknown`] for a gear that does not exist. A gear that is not driven is no error: see
     /// [`Analysis::state`].
     pub fn analyze(&self, gear: &str) -> Result<Analysis<'_>, Error> {
         self.analyze_gear(self.gear(gear)?)
@@ -82,6 +82,8 @@ impl Gearbox {
         Ok(Analysis {
             gearbox: self,
             gear: gear.clone(),
+            // A blocked input is at rest, so the speeds of its links relate to no input speed and give no
+            // ratio.
             ratio: output.map(f64::recip).filter(|_| !is_blocked),
             speeds: link_speeds(&topology, &verdict),
             topology,
@@ -115,11 +117,12 @@ impl<'g> Analysis<'g> {
         &self.gear
     }
 
-    /// Its state.
+    /// State of the gear.
     #[must_use]
     pub fn state(&self) -> &State {
         self.state.get_or_init(|| {
             let moves = |efficiency: Option<f64>| efficiency.is_some_and(|efficiency| efficiency > 0.0);
+            // Only a solved case with losses can show self-locking: without losses every driven gear moves.
             if self.verdict.state != State::Driven
                 || !self.gearbox.sets.iter().any(crate::PlanetSet::has_losses)
                 || self.solution(Direction::Drive).is_none()
@@ -134,7 +137,7 @@ impl<'g> Analysis<'g> {
         })
     }
 
-    /// Its state by speeds and ranks alone, whatever the losses.
+    /// State of the gear by speeds and ranks alone, whatever the losses.
     #[must_use]
     pub fn kinematic_state(&self) -> &State {
         &self.verdict.state
@@ -267,7 +270,7 @@ impl<'g> Analysis<'g> {
         Some(self.back_driving_efficiency().is_none_or(|eta| eta <= 0.0))
     }
 
-    /// What Kreines' rule says.
+    /// Result of Kreines' rule.
     #[must_use]
     pub fn kreines(&self) -> Option<&Kreines> {
         let rule = || {
@@ -276,6 +279,7 @@ impl<'g> Analysis<'g> {
             for (&segment, &sign) in self.compiled()?.segments.iter().zip(solution.signs()) {
                 signs[segment] = sign;
             }
+            // Without a branch no loaded torques exist, so the rule has no signs to compare its own with.
             kreines(self.gearbox, &self.topology, solution.has_branch.then_some(signs.as_slice()))
         };
         self.kreines.get_or_init(rule).as_ref()

@@ -1,4 +1,4 @@
-//! Which way power runs through each segment of meshes: the signs continuous with vanishing losses.
+//! Direction of power through each segment of meshes: the signs continuous with vanishing losses.
 //!
 //! The same search serves the kernel of fixed size and the general solver.
 

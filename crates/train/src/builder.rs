@@ -39,9 +39,9 @@ pub struct GearSpec {
     pub name: String,
     /// Engaged shift elements.
     pub engaged: Vec<String>,
-    /// Where power enters, if not at the gearbox's input.
+    /// Link where power enters, if not the gearbox's input.
     pub input: Option<String>,
-    /// Where power leaves, if not at the gearbox's output.
+    /// Link where power leaves, if not the gearbox's output.
     pub output: Option<String>,
 }
 
@@ -52,7 +52,8 @@ impl Gearbox {
         GearboxBuilder::new(name)
     }
 
-    /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
+    /// Description of the gearbox as a builder, to be changed and built again. Unchanged, the builder builds
+    /// an equal gearbox.
     #[must_use]
     pub fn to_builder(&self) -> GearboxBuilder {
         let name = |link: LinkId| self.link_name(link).to_owned();
@@ -126,13 +127,13 @@ impl GearboxBuilder {
         self
     }
 
-    /// Holds a link to the housing for ever.
+    /// Holds a link to the housing permanently.
     #[must_use]
     pub fn ground(self, link: &str) -> Self {
         self.tie(link, GROUND)
     }
 
-    /// Joins two links for ever.
+    /// Joins two links permanently.
     #[must_use]
     pub fn tie(mut self, first: &str, second: &str) -> Self {
         self.permanent.push([first.into(), second.into()]);
@@ -180,7 +181,10 @@ impl GearboxBuilder {
     ///     .output("B")
     ///     .gear("slow", ["K1"])
     ///     .build()?;
-    /// let other = gearbox.to_builder().map_sets(|set| SetSpec { gearing: Gearing::BasicRatio(4.0), ..set }).build()?;
+    /// let other = gearbox
+    ///     .to_builder()
+    ///     .map_sets(|set| SetSpec { gearing: Gearing::BasicRatio(4.0), ..set })
+    ///     .build()?;
     /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
     /// # Ok(())
     /// # }
@@ -217,10 +221,13 @@ impl GearboxBuilder {
     /// Checks the description and returns the gearbox.
     ///
     /// # Errors
-    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set
-    /// that are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements
-    /// that join a link with itself, permanent connections in a loop, terminals at the housing, more than is
-    /// solved. What teeth do not fit is asked of [`Gearbox::tooth_checks`].
+    /// Every variant of [`Error`] about a description:
+    /// - unknown and repeated names, members of a set that are one piece;
+    /// - `k ≤ 1` of a simple set, missing steps, meshes that make no tree;
+    /// - shift elements that join a link with itself, permanent connections in a loop;
+    /// - terminals at the housing, a gearbox above the limits of size.
+    ///
+    /// [`Gearbox::tooth_checks`] checks whether the teeth fit.
     pub fn build(self) -> Result<Gearbox, Error> {
         for (what, count, limit) in [
             (Named::Set, self.sets.len(), MOST_SETS),
@@ -356,7 +363,7 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
         return Err(Error::PlanetCount { set: id, given });
     }
     planet_angles::check(&set)?;
-    // Members joined for ever make the set one block whatever is engaged, or lock it where the two are the
+    // Members joined permanently make the set one block whatever is engaged, or lock it if the two are the
     // housing. Joined by a *shift element* they are the ordinary direct drive. Central gears that turn alike
     // anyway lose nothing by being one piece.
     let members = set.members();
@@ -454,7 +461,7 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
         centrals.push(Central { link, kind: central.kind, teeth, proportion, body });
     }
     let mut names = std::collections::BTreeSet::new();
-    // What meshes are written with: `long.2` may be a step of a planet or a central gear.
+    // Names that meshes use: `long.2` may be a step of a planet or a central gear.
     let spelt: Vec<String> = gears.iter().map(|(name, _)| name.to_string()).collect();
     let bodies = spec.planets.iter().map(|planet| &planet.name).filter(|name| !spelt.contains(name));
     let bodies = bodies.map(|name| (name.as_str(), GearName::only(name)));

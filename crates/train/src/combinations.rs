@@ -1,9 +1,9 @@
-//! Every combination of shift elements, with what it does.
+//! Combinations of shift elements, with the state of each.
 
 use crate::{Analysis, Error, Gearbox, Named};
 use std::ops::RangeInclusive;
 
-/// More shift elements than this have more combinations than anyone reads.
+/// Largest number of shift elements: more have more combinations than anyone reads.
 const MOST_SHIFT_ELEMENTS: usize = 16;
 
 impl Gearbox {

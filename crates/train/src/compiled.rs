@@ -1,4 +1,4 @@
-//! A gear compiled once for many solutions: what does not change with tooth counts and losses.
+//! Compiled gear for many solutions: the parts that do not change with tooth counts and losses.
 //!
 //! Nodes, active equations and the state are settled at the gearbox's own ratios; [`CompiledGear::solve`]
 //! then takes other ratios and losses of the same sets, allocates nothing, and does about three

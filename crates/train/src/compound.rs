@@ -1,7 +1,8 @@
 //! Description of a compound planet set: any central gears, any planets, any tree of meshes.
 //!
-//! Ravigneaux, Wolfrom, stepped planets beside idlers, ring to ring through meshing planets, planets whose
-//! own rotation is taken out: what shares planets is one set, since each of its meshes exists once.
+//! Examples are Ravigneaux, Wolfrom, stepped planets with idlers, ring to ring through meshing planets, and
+//! planets whose own rotation is taken out. Gears that share planets are one set, since each of its meshes
+//! exists once.
 //!
 //! ```
 //! use epicyclic_gears::efficiency::MeshEfficiency;
@@ -37,7 +38,7 @@ use crate::spacing::Spacing;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use std::fmt;
 
-/// What a member of a set is, beside the carrier.
+/// Kind of a member of a set other than the carrier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CentralKind {
     /// A gear with external teeth about the main axis.
@@ -67,7 +68,7 @@ impl fmt::Display for CentralKind {
 /// A member of a set as errors name it: a central gear, a planet shaft or the carrier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetMember {
-    /// What is beside the carrier.
+    /// A central gear or planet shaft.
     Central(CentralKind),
     /// The carrier.
     Carrier,
@@ -85,14 +86,14 @@ impl fmt::Display for SetMember {
 /// A member of a compound set.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CentralSpec {
-    /// Its name within the set, by which meshes know it.
+    /// Name of the member within the set, by which meshes name it.
     pub name: String,
     /// The link it belongs to.
     pub link: String,
-    /// What it is.
+    /// Kind of the member.
     pub kind: CentralKind,
-    /// Its teeth, of a [proportional](CompoundSpec::proportional) set a number proportional to them; 0 of a
-    /// planet shaft.
+    /// Number of teeth; for a [proportional](CompoundSpec::proportional) set a number proportional to it; 0
+    /// for a planet shaft.
     pub teeth: f64,
     /// The planet that a planet shaft turns with.
     pub planet: Option<String>,
@@ -101,7 +102,7 @@ pub struct CentralSpec {
 /// A planet of a compound set: one rigid body with one gear or several.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlanetSpec {
-    /// Its name; its gears are `name`, or `name.1`, `name.2`… where it has several.
+    /// Name of the planet. Its gears are called `name`, or `name.1`, `name.2`… if the planet has several.
     pub name: String,
     /// Teeth of its gears; empty of a planet with one gear whose teeth are not known: an idler changes no
     /// ratio of the others.
@@ -113,7 +114,7 @@ pub struct PlanetSpec {
 pub struct MeshSpec {
     /// Names of the two gears.
     pub between: [String; 2],
-    /// Its efficiency.
+    /// Efficiency of the mesh.
     pub efficiency: MeshEfficiency,
 }
 
@@ -130,9 +131,9 @@ pub struct CompoundSpec {
     pub planets: Vec<PlanetSpec>,
     /// The meshes: a tree over central gears and planets.
     pub meshes: Vec<MeshSpec>,
-    /// How many of each planet stand around the axis.
+    /// Number of planets of each kind around the axis.
     pub planet_count: Option<u32>,
-    /// Where they stand on the carrier.
+    /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
     /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above
     /// 0, those of planets are left out.
@@ -144,7 +145,7 @@ pub struct CompoundSpec {
 pub struct GearName {
     /// The central gear or planet.
     pub of: String,
-    /// Which gear of the planet, from 1, where it has several.
+    /// Number of the planet's gear, from 1, if the planet has several gears.
     pub step: Option<usize>,
 }
 
@@ -229,20 +230,21 @@ impl CompoundSpec {
         self
     }
 
-    /// The same set with this many of each planet.
+    /// Returns the set with this number of planets of each kind.
     #[must_use]
     pub fn planet_count(self, count: u32) -> Self {
         Self { planet_count: Some(count), ..self }
     }
 
-    /// The same set with its planets there. Of angles that are given their number is that of the planets.
+    /// Returns the set with this spacing of its planets. Given angles also set the number of planets, unless
+    /// it is already known.
     #[must_use]
     pub fn spaced(self, spacing: Spacing) -> Self {
         let planet_count = self.planet_count.or(spacing.count());
         Self { planet_count, spacing, ..self }
     }
 
-    /// The same set whose teeth are not known, only their proportions.
+    /// Returns the set with its teeth as proportions, for tooth numbers that are not known.
     ///
     /// ```
     /// use epicyclic_gears::efficiency::MeshEfficiency;
@@ -267,7 +269,7 @@ impl CompoundSpec {
         Self { proportional: true, ..self }
     }
 
-    /// The same set with this efficiency of every mesh.
+    /// Returns the set with this efficiency for every mesh.
     #[must_use]
     pub fn with_mesh_efficiency(mut self, efficiency: MeshEfficiency) -> Self {
         self.meshes.iter_mut().for_each(|mesh| mesh.efficiency = efficiency);

@@ -1,4 +1,4 @@
-//! What is wrong with the description of a compound set.
+//! Errors in the description of a compound set.
 
 use crate::compound::GearName;
 use crate::names::hint;
@@ -21,14 +21,14 @@ pub enum MeshFault {
     PlanetShaft,
 }
 
-/// What is wrong with the description of a compound set.
+/// Error in the description of a compound set.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompoundFault {
     /// Fewer than two central gears.
     #[error("{given} central gears: at least two members besides the carrier are due")]
     TooFewMembers {
-        /// How many were given.
+        /// Number given.
         given: usize,
     },
     /// A gear without teeth.
@@ -37,22 +37,22 @@ pub enum CompoundFault {
         /// The gear.
         gear: GearName,
     },
-    /// Teeth that are no whole number.
+    /// A number of teeth that is not whole.
     #[error(
         "gear `{gear}` has {given} teeth: give a whole number from 1, or the proportions of all gears with `proportional: true`"
     )]
     NotWhole {
         /// The gear.
         gear: GearName,
-        /// What was given.
+        /// The tooth number given.
         given: f64,
     },
-    /// A proportion that is none.
+    /// A proportion that is not above 0.
     #[error("gear `{gear}` has the proportion {given}: it must be above 0")]
     Proportion {
         /// The gear.
         gear: GearName,
-        /// What was given.
+        /// The proportion given.
         given: f64,
     },
     /// Teeth of a planet where those of the central gears are not known.
@@ -66,9 +66,9 @@ pub enum CompoundFault {
     PlanetGears {
         /// The planet.
         planet: String,
-        /// How many were given.
+        /// Number given.
         given: usize,
-        /// How many it may have.
+        /// Largest number allowed.
         most: usize,
     },
     /// One name for two things.
@@ -102,7 +102,7 @@ pub enum CompoundFault {
         first: String,
         /// The other.
         second: String,
-        /// Why not.
+        /// Reason.
         why: MeshFault,
     },
     /// A mesh that closes a loop.

@@ -1,6 +1,6 @@
 //! Losses that do not depend on the load: drag torques of seals, bearings, churning and open shift elements.
 //!
-//! A drag stands between two links and opposes their relative motion. Its torque is given as a curve over the
+//! A drag acts between two links and opposes their relative motion. Its torque is given as a curve over the
 //! relative speed.
 //!
 //! ```text
@@ -16,10 +16,10 @@
 //! | `T_1`, `T_2` | torques on the links | N·m |
 //! | `P` | power lost | W |
 //!
-//! Speeds follow from the gear alone, so the drags at a speed are known torques; they stand beside input and
-//! output in the balances of the links, and load the meshes. Which way power runs through each mesh, and so
-//! what it loses, takes them into account. A drag between links that turn alike does nothing. That of a shift
-//! element acts while it is not engaged.
+//! Speeds follow from the gear alone, so the drags at a speed are known torques. They enter the torque
+//! balances of the links together with input and output, and load the meshes. The direction of power through
+//! each mesh, and so its loss, takes them into account. A drag between links of equal speed does nothing. The
+//! drag of a shift element acts while the element is not engaged.
 
 use crate::error::DragFault;
 use crate::power_flow::MeshPower;
@@ -29,7 +29,7 @@ use epicyclic_numerics::values::largest_absolute;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
-/// What a curve says beyond its last point, and before its first.
+/// Rule for the torque beyond the last point of a curve, and before its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Beyond {
     /// Nothing: such a speed is refused.
@@ -112,13 +112,13 @@ impl DragCurve {
         [self.points[0][0], self.points[last][0]].map(AngularVelocity::from_si)
     }
 
-    /// Its points, ascending.
+    /// Points of the curve, by ascending speed.
     #[must_use]
     pub fn points(&self) -> impl DoubleEndedIterator<Item = (AngularVelocity, Torque)> + '_ {
         self.points.iter().map(|&[speed, size]| (AngularVelocity::from_si(speed), Torque::from_si(size)))
     }
 
-    /// What it says outside its points.
+    /// Rule for the torque outside the points of the curve.
     #[must_use]
     pub fn beyond(&self) -> Beyond {
         self.beyond
@@ -128,7 +128,7 @@ impl DragCurve {
 /// A drag between two links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drag {
-    /// Its name.
+    /// Name of the drag.
     pub name: String,
     /// The links.
     pub links: [LinkId; 2],
@@ -167,7 +167,7 @@ impl Gearbox {
     }
 }
 
-/// What is known of the load.
+/// Known torque of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Load {
     /// Torque on the input from outside.
@@ -200,10 +200,10 @@ pub struct WithDrags {
     pub output: Torque,
     /// The drags, in their order.
     pub drags: Vec<DragAtWork>,
-    /// Power through each mesh of each set in W; none of a set one of whose speeds does not follow, which
-    /// then carries no torque.
+    /// Power through each mesh of each set in W; `None` for a set in which a member's speed does not follow,
+    /// which then carries no torque.
     pub meshes: Vec<Option<Vec<MeshPower>>>,
-    /// One-way clutches that the gear relies on and that let go, since a torque below 0 is asked of them: no
+    /// One-way clutches that the gear relies on and that release, since they would need a torque below 0: no
     /// such operation exists. Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     pub released: Vec<usize>,
     /// The largest power inside: the measure for balances.
@@ -244,8 +244,8 @@ impl WithDrags {
         Power::from_si(self.drags.iter().map(|drag| drag.loss.si()).sum())
     }
 
-    /// What the balance of energy leaves: powers that enter less all losses, each from its own torque, force
-    /// or speed. Rounding alone, below 1e-9 of [`largest`](Self::largest).
+    /// Residual of the energy balance: powers that enter, less all losses, each computed from its own torque,
+    /// force or speed. The residual is rounding alone, below 1e-9 of [`largest`](Self::largest).
     #[must_use]
     pub fn imbalance(&self) -> Power {
         self.input_power() + self.output_power() - self.mesh_loss() - self.drag_loss()
@@ -379,7 +379,7 @@ impl Analysis<'_> {
         let others = found_at.drags.iter().map(|drag| drag.loss);
         let others = others.chain([found_at.input_power(), found_at.output_power()]);
         found_at.largest = others.fold(found_at.largest, |most, power| most.max(power.abs()));
-        // What rounding leaves in an idle mesh is no power.
+        // Rounding alone leaves power in an idle mesh.
         let nothing = POWER * found_at.largest.si();
         let busy = |mesh: MeshPower| if mesh.enters > nothing { mesh } else { MeshPower::default() };
         let meshes = (0..self.gearbox.sets().len()).map(|set| found.meshes(self.gearbox, set));

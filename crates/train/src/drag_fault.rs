@@ -1,9 +1,9 @@
-//! What is wrong with a drag torque.
+//! Errors in a drag torque.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// What is wrong with a drag torque.
+/// Error in a drag torque.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DragFault {
@@ -13,9 +13,9 @@ pub enum DragFault {
     /// Speeds and torques that do not belong together.
     #[error("{speeds} speeds and {torques} torques: a curve has as many of both")]
     Lengths {
-        /// How many speeds.
+        /// Number of speeds.
         speeds: usize,
-        /// How many torques.
+        /// Number of torques.
         torques: usize,
     },
     /// A speed below 0, or no number.
@@ -23,7 +23,7 @@ pub enum DragFault {
     Speed {
         /// The place of the point.
         place: usize,
-        /// Its speed.
+        /// Speed of the point.
         speed: AngularVelocity,
     },
     /// A torque below 0, or no number.
@@ -31,10 +31,10 @@ pub enum DragFault {
     Torque {
         /// The place of the point.
         place: usize,
-        /// Its torque.
+        /// Torque of the point.
         torque: Torque,
     },
-    /// A speed that is not above the one before it.
+    /// A speed that is not above that of the previous point.
     #[error("speeds ascend from point to point: that of point {} is not above the one before it", place + 1)]
     NotAscending {
         /// The place of the point.

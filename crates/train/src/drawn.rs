@@ -9,10 +9,10 @@ use crate::planet_set::GearOf;
 use crate::{Analysis, Gearbox, LoadCase};
 use epicyclic_gears::teeth::ToothCount;
 
-/// Powers of a drawn set, as multiples of what enters the gear.
+/// Powers of a drawn set, as multiples of the power that enters the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnPower {
-    /// What enters at each member.
+    /// Power that enters at each member.
     pub members: [f64; 3],
     /// The part of it that circulates.
     pub circulating: [f64; 3],

@@ -1,4 +1,4 @@
-//! Which three members of a set are drawn side by side.
+//! Selection of the three members of a set that are drawn side by side.
 
 use crate::LinkId;
 use crate::compound::CentralKind;
@@ -10,18 +10,18 @@ use crate::set_kind::SetKind;
 pub struct DrawnSet {
     /// Place of the set in [`Gearbox::sets`](crate::Gearbox::sets).
     pub set: usize,
-    /// How the planets join the two central gears.
+    /// Kind of the set: the arrangement of the planets between the two central gears.
     pub kind: SetKind,
     /// Places among the set's members: sun or first central gear, ring or second, carrier.
     pub members: [usize; 3],
-    /// Their links.
+    /// Links of these members.
     pub links: [LinkId; 3],
     /// Whether the gear of reference is the second of them.
     pub(crate) is_turned: bool,
 }
 
 impl DrawnSet {
-    /// That of the equation of a central gear of the set in this place.
+    /// Drawn set for the equation of a central gear; `place` is the place of the set in the gearbox.
     pub(crate) fn of(set: &PlanetSet, place: usize, central: usize) -> Self {
         let carrier = set.centrals().len();
         if let Some(kind) = set.kind() {

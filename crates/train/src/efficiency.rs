@@ -1,9 +1,9 @@
-//! Which sign patterns of the losses are self-consistent.
+//! Self-consistent sign patterns of the losses.
 //!
-//! A pattern says for each segment of meshes which way its rolling power runs. Under given
-//! signs the torques are linear; a pattern is self-consistent where they run the way it says. One of
-//! them is continuous with vanishing losses, and that is the efficiency of the gear. Others can
-//! exist beside it, mostly near self-locking; they are listed as what they are.
+//! A pattern gives the direction of the rolling power for each segment of meshes. With given signs the
+//! torques are linear; a pattern is self-consistent if the powers of these torques have its directions. One
+//! pattern is continuous with vanishing losses; its efficiency is the efficiency of the gear. Other
+//! self-consistent patterns can exist, mostly near self-locking; they are listed as alternatives.
 
 use crate::branch::{self, Lossy};
 use crate::network::Loads;
@@ -24,10 +24,10 @@ pub struct Pattern {
     pub chosen: bool,
 }
 
-/// Beyond this many lossy segments the patterns are not enumerated.
+/// Largest number of lossy segments for which the patterns are enumerated.
 const MOST_SEGMENTS: usize = 12;
 
-/// All self-consistent patterns of a driven gear, the chosen one first.
+/// Self-consistent patterns of a driven gear, the chosen one first.
 pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Vec<Pattern> {
     let Scene { gearbox, compiled, .. } = *scene;
     let named = |signs: &[i8], efficiency, chosen| {
@@ -67,7 +67,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
         let Some(balance) = loads.at(&signs, 1.0) else { continue };
         let (powers, largest) = loads.powers(&balance);
         let is = branch::signs(powers, largest, vec![0; signs.len()]);
-        // Without power both signs say the same: take it once.
+        // Without power both signs are equivalent: take it once.
         let fits = |&place: &usize| is[place] == signs[place] || is[place] == 0 && signs[place] == 1;
         if !lossy.iter().all(fits) {
             continue;

@@ -1,31 +1,32 @@
-//! Which unknowns of a homogeneous system follow from which: reduced echelon form with full pivoting.
+//! Solution of homogeneous systems: the unknowns that follow from others, by reduced echelon form with full
+//! pivoting.
 //!
-//! Rank decides the state of a gear, so it must not depend on rounding. One code over all kinds of numbers,
-//! tried in this order:
+//! Rank decides the state of a gear, so rank must not depend on rounding. One algorithm works with three
+//! kinds of numbers, tried in this order:
 //!
 //! 1. [`Bounded`]: `f64` with a bound on its error, carried through every operation. A number larger than its
-//!    bound is certainly not zero; a zero that no rounding touched certainly is one. Where every decision is
-//!    certain, the verdict is proved, and this is the fast and the usual way.
-//! 2. [`Fraction`]: where a number is as small as its bound, or a speed has lost digits, and all ratios are
-//!    tooth counts or decimals, the elimination is done again without rounding, in 128 bits.
-//! 3. [`Traced`]: where these do not hold the numbers, or some ratio has more digits than anybody writes. The
-//!    elimination has no rounding at all, in as many bits as it takes, and each number carries its exact
+//!    bound is certainly not zero; a zero that no rounding touched is certainly zero. If every decision is
+//!    certain, the result is proved. This is the fast and the usual way.
+//! 2. [`Fraction`]: used if a number is as small as its bound, or a speed has lost digits, and all ratios are
+//!    tooth counts or decimals. The elimination is repeated without rounding, in 128 bits.
+//! 3. [`Traced`]: used if the numbers do not fit there, or a ratio has more digits than anybody writes. The
+//!    elimination has no rounding at all, in as many bits as needed, and each number carries its exact
 //!    derivatives by these ratios.
 //!
 //! # Ratios with many digits
-//! A ratio of more than 12 digits, `k = 0.43333333333333335`, was computed and rounded. It is taken as the
-//! rational that the `f64` is. A number `v` of the elimination that these ratios leave above zero counts as
-//! zero only where a change of the ratios by a few roundings makes it zero,
+//! A ratio of more than 12 digits, `k = 0.43333333333333335`, was computed and rounded. Its value is taken as
+//! the rational number that the `f64` is. The elimination may leave a number `v` of these ratios that is not
+//! zero. Such a number counts as zero only if a change of the ratios by a few roundings makes it zero:
 //!
 //! ```text
 //! 0 < |v| ≤ 4·ε·Σ |k_j·∂v/∂k_j|      ε = 2⁻⁵²
 //! ```
 //!
-//! so that a loop of computed ratios that is meant to close does. Equal ratios are one `k_j`: what is the
+//! A loop of computed ratios that is meant to close then does close. Equal ratios are one `k_j`: the
 //! difference of equal numbers is exact, however large these are.
 //!
-//! Some unknowns can be kept back until no other can serve as a pivot: what then still depends on
-//! them depends on nothing else.
+//! Some unknowns can be kept back until no other can serve as a pivot. Whatever then still depends on them
+//! depends on nothing else.
 
 mod traced;
 
@@ -38,9 +39,9 @@ use epicyclic_gears::simple_set::Fraction;
 pub(crate) trait Scalar: Clone {
     fn zero() -> Self;
     fn one() -> Self;
-    /// Rank in the choice of a pivot; 0 for what is zero.
+    /// Rank in the choice of a pivot; 0 for a number that is zero.
     fn weight(&self) -> f64;
-    /// What the weights of an equation are measured by: the largest of its entries'.
+    /// Measure for the weights of an equation: the largest size of its entries.
     fn size(&self) -> f64 {
         self.weight()
     }
@@ -115,7 +116,7 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
     }
 
     fn times(&self, other: &Self) -> Option<Self> {
-        // What a number times ±1 is, is as certain as it was.
+        // A number times ±1 is as certain as the number.
         for (one, other) in [(self, other), (other, self)] {
             if one.error == 0.0 && one.value.abs() == 1.0 {
                 return Some(Self { value: one.value * other.value, error: other.error });
@@ -123,7 +124,7 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
         }
         let value = self.value * other.value;
         let error = self.value.abs() * other.error + other.value.abs() * self.error;
-        // Neither overflow nor what is lost below the least number leaves anything certain.
+        // Overflow, and digits lost below the least number, leave nothing certain.
         (value.is_finite() && (value.abs() > f64::MIN_POSITIVE || self.value == 0.0 || other.value == 0.0))
             .then_some(Self { value, error: error + self.error * other.error + value.abs() * f64::EPSILON })
     }
@@ -260,8 +261,8 @@ pub(crate) struct Echelon<S> {
 }
 
 impl<S: Scalar> Echelon<S> {
-    /// Reduces equations that stand one after the other; the unknowns in `late` become pivots only where no
-    /// other can, in their order. `None` where a number is in doubt or outgrows its kind.
+    /// Reduces equations given row by row in `entries`. The unknowns in `late` become pivots only if no other
+    /// can, in their order. `None` if a number is in doubt or exceeds the range of its kind.
     pub(crate) fn new(mut entries: Vec<S>, columns: usize, late: &[usize]) -> Option<Self> {
         let count = entries.len().checked_div(columns).unwrap_or(0);
         let mut origin: Vec<usize> = (0..count).collect();
@@ -309,7 +310,7 @@ impl<S: Scalar> Echelon<S> {
         Some(Self { pivots, free, reduced: entries, pivot_of })
     }
 
-    /// How an unknown follows from the free ones: the factors that are not zero.
+    /// Dependence of an unknown on the free ones: the factors that are not zero.
     pub(crate) fn dependence(&self, unknown: usize) -> impl Iterator<Item = (usize, S)> {
         let columns = self.pivot_of.len();
         let row = self.pivot_of[unknown].map(|place| &self.reduced[place * columns..(place + 1) * columns]);
@@ -324,10 +325,10 @@ impl<S: Scalar> Echelon<S> {
         self.dependence(unknown).next().is_none()
     }
 
-    /// Which unknowns stand together in some least relation: a label for each.
+    /// Labels of the unknowns: two unknowns have the same label if they occur together in a minimal relation.
     ///
-    /// These are the connected parts of the bipartite graph of pivots and free unknowns, and the
-    /// parts do not depend on the choice of pivots (they are those of the system's matroid).
+    /// The labels mark the connected parts of the bipartite graph of pivots and free unknowns. The parts do
+    /// not depend on the choice of pivots (they are those of the system's matroid).
     pub(crate) fn parts(&self) -> Vec<usize> {
         let columns = self.pivot_of.len();
         let mut groups = crate::groups::Groups::new(columns);
@@ -434,7 +435,7 @@ mod tests {
         assert_eq!(decimal(f64::MIN_POSITIVE), None);
     }
 
-    /// A number and the value within its error that it may stand for, from `-1` to `1` of the error.
+    /// A number with its error, and a value within that error; `place` from `-1` to `1` of the error.
     fn doubtful<const STRICT: bool>(value: f64, error: f64, place: f64) -> (Bounded<STRICT>, BigRational) {
         let of = |number: f64| BigRational::from_float(number).unwrap();
         (Bounded { value, error }, of(value) + of(error) * of(place))

@@ -1,4 +1,4 @@
-//! What this crate refuses, and what it only remarks on.
+//! Errors and warnings of this crate.
 
 use crate::compound::{CentralKind, SetMember};
 pub use crate::compound_fault::{CompoundFault, MeshFault};
@@ -11,7 +11,7 @@ use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
 
-/// What a name stands for in a gearbox.
+/// Kind of thing that a name denotes in a gearbox.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Named {
     /// A link.
@@ -50,9 +50,9 @@ impl fmt::Display for Named {
 /// Where power enters or leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Terminal {
-    /// Where it enters.
+    /// Link where power enters.
     Input,
-    /// Where it leaves.
+    /// Link where power leaves.
     Output,
 }
 
@@ -65,8 +65,8 @@ impl fmt::Display for Terminal {
     }
 }
 
-/// What names a link, a shift element or a gear in a description or a request; displays as ``input of gear
-/// `1` ``.
+/// Place in a description or a request that names a link, a shift element or a gear; displays as ``input of
+/// gear `1` ``.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
@@ -106,18 +106,18 @@ impl fmt::Display for Place {
     }
 }
 
-/// A description that is no gearbox, or a question that it cannot answer.
+/// A description that is not a gearbox, or a request that the gearbox cannot answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// An unknown name.
     #[error("{place} names the {what} `{name}`, which does not exist{}", hint(suggestion.as_deref()))]
     Unknown {
-        /// What was looked for.
+        /// Kind of the unknown thing.
         what: Named,
         /// The name given.
         name: String,
-        /// Who names it.
+        /// Place in the description where the name occurs.
         place: Place,
         /// The nearest name that exists, or all of them where none is near.
         suggestion: Option<String>,
@@ -133,12 +133,12 @@ pub enum Error {
     /// Two things of one kind with one name.
     #[error("two {what}s are called `{name}`: names are unique, and `ground` is the housing")]
     Duplicate {
-        /// Of which kind.
+        /// Kind of the two things.
         what: Named,
         /// The name.
         name: String,
     },
-    /// Two members of a set that are one piece for ever.
+    /// Two members of a set that are permanently one piece.
     #[error("{}", coincident(set, [first, second], link, [*is_pair, *is_held]))]
     CoincidentMembers {
         /// The set.
@@ -154,12 +154,12 @@ pub enum Error {
         /// Whether they are the housing.
         is_held: bool,
     },
-    /// A ring-to-sun ratio outside what its kind can have.
+    /// A ring-to-sun ratio outside the range of its kind.
     #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
     RingToSunRatio {
         /// The set.
         set: String,
-        /// Its kind.
+        /// Kind of the set.
         kind: SetKind,
         /// The value given, `|i₀|`.
         k: f64,
@@ -179,7 +179,7 @@ pub enum Error {
         /// The ratio.
         ratio: f64,
     },
-    /// Basic ratios that multiply to more than numbers can tell.
+    /// Basic ratios whose product is above the largest allowed.
     #[error("the basic ratios of all sets multiply to 1e{exponent:.0}: up to {SPREAD:e} is solved")]
     Spread {
         /// Decimal exponent of the product.
@@ -190,7 +190,7 @@ pub enum Error {
     StepsMissing {
         /// The set.
         set: String,
-        /// Its kind.
+        /// Kind of the set.
         kind: SetKind,
     },
     /// A number of planets that no set has.
@@ -208,7 +208,7 @@ pub enum Error {
     Spacing {
         /// The set.
         set: String,
-        /// What is wrong with it.
+        /// Error in the spacing.
         fault: SpacingFault,
     },
     /// An invalid compound set.
@@ -216,7 +216,7 @@ pub enum Error {
     Compound {
         /// The set.
         set: String,
-        /// What is wrong with it.
+        /// Error in the set.
         fault: CompoundFault,
     },
     /// A shift element that joins a link with itself.
@@ -234,23 +234,23 @@ pub enum Error {
         number: usize,
         /// The link whose connection closes the loop.
         first: String,
-        /// What it is connected to.
+        /// The link it is connected to.
         second: String,
     },
     /// The housing named as input or output.
     #[error("{place} is `ground`: power enters and leaves at links that can turn")]
     GroundedTerminal {
-        /// Which terminal.
+        /// The terminal.
         place: Place,
     },
     /// A gearbox larger than is solved.
     #[error("{count} {}: at most {limit} are allowed", plural(*what))]
     TooMany {
-        /// Of which kind.
+        /// Kind of the things.
         what: Named,
-        /// How many there are.
+        /// Number in the description.
         count: usize,
-        /// How many there may be.
+        /// Largest number allowed.
         limit: usize,
     },
     /// A gearbox without a single set.
@@ -262,12 +262,12 @@ pub enum Error {
         /// The gear.
         gear: String,
     },
-    /// A drag torque that is none, or that has no value at a speed.
+    /// An invalid drag torque, or one without a value at a speed.
     #[error("drag `{drag}`: {fault}")]
     Drag {
-        /// Its name.
+        /// Name of the drag.
         drag: String,
-        /// What is wrong with it.
+        /// Error in the drag.
         fault: DragFault,
     },
     /// Speeds and torques that do not settle the state of a gear with several inputs.
@@ -276,29 +276,29 @@ pub enum Error {
     /// An input or output that was never named.
     #[error("no {terminal}: name the link where power {}", match terminal { Terminal::Input => "enters", Terminal::Output => "leaves" })]
     NoTerminal {
-        /// Which.
+        /// The terminal.
         terminal: Terminal,
     },
     /// A request for numbers of a gear that is not driven.
     #[error("the gear is not driven: {state}")]
     NotDriven {
-        /// Its state, in words.
+        /// State of the gear, in words.
         state: String,
     },
     /// An operating point without motion or without a finite load.
     #[error("operating point: {why}")]
     OperatingPoint {
-        /// What is wrong with it.
+        /// Error in the operating point.
         why: OperatingFault,
     },
     /// Basic ratios or efficiencies that do not fit the compiled gear.
     #[error("{given} {what} are given to a gear compiled with {expected}")]
     ValueCount {
-        /// Which.
+        /// Kind of the values.
         what: SetValue,
-        /// How many were given.
+        /// Number given.
         given: usize,
-        /// How many there are.
+        /// Number required.
         expected: usize,
     },
     /// A set whose basic ratio cannot be given.
@@ -351,7 +351,7 @@ impl Error {
     }
 }
 
-/// What a compiled gear is solved for.
+/// Values that a compiled gear is solved for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SetValue {
     /// Basic ratios.
@@ -373,10 +373,10 @@ impl fmt::Display for SetValue {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LinkFault {
-    /// It is at rest.
+    /// The link is at rest.
     #[error("is held to the housing in this gear")]
     Held,
-    /// Its speed is given already, as that of another link.
+    /// The link's speed is given already, as that of another link.
     #[error("turns as one piece with another link whose speed is given")]
     OnePiece,
 }
@@ -388,9 +388,9 @@ pub enum InputsFault {
     /// Too few speeds.
     #[error("{}", too_few(*given, *needed, candidates))]
     TooFewSpeeds {
-        /// How many were given.
+        /// Number given.
         given: usize,
-        /// How many are needed.
+        /// Number required.
         needed: usize,
         /// Links whose speeds are still free.
         candidates: Vec<String>,
@@ -406,15 +406,15 @@ pub enum InputsFault {
     Link {
         /// The link.
         link: String,
-        /// What is wrong with it.
+        /// Error in the link.
         why: LinkFault,
     },
     /// Too few or too many torques.
     #[error("{}: {given} are given", of_the_torques(*needed, candidates))]
     Torques {
-        /// How many were given.
+        /// Number given.
         given: usize,
-        /// How many are needed.
+        /// Number required.
         needed: usize,
         /// Links that may carry one.
         candidates: Vec<String>,
@@ -501,7 +501,7 @@ pub enum Warning {
         first: String,
         /// The other.
         second: String,
-        /// What the central gear is.
+        /// Kind of the central gear.
         member: CentralKind,
     },
 }

@@ -11,18 +11,19 @@
 //! |---|---|---|---|
 //! | simple | sun, ring | `−k` | `k = z_2/z_1` |
 //! | double planet | sun, ring | `+k` | `k = z_2/z_1` |
-//! | any other of two central gears | as in [`SetKind`](crate::set::SetKind) | as there | `k`, of a pair on fixed axes `u` |
+//! | any other of two central gears | as in [`SetKind`](crate::set::SetKind) | as there | `k` or `u` |
 //! | compound | each central gear, the gear of reference | `±k` | `k = ∣ω_1 − ω_H∣/∣ω_2 − ω_H∣` |
 //!
-//! The gear of reference is the first ring, or the first central gear where there is no ring. What `k` is in
-//! teeth follows from the meshes between the two gears; those that occur on both sides cancel. Symbols are
-//! numbered as the equations of the gearbox are: without compound sets `k₁` belongs to set 1.
+//! Pairs on fixed axes have the symbol `u`, other sets `k`. The gear of reference is the first ring, or the
+//! first central gear if the set has no ring. The formula of `k` in teeth follows from the meshes between the
+//! two gears; teeth that occur on both sides cancel. Symbols are numbered as the equations of the gearbox
+//! are: without compound sets `k₁` belongs to set 1.
 //!
 //! # Method
-//! Links that engaged shift elements or permanent connections make one piece are one node; so are those of a
-//! set that turns as a block, and the two gears of a basic ratio of exactly 1. Of the other equations those
-//! count that the output's speed needs. Both speeds are determinants, and each `k` stands in one equation: so
-//! numerator and denominator of
+//! Links joined to one piece by engaged shift elements or permanent connections are one node. The links of a
+//! set that turns as a block are one node too, and so are the two gears of a basic ratio of exactly 1. Of the
+//! other equations only those count that determine the output's speed. Both speeds are determinants, and each
+//! `k` occurs in one equation, so numerator and denominator of
 //!
 //! ```text
 //! i = ω_in/ω_out = det C/det C_out
@@ -80,10 +81,10 @@ pub struct Formula {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoFormula {
-    /// It has no ratio.
+    /// The gear has no ratio.
     #[error("the gear has no ratio: {0}")]
     NoRatio(State),
-    /// It needs more symbols than are taken.
+    /// The ratio needs more symbols than allowed.
     #[error("the ratio needs {symbols} basic ratios, and a formula takes at most {most}")]
     TooLarge {
         /// Symbols that it needs.
@@ -137,8 +138,8 @@ impl Formula {
         (0..self.symbols.len()).filter(move |symbol| all >> symbol & 1 == 1)
     }
 
-    /// Sets whose equations follow from those of the others in this gear, so that the formula does without
-    /// them; it then holds at numbers of teeth for which they follow.
+    /// Sets whose equations follow from those of the others in this gear and are not used. The formula then
+    /// holds only at numbers of teeth for which they follow.
     #[must_use]
     pub fn spare(&self) -> &[usize] {
         &self.spare
@@ -150,13 +151,13 @@ impl Formula {
         self.ratio.text(&|symbol| self.symbols[symbol].name())
     }
 
-    /// Its value at the gearbox's numbers.
+    /// Value of the ratio at the gearbox's numbers.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.ratio.value(&|symbol| self.symbols[symbol].value())
     }
 
-    /// Its exact value, where the teeth are known and the integers do not overflow.
+    /// Exact value of the ratio, if the teeth are known and the integers do not overflow.
     #[must_use]
     pub fn exact_value(&self) -> Option<Fraction> {
         let exact = self.symbols.iter().map(Symbol::exact).collect::<Option<Vec<_>>>()?;

@@ -68,13 +68,13 @@ impl Gear {
         &self.engaged
     }
 
-    /// Where power enters.
+    /// Link where power enters.
     #[must_use]
     pub fn input(&self) -> LinkId {
         self.input
     }
 
-    /// Where power leaves.
+    /// Link where power leaves.
     #[must_use]
     pub fn output(&self) -> LinkId {
         self.output
@@ -188,13 +188,13 @@ impl Gearbox {
         &self.shift_elements
     }
 
-    /// Pairs of links that are joined for ever; a permanent ground is a pair with the housing.
+    /// Pairs of links that are permanently joined; a permanent ground is a pair with the housing.
     #[must_use]
     pub fn permanent(&self) -> &[[LinkId; 2]] {
         &self.permanent
     }
 
-    /// Its sets as drawings take them.
+    /// Sets of the gearbox as drawings show them.
     #[must_use]
     pub fn drawn_sets(&self) -> &[DrawnSet] {
         &self.drawn
@@ -206,13 +206,13 @@ impl Gearbox {
         &self.gears
     }
 
-    /// Where power enters, unless a gear says otherwise.
+    /// Link where power enters, unless a gear names another.
     #[must_use]
     pub fn input(&self) -> LinkId {
         self.input
     }
 
-    /// Where power leaves, unless a gear says otherwise.
+    /// Link where power leaves, unless a gear names another.
     #[must_use]
     pub fn output(&self) -> LinkId {
         self.output
@@ -245,6 +245,7 @@ impl Gearbox {
     pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
         let shift_elements = self.engaged(engaged, || Place::UnnamedGear)?;
         let terminal = |name: &str, which| match self.link(name) {
+            // The housing is a link of every gearbox, so its name is found; it carries no power in or out.
             Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: Place::Terminal(which) }),
             Some(link) => Ok(link),
             None => Err(self.unknown_link(name, Place::Terminal(which))),
@@ -300,6 +301,7 @@ impl Gearbox {
 
     /// The equations of a set.
     pub(crate) fn equations_of(&self, set: usize) -> Range<usize> {
+        // Sets are pushed one by one, so the equations of a set are contiguous and in order.
         let from = self.equations.partition_point(|one| one.set < set);
         from..from + self.equations[from..].partition_point(|one| one.set == set)
     }
@@ -331,6 +333,7 @@ impl Gearbox {
 
     /// Whether a gear is one of this gearbox, or could be.
     pub(crate) fn check_gear(&self, gear: &Gear) -> Result<(), Error> {
+        // A gear holds places, not names: a foreign gear is detected only if a place is out of range.
         let fits = gear.engaged.iter().all(|&shift_element| shift_element < self.shift_elements.len())
             && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
         if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }

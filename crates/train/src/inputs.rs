@@ -38,7 +38,7 @@ pub struct Terminal {
     pub power: Power,
 }
 
-/// The state of a gear with several inputs, speeds in rad/s and torques in N·m where they stand as numbers.
+/// State of a gear with several inputs. Plain numbers are speeds in rad/s and torques in N·m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MultiState {
     /// Freedoms of the gear, and so how many speeds were given.
@@ -56,9 +56,9 @@ pub struct MultiState {
 /// Torques and powers of a gear with several inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MultiLoad {
-    /// What acts from outside, the gear's input first, its output second.
+    /// Terminals with their speeds and torques from outside, the gear's input first, its output second.
     pub terminals: Vec<Terminal>,
-    /// What the housing takes.
+    /// Torque that the housing takes.
     pub housing: Torque,
     /// Torques on the members of each set in N·m, in the order of
     /// [`PlanetSet::members`](crate::PlanetSet::members).
@@ -67,11 +67,11 @@ pub struct MultiLoad {
     pub shift_elements: Vec<Option<Torque>>,
     /// Powers in W.
     pub power: PowerFlow,
-    /// What the meshes take.
+    /// Power lost in the meshes.
     pub loss: Power,
     /// Power that leaves over power that enters; `None` where none enters.
     pub efficiency: Option<f64>,
-    /// Of each segment of the gearbox.
+    /// Signs of the segments of the gearbox.
     signs: Vec<i8>,
 }
 
@@ -87,7 +87,7 @@ impl MultiLoad {
     }
 }
 
-/// What the ranks tell of given links.
+/// Degrees of freedom of a gear with given links, from the ranks.
 struct Freedom {
     equations: Vec<usize>,
     free: Vec<usize>,
@@ -100,7 +100,7 @@ struct Freedom {
     missing: usize,
 }
 
-/// Which torques follow from those at the terminals.
+/// Torques that follow from those at the terminals.
 struct Settled {
     /// Sets on the power path whose torques do not.
     open_sets: Vec<usize>,
@@ -158,8 +158,8 @@ fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usiz
 }
 
 impl Gearbox {
-    /// The state of a gear whose freedoms these speeds settle, under these torques; no torques for the speeds
-    /// alone.
+    /// Computes the state of a gear with these speeds, which must settle all its freedoms, under these
+    /// torques. Without torques it computes the speeds alone.
     ///
     /// ```
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
@@ -191,9 +191,10 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a
-    /// torque that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for
-    /// what is no number; [`Error::ForeignGear`] for a gear of another gearbox.
+    /// - [`Error::Inputs`] if the speeds or torques are too few, too many or dependent; also if sets share a
+    ///   torque that nothing settles, or if the mesh losses hold the gear;
+    /// - [`Error::OperatingPoint`] for a value that is not a number;
+    /// - [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn with_inputs(
         &self,
         gear: &Gear,
@@ -380,7 +381,7 @@ impl Gearbox {
             }
         }
         let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
-        // Torques that would be too many say that power passes at the open ends too.
+        // Too many torques mean that power passes at the open ends too.
         let ends = self.open_ends(topology, omega, &terminals);
         if known + given.len() == terminals.len() + ends.len() {
             terminals.extend(ends);
@@ -403,7 +404,7 @@ impl Gearbox {
             let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
             return Err(InputsFault::SharedTorques { sets }.into());
         }
-        // What a loaded set loses does not follow while a member's speed does not.
+        // The loss of a loaded set does not follow while a member's speed does not.
         let is_adrift = |link: &usize| {
             let is_member = |set: &usize| self.sets[*set].members().iter().any(|member| member.0 == *link);
             omega[*link].is_none() && settled.loaded_sets.iter().any(is_member)

@@ -1,7 +1,7 @@
 //! The numbers of one gear: small dense systems of fixed size on the stack.
 //!
-//! `N` equations stand on `N + 1` nodes that can turn, node 0 the input. One matrix serves all: its
-//! row `j` holds the factors `1, −i, i − 1` of equation `j` at its nodes.
+//! The kernel has `N` equations for `N + 1` nodes that can turn, node 0 the input. One matrix serves all
+//! systems: its row `j` holds the factors `1, −i, i − 1` of equation `j` at its nodes.
 //!
 //! ```text
 //! speeds     C·ω = 0                  with ω_in = 1
@@ -12,23 +12,22 @@
 //! `PLAIN` gears have one segment an equation: all sets have two central gears.
 //!
 //! # The branch
-//! The signs that count are those continuous with `η → 1`: the ideal torques give them. Where the loaded
-//! torques confirm all signs, that is the answer. Where they do not, a set so nearly idle that the losses of
-//! the others reverse its power has been met: the losses are then raised from nothing to their full size, and
-//! a sign turns where its power passes through zero ([`crate::branch`]). The torques are continuous there. If
-//! they instead run to infinity on the way, no torque at the input keeps the gear moving at the full losses
-//! and there is no branch.
+//! The valid signs are those continuous with `η → 1`; the ideal torques give them. If the loaded torques
+//! confirm all signs, they are the result. If not, some set is so nearly idle that the losses of the others
+//! reverse its power. The losses are then raised from nothing to their full size, and a sign turns where its
+//! power passes through zero ([`crate::branch`]). The torques are continuous there. If they grow to infinity
+//! on the way instead, no input torque keeps the gear moving at the full losses, and no branch exists.
 
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};
 
-/// Columns of a matrix of factors; the last one collects what is tied to the housing.
+/// Columns of a matrix of factors; the last one collects the terms tied to the housing.
 const COLUMNS: usize = 16;
-/// The node of what is one piece with the housing.
+/// Node of the housing and of all links that are one piece with it.
 pub(crate) const HOUSING: usize = COLUMNS - 1;
-/// How many equations the kernel takes.
+/// Largest number of equations in the kernel.
 pub(crate) const MOST_EQUATIONS: usize = 12;
-/// How many segments gears with compound sets may have in the kernel: two an equation.
+/// Largest number of segments in the kernel for gears with compound sets: two per equation.
 pub(crate) const MOST_SEGMENTS: usize = 2 * MOST_EQUATIONS;
 
 /// A gear, in the order of its active equations.
@@ -313,7 +312,7 @@ mod tests {
                 for torque in [2.0, -0.7] {
                     let powers = [torque * a, -i * torque * b, (i - 1.0) * torque * h, torque * (a - h)];
                     assert!(powers[..3].iter().sum::<f64>().abs() < 1e-12);
-                    // What enters is 1.
+                    // The power that enters is 1.
                     let largest = powers.iter().fold(1.0_f64, |most, power| most.max(power.abs()));
                     let plain = set::<true>(i, &[]).powers(&[[a, b, h]], [i], [torque], 0.0);
                     let other = set::<false>(i, &runs).powers(&[[a, b, h]], [i], [torque], 0.0);

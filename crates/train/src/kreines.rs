@@ -9,22 +9,22 @@
 //! | `i` | ratio `ω_in/ω_out` as a function of the basic ratios |
 //! | `η₀_j`, `x_j` | efficiency of set `j` under a carrier at rest, its exponent |
 //!
-//! No torque is computed here, so the rule checks the torque balance. The derivative equals the
-//! rolling power of the set per unit of input power, hence `x_j` is the sign of the *ideal* rolling
-//! power. In a compound set each segment of meshes has its own exponent: that of the derivative by all basic
-//! ratios that lie behind it together.
+//! No torque is computed here, so the rule checks the torque balance. The derivative equals the rolling power
+//! of the set per unit of input power, hence `x_j` is the sign of the *ideal* rolling power. In a compound
+//! set each segment of meshes has its own exponent: the sign of the derivative by all basic ratios behind the
+//! segment together.
 //!
-//! # Where the rule as printed ends
-//! It takes its signs at the ideal ratio. No torques obey these signs, that is, some set would gain
-//! power,
+//! # Limits of the printed rule
+//! The rule takes its signs at the ideal ratio. In two cases no torques have these signs, that is, some set
+//! would gain power:
 //!
-//! - where a set is so nearly idle in a gear with loops that the losses of the others reverse it,
-//! - where the gear is self-locking, and what lies behind the self-locking set is driven from the far end.
+//! - a set is so nearly idle in a gear with loops that the losses of the others reverse it;
+//! - the gear is self-locking, and the part behind the self-locking set is driven from the far end.
 //!
 //! There the torque balance turns the sign of the set, continuously with the losses, and
-//! [`Kreines::reversed`] names it. With its exponent turned the rule gives the efficiency of the
-//! balance again. None of the two- and three-speed schemes is such a case for `k` in 1.3…10; of
-//! random driven gears of up to five sets with `η₀` from 0.9 to 1, one in several hundred is.
+//! [`Kreines::reversed`] names it. With its exponent turned the rule gives the efficiency of the balance
+//! again. None of the two- and three-speed schemes is such a case for `k` in 1.3…10. Of random driven gears
+//! of up to five sets with `η₀` from 0.9 to 1, one in several hundred is.
 //!
 //! # Source
 //! multispeed-gearboxes, section 2.4, general rule.
@@ -34,7 +34,7 @@ use crate::elimination::{Bounded, Echelon, Scalar};
 use crate::tolerance::SLOPE;
 use crate::topology::{Topology, node_equations, numbers};
 
-/// What Kreines' rule says of a gear.
+/// Result of Kreines' rule for a gear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kreines {
     /// Exponents `x_j` as printed, from the ideal ratio: of each set its segments', one of a set with two

@@ -5,7 +5,7 @@
 //! torques    Ĉᵀ·t − Σ T = 0 at every node                              T at the terminals, all but F given
 //! ```
 //!
-//! It is what the kernel does, written for any size, and the way of gears with several inputs.
+//! This is the method of the kernel, written for any size, and the one for gears with several inputs.
 
 use crate::branch::{self, Lossy};
 use crate::solution::{Direction, RESTING, Run, Solution};
@@ -18,7 +18,7 @@ pub(crate) struct Network {
     pub(crate) ratios: Vec<f64>,
     pub(crate) runs: Vec<Run>,
     pub(crate) etas: Vec<f64>,
-    /// How many nodes there are.
+    /// Number of nodes.
     pub(crate) count: usize,
     /// A pivot up to this has vanished; 0 where the rank is proved.
     pub(crate) least_pivot: f64,

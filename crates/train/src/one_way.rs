@@ -1,9 +1,9 @@
 //! One-way clutches: whether each holds or overruns, on drive and on coast.
 //!
-//! A one-way clutch between links `a` and `b` keeps `a` from turning slower than `b`. It holds with a torque
-//! on `a` that is positive, and overruns with a slip `ω_a − ω_b` that is positive. A gear that relies on it
-//! counts it as engaged; whether that is so follows from the torque, and whether the others stay free from
-//! the slip:
+//! A one-way clutch between links `a` and `b` keeps `a` from turning slower than `b`. It holds with a
+//! positive torque on `a`, and overruns with a positive slip `ω_a − ω_b`. A gear that relies on the clutch
+//! counts it as engaged. The torque shows whether it is engaged, and the slip shows whether the other one-way
+//! clutches stay free:
 //!
 //! | the gear | finds | then it |
 //! |---|---|---|
@@ -11,24 +11,24 @@
 //! | | torque = 0 | idles |
 //! | | torque < 0 | overruns: on coast there is no engine braking; on drive the gear contradicts itself |
 //! | does not | slip > 0 | overruns |
-//! | | slip = 0 | idles; what stands beside it takes the torque |
+//! | | slip = 0 | idles; the parts in parallel take the torque |
 //! | | slip < 0 | would hold: the gear contradicts itself |
 //!
-//! Speeds are those of an input that turns forwards. At an [operating point](Operation) the torques and
-//! speeds are what they are: [`Analysis::released`] tells which clutches let go there.
+//! Speeds are for an input that turns forwards. At an [operating point](Operation) torques and speeds have
+//! their own signs: [`Analysis::released`] lists the clutches that release there.
 
 use crate::tolerance::{POWER, SPEED};
 use crate::{Analysis, Direction, LoadCase, Operation};
 use epicyclic_numerics::values::largest_absolute;
 
-/// What a one-way clutch does.
+/// State of a one-way clutch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Duty {
-    /// It carries torque.
+    /// The clutch carries torque.
     Holds,
-    /// It slips in its free direction.
+    /// The clutch slips in its free direction.
     Overruns,
-    /// It neither slips nor carries torque, or what stands beside it takes the torque.
+    /// The clutch neither slips nor carries torque, or the parts in parallel take the torque.
     Idles,
     /// The gear counts on it, and its torque would turn it free.
     WouldOverrun,
@@ -39,7 +39,7 @@ pub enum Duty {
 }
 
 impl Duty {
-    /// Whether the gear's engaged elements contradict what the clutch does.
+    /// Whether the gear's engaged elements contradict the state of the clutch.
     #[must_use]
     pub fn is_contradiction(self) -> bool {
         matches!(self, Self::WouldOverrun | Self::WouldHold)
@@ -49,13 +49,13 @@ impl Duty {
 /// A one-way clutch in a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OneWay {
-    /// Its place in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
+    /// Place of the clutch in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     pub shift_element: usize,
     /// Whether the gear relies on it.
     pub is_relied_on: bool,
-    /// What it does while the input drives.
+    /// State of the clutch while the input drives.
     pub drive: Duty,
-    /// What it does while the output drives the input.
+    /// State of the clutch while the output drives the input.
     pub coast: Duty,
 }
 
@@ -76,7 +76,7 @@ impl Analysis<'_> {
                     if is_relied_on { relied_on(shift_element, case) } else { self.free(shift_element) }
                 };
                 let (drive, coast) = (of(self.driving()), of(self.back_driving()));
-                // That it lets go on coast is what it is made for.
+                // Releasing on coast is the purpose of a one-way clutch.
                 let coast = if coast == Duty::WouldOverrun { Duty::Overruns } else { coast };
                 OneWay { shift_element, is_relied_on, drive, coast }
             })
@@ -95,8 +95,8 @@ impl Analysis<'_> {
         Some(!relied.contains(&Duty::Overruns))
     }
 
-    /// One-way clutches that the gear relies on and that let go at this operating point, since it asks of
-    /// them a torque below 0 on their first links: no such operation exists. Places in
+    /// One-way clutches that the gear relies on and that release at this operating point, since they would
+    /// need a torque below 0 on their first links: no such operation exists. Places in
     /// [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     #[must_use]
     pub fn released(&self, operation: &Operation) -> Vec<usize> {

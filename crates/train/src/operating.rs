@@ -7,7 +7,7 @@ use crate::{Analysis, Error, State};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
-/// What is known of the load at the input.
+/// Known torque or power of the load at the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum InputLoad {
     /// Torque on the input from outside.
@@ -22,7 +22,7 @@ pub enum InputLoad {
 /// torque acts on its first link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operation {
-    /// Which way power runs, from the sign of the input's.
+    /// Direction of power, from the sign of the input's.
     pub direction: Direction,
     /// Speed of each link by [`LinkId::index`](crate::LinkId::index); `None` where it does not follow.
     pub speeds: Vec<Option<AngularVelocity>>,
@@ -45,7 +45,7 @@ pub struct Operation {
 }
 
 impl Analysis<'_> {
-    /// The gear at this input speed and load, with losses.
+    /// Computes the gear at this input speed and load, with losses.
     ///
     /// Power that enters at the input takes [`driving`](Analysis::driving); power that leaves there
     /// takes [`back_driving`](Analysis::back_driving), scaled to the input's load.
@@ -74,9 +74,10 @@ impl Analysis<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotDriven`] in any other state or where no torque moves the gear;
-    /// [`Error::OperatingPoint`] for a speed or load that is not finite, for power at rest, and for
-    /// power out of the input of a gear that is self-locking when driven from its output.
+    /// - [`Error::NotDriven`] in any other state, or if no torque moves the gear;
+    /// - [`Error::OperatingPoint`] for a speed or load that is not finite, and for power at rest;
+    /// - [`Error::OperatingPoint`] also for power out of the input of a gear that is self-locking in that
+    ///   direction.
     pub fn at(&self, input_speed: AngularVelocity, load: InputLoad) -> Result<Operation, Error> {
         let refuse = |why| Error::OperatingPoint { why };
         let not_driven = || Error::NotDriven { state: self.state().to_string() };

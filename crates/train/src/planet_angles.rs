@@ -1,7 +1,7 @@
-//! Where the planets of a set stand on its carrier.
+//! Angles of the planets of a set on its carrier.
 //!
-//! Planets are at equal angles unless a set says otherwise. Of each kind of planet as many stand at the same
-//! angles.
+//! Planets are at equal angles unless a set gives others. Every kind of planet has the same number of
+//! planets, at the same angles.
 //!
 //! ```text
 //! θ_j = 2π·p_j/G         p_j an integer: an assembly position
@@ -10,10 +10,11 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `θ_j` | angle of planet `j` from the first, about the main axis | rad |
-//! | `G` | assembly positions in a turn ([`PlanetSet::assembly_positions`]): `z_a + z_b` of a simple set, `z_b − z_a` of a double planet | 1 |
+//! | `G` | assembly positions in a turn, [`PlanetSet::assembly_positions`] | 1 |
 //!
-//! Planets at equal angles fit where their number divides `G`; at angles that are given where each is an
-//! assembly position from the first.
+//! A simple set has `G = z_a + z_b`, a double planet `G = z_b − z_a`. Planets at equal angles fit if their
+//! number divides `G`. Planets at given angles fit if each is at an assembly position, counted from the first
+//! planet.
 
 use crate::compound::CentralKind;
 use crate::planet_set::{GearOf, PlanetSet};
@@ -69,9 +70,9 @@ pub(crate) fn check(set: &PlanetSet) -> Result<(), Error> {
 /// A planet that cannot be put in at its angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misplaced {
-    /// Its number, from 1.
+    /// Number of the planet, from 1.
     pub planet: usize,
-    /// Its angle from the first, from 0 to a turn.
+    /// Angle of the planet from the first, from 0 to a turn.
     pub angle: Angle,
     /// The nearest assembly position.
     pub nearest: Angle,
@@ -80,7 +81,7 @@ pub struct Misplaced {
 }
 
 impl PlanetSet {
-    /// Where its planets stand.
+    /// Spacing of the planets on the carrier.
     #[must_use]
     pub fn spacing(&self) -> &Spacing {
         self.description().spacing()
@@ -110,10 +111,10 @@ impl PlanetSet {
         slots(self).and_then(|slots| u64::try_from(slots).ok())
     }
 
-    /// Angles of its planets about the main axis, in the order in which they are given; of planets whose
-    /// number is not known none.
+    /// Angles of the planets about the main axis, in the order in which they are given; `None` if the number
+    /// of planets is not known.
     ///
-    /// Given angles near an assembly position are told as that position.
+    /// A given angle near an assembly position is returned as that position.
     #[must_use]
     pub fn planet_angles(&self) -> Option<Vec<Angle>> {
         let positions = self.assembly_positions().filter(|positions| *positions > 0);
@@ -157,7 +158,7 @@ impl PlanetSet {
         gaps.reduce(f64::min).filter(|_| turns.len() > 1).map(Angle::from_si)
     }
 
-    /// The given angles of planets that are no assembly positions.
+    /// Planets at given angles that are not assembly positions.
     #[must_use]
     pub fn misplaced(&self) -> Vec<Misplaced> {
         let (Spacing::At(given), Some(positions)) =
@@ -181,7 +182,7 @@ impl PlanetSet {
 
 /// A planet between assembly positions.
 struct At {
-    /// From 0 to a turn.
+    /// Angle from the first planet, from 0 to a turn.
     from_first_rad: f64,
     /// Assembly positions from the first planet, not whole.
     place: f64,
@@ -216,7 +217,7 @@ fn slots(set: &PlanetSet) -> Option<u128> {
         GearOf::Planet(planet, _) if set.planets()[planet].gears.len() == 1 => Some(1),
         gear => set.teeth(gear).map(|teeth| i128::from(teeth.get())),
     };
-    // One line of each mesh: coefficients of the planets, and what stands on the right, times N.
+    // One line for each mesh: coefficients of the planets, and the right side, times N.
     let mut lines: Vec<(Vec<i128>, i128)> = vec![];
     for mesh in set.meshes() {
         let mut line = (vec![0; set.planets().len()], 0);

@@ -1,29 +1,32 @@
-//! Forces on the bearings of every planet of a set in a gear: what is known of the set's size, and what
-//! follows.
+//! Forces on the bearings of every planet of a set in a gear, and the size of the set that they need.
 //!
 //! # Geometry
-//! A planet's centre stands at the radius `R` from the main axis. Without profile shift
+//! A planet's centre is at the radius `R` from the main axis. Without profile shift
 //!
 //! ```text
 //! planet and sun     R = m·(z_c + z_p)/2    r_c = R·z_c/(z_c + z_p)
 //! planet and ring    R = m·(z_c − z_p)/2    r_c = R·z_c/(z_c − z_p)
-//! planets p, q       a = m·(z_p + z_q)/2    r_p = a·z_p/(z_p + z_q)    cos ψ = (R_p² + R_q² − a²)/(2·R_p·R_q)
-//! simple set         R = m·(z_a + z_b)/4    r_a = 2·R/(1 + k)          r_b = k·r_a      where the teeth of the planets are not known
+//! planets p, q       a = m·(z_p + z_q)/2    r_p = a·z_p/(z_p + z_q)
+//!                    cos ψ = (R_p² + R_q² − a²)/(2·R_p·R_q)
+//! simple set         R = m·(z_a + z_b)/4    r_a = 2·R/(1 + k)          r_b = k·r_a
+//!                    where the teeth of the planets are not known
 //! ```
 //!
-//! A radius that is given goes before that of module and teeth: shifted profiles move the planets. Of several
-//! meshes of one planet that say different radii, one with a module of its own goes first, then the first;
-//! the pitch radii of the others follow from the common `R`, as in a stepped planet with two modules. Two
-//! planets in mesh stand apart by the angle `ψ` about the main axis, the one described later ahead in the
-//! positive direction of rotation, unless [`MeshSize::is_behind`] says otherwise: the forces depend on it.
+//! A given radius takes precedence over that of module and teeth, because shifted profiles move the planets.
+//! If several meshes of one planet give different radii, one with a module of its own takes precedence, then
+//! the first. The pitch radii of the others follow from the common `R`, as in a stepped planet with two
+//! modules.
+//!
+//! Two planets in mesh are apart by the angle `ψ` about the main axis, which affects the forces. The one
+//! described later is ahead in the positive direction of rotation, unless [`MeshSize::is_behind`] is set.
 //!
 //! # Forces
-//! Of `N` planets that carry alike, each feels
+//! Planets of a kind, `N` in number, share the load equally. Each has the forces
 //!
 //! ```text
-//! central gear c      moment T_c/N about the main axis    radial force ±F_c·tan α             + sun, − ring
+//! central gear c      moment T_c/N about the main axis    radial force ±F_c·tan α    + sun, − ring
 //! planet shaft w      moment T_w/N
-//! planet q            F_q = τ_q/r_p at the pitch point, across the line of centres            |F_q|·tan α apart
+//! planet q            F_q = τ_q/r_p at the pitch point, across the line of centres    |F_q|·tan α apart
 //! F_t = Σ moments/R   F_r = Σ radial parts    F_c = M·R·ω_H²    F = √(F_t² + (F_r + F_c)²)
 //! ```
 //!
@@ -38,29 +41,34 @@
 //! | `F_t` | tangential force, along the orbit | N |
 //! | `F_r`, `F_c` | radial force of the meshes, centrifugal force, both positive outwards | N |
 //!
-//! `F_t` is positive in the direction in which all planets together push the carrier, against `T_H`; where
-//! `T_H` is nothing, along the positive direction of rotation. So of a set with one planet
-//! `F_t = |T_H|/(N·R)`, and in every set `Σ N·F_t·R = |T_H|` over its planets, with losses or without.
+//! `F_t` is positive in the direction in which all planets together push the carrier, against `T_H`; if `T_H`
+//! is 0, along the positive direction of rotation. Hence `F_t = |T_H|/(N·R)` for a set with one planet. In
+//! every set `Σ N·F_t·R = |T_H|` over its planets, with losses or without.
 //!
 //! # Losses
-//! The torques of a gear with losses do not balance about a planet's own axis: the model takes the loss of a
-//! mesh from the torque and leaves the force at the pitch point, so mesh forces `T_c/(N·r_c)` and the
-//! carrier's torque differ by the loss. A planet between two central gears and nothing else hands on what it
-//! takes, and its mesh forces `F_c` are those of
+//! The torques of a gear with losses do not balance about a planet's own axis. The model takes the loss of a
+//! mesh from the torque and leaves the force at the pitch point. So the mesh forces `T_c/(N·r_c)` and the
+//! carrier's torque differ by the loss. If a planet has two central gears in mesh and nothing else, it passes
+//! on the torque that it receives. Its mesh forces `F_c` are then those of
 //! [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
-//! `F_c = |T_c|/(N·r_c)`. Here the *moments about the main axis* are taken, which balance exactly, so that
-//! the bearings hand the carrier what the torques say. The force between two planets follows from the power
-//! through their mesh: of the powers `g·T` of the central gears on both sides, with `g` the speeds relative
-//! to the carrier, each mesh on the way passes on its part `η`, and `τ_q·g_p·N` is the mean of what enters
-//! the mesh and of what leaves it. So a planet that carries nothing feels nothing. It needs no motion: where
-//! the powers add to nothing the set turns as a block or loses nothing, and no mesh takes a part. A central
-//! gear in mesh with planets of two kinds shares its torque among them likewise.
+//! `F_c = |T_c|/(N·r_c)`.
+//!
+//! The *moments about the main axis* balance exactly, so they are used here: the bearings then transmit the
+//! carrier's torque.
+//!
+//! The force between two planets follows from the power through their mesh. The powers of the central gears
+//! on both sides are `g·T`, with `g` the speeds relative to the carrier, and each mesh on the way passes on
+//! its part `η`. `τ_q·g_p·N` is the mean of the powers that enter and leave the mesh. So a planet without
+//! load has no force. The rule needs no motion: if the powers add to zero, the set turns as a block or loses
+//! nothing, and no mesh has a loss. A central gear in mesh with planets of two kinds shares its torque among
+//! them by the same rule.
 //!
 //! # Left out
-//! Bevel planets ([`Lack::Bevel`]); the couple of the two planes of a stepped planet, which loads two
-//! bearings unequally; what the pins of a planet shaft (K-H-V) press on their disc beyond a pure couple;
-//! weight, helix angle, unequal load sharing; the working pressure angle of meshes whose shifts are not
-//! given.
+//! - Bevel planets ([`Lack::Bevel`]).
+//! - The couple of the two planes of a stepped planet, which loads two bearings unequally.
+//! - Forces of the pins of a planet shaft (K-H-V) on their disc beyond a pure couple.
+//! - Weight, helix angle, unequal load sharing.
+//! - The working pressure angle of meshes whose shifts are not given.
 
 mod flows;
 mod forces;
@@ -208,7 +216,7 @@ impl PlanetSet {
         (0..self.centrals().len()).filter(is_shaft).collect()
     }
 
-    /// How the loss of a planet that only hands on power between two central gears is shared by its meshes.
+    /// Share of the meshes in the loss of a planet that only passes on power between two central gears.
     fn loss_share(&self, planet: usize) -> Option<f64> {
         let own = |mesh: &&Mesh| mesh.gears.iter().any(|gear| planet_of(*gear) == Some(planet));
         let meshes: Vec<&Mesh> = self.meshes().iter().filter(own).collect();
@@ -219,7 +227,7 @@ impl PlanetSet {
             .then(|| MeshEfficiency::share_of_loss(first.efficiency, second.efficiency))
     }
 
-    /// What is given of the places, in metres.
+    /// Modules, radii and order of the planets as given, in metres.
     fn given(&self, size: &SetSize) -> Given {
         let mut given = Given::nothing(self);
         given.module = size.module.map(Physical::si);
@@ -319,7 +327,7 @@ impl PlanetSet {
         Some(contact)
     }
 
-    /// How its power runs through its meshes.
+    /// Path of the set's power through its meshes.
     fn flows(&self) -> Flows {
         let body = |gear: GearOf| match gear {
             GearOf::Central(central) => self.centrals()[central].body,

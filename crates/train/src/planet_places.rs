@@ -1,4 +1,4 @@
-//! Where the planets of a set stand: radii of their centres, and the distances and angles between those in
+//! Positions of the planets of a set: radii of their centres, and the distances and angles between those in
 //! mesh.
 //!
 //! ```text
@@ -13,9 +13,10 @@
 //! | `ψ` | angle between them about the main axis | rad |
 //! | `m` | module of the mesh; meshes of one gear have one module | any |
 //!
-//! Gears without profile shift. A radius that is given goes before one of module and teeth, and gives the
-//! module of meshes for which none is given. Where meshes of one planet say different radii, one with a
-//! module of its own goes before one that has that of the set, and an earlier one before a later.
+//! The gears have no profile shift. A given radius takes precedence over that of module and teeth, and gives
+//! the module of meshes for which none is given. If meshes of one planet give different radii, a mesh with a
+//! module of its own takes precedence over one with the set's module. Among equals the earlier mesh takes
+//! precedence.
 
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
@@ -23,7 +24,7 @@ use crate::tolerance::FLAT;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::mesh::{Mesh, coaxial_planet};
 
-/// What is given of the places.
+/// Given modules, radii and order of the planets.
 pub(crate) struct Given {
     /// Module of each mesh.
     pub(crate) modules: Vec<Option<f64>>,
@@ -31,7 +32,7 @@ pub(crate) struct Given {
     pub(crate) module: Option<f64>,
     /// Radius of each planet's centre.
     pub(crate) radii: Vec<Option<f64>>,
-    /// Of each mesh of two planets, whether the one described later stands behind the other.
+    /// For each mesh of two planets, whether the one described later is behind the other.
     pub(crate) is_behind: Vec<bool>,
 }
 
@@ -59,10 +60,10 @@ pub(crate) struct Pair {
     pub(crate) angle_rad: f64,
 }
 
-/// Why two planets in mesh have no places.
+/// Reason why two planets in mesh have no positions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum NoPair {
-    /// It is no mesh of two planets.
+    /// The mesh is not between two planets.
     OtherMesh,
     /// Radius of the planet.
     Radius(usize),
@@ -72,13 +73,13 @@ pub(crate) enum NoPair {
     Triangle { radii: [f64; 2], distance: f64 },
 }
 
-/// Where the planets stand.
+/// Positions of the planets.
 pub(crate) struct Places {
     /// Module of each mesh.
     pub(crate) modules: Vec<Option<f64>>,
     /// Radius of each planet's centre.
     pub(crate) radii: Vec<Option<f64>>,
-    /// Of each mesh that of its two planets.
+    /// Pair of planets of each mesh.
     pub(crate) pairs: Vec<Result<Pair, NoPair>>,
 }
 
@@ -101,7 +102,8 @@ pub(crate) fn planet_of(gear: GearOf) -> Option<usize> {
     }
 }
 
-/// Of a mesh between a central gear and a planet on parallel axes: the two, the planet's gear last.
+/// Central gear and planet gear, in this order, of a mesh between the two on parallel axes; `None` for other
+/// meshes.
 pub(crate) fn central_mesh(set: &PlanetSet, mesh: usize) -> Option<(usize, GearOf)> {
     let mesh = set.meshes()[mesh];
     match (mesh.gears, mesh.kind) {
@@ -112,7 +114,7 @@ pub(crate) fn central_mesh(set: &PlanetSet, mesh: usize) -> Option<(usize, GearO
     }
 }
 
-/// Of a mesh of two planets: their gears, in the order of [`PlanetSet::planets`].
+/// Gears of a mesh of two planets, in the order of [`PlanetSet::planets`]; `None` for other meshes.
 pub(crate) fn planet_mesh(set: &PlanetSet, mesh: usize) -> Option<[GearOf; 2]> {
     let [one, other] = set.meshes()[mesh].gears;
     let (first, second) = (planet_of(one)?, planet_of(other)?);
@@ -180,7 +182,7 @@ fn find_modules(set: &PlanetSet, radii: &[Option<f64>], modules: &mut [Option<f6
     }
 }
 
-/// The places that follow from what is given.
+/// Positions of the planets that follow from the given values.
 pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
     let mut modules = given.modules.clone();
     spread(set, &mut modules);
@@ -231,22 +233,22 @@ fn pair(
 /// A set of unshifted gears seen along its axis. Lengths are in modules of its first mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlongAxis {
-    /// Module of each mesh, over that of the first: of a stepped planet the modules that its one centre
-    /// distance asks for.
+    /// Module of each mesh, over that of the first: for a stepped planet the modules that its one centre
+    /// distance requires.
     pub modules: Vec<f64>,
-    /// Radius of each planet's centre, and its angle about the axis in rad. The first planet stands at 0.
+    /// Radius of each planet's centre, and its angle about the axis in rad. The first planet is at angle 0.
     pub planets: Vec<[f64; 2]>,
 }
 
 impl PlanetSet {
-    /// Where the planets of a set stand as its teeth alone say it; nothing where a tooth number is not known,
-    /// of bevel gears, of pairs on fixed axes, and where two planets in mesh do not reach each other.
+    /// Positions of the planets of a set, from its teeth alone. `None` if a tooth number is not known, for
+    /// bevel gears and pairs on fixed axes, and if two planets in mesh do not reach each other.
     #[must_use]
     pub fn along_axis(&self) -> Option<AlongAxis> {
         let mut given = Given::nothing(self);
         *given.modules.first_mut()? = Some(1.0);
         let first = places(self, &given);
-        // Modules that no centre distance asks for are those of the first mesh.
+        // Modules that no centre distance determines are those of the first mesh.
         let given = Given { modules: first.modules, radii: first.radii, module: Some(1.0), ..given };
         let places = places(self, &given);
         let reach = |pair: &Result<Pair, NoPair>| matches!(pair, Ok(_) | Err(NoPair::OtherMesh));

@@ -39,10 +39,10 @@ use std::ops::Range;
 mod tree;
 pub(crate) use tree::Tree;
 
-/// How a set was described.
+/// Form in which a set was described.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Description {
-    /// In short, by kind and three members.
+    /// Short form: kind and three members.
     Short(SetSpec),
     /// Whole, gear by gear.
     Compound(CompoundSpec),
@@ -58,7 +58,7 @@ impl Description {
         }
     }
 
-    /// Where the planets stand.
+    /// Spacing of the planets on the carrier.
     #[must_use]
     pub fn spacing(&self) -> &Spacing {
         match self {
@@ -85,20 +85,20 @@ impl From<CompoundSpec> for Description {
 pub struct Central {
     /// The link it belongs to.
     pub link: LinkId,
-    /// What it is.
+    /// Kind of the central gear.
     pub kind: CentralKind,
-    /// Its teeth, where known; none of a planet shaft.
+    /// Number of teeth, if known; `None` for a planet shaft.
     pub teeth: Option<ToothCount>,
     /// A number proportional to its teeth, in a set whose teeth are not known.
     pub proportion: Option<f64>,
-    /// Its body: its own, or that of the planet it turns with.
+    /// Body of the central gear: its own, or that of the planet it turns with.
     pub(crate) body: usize,
 }
 
 /// A planet: one rigid body with one gear or several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planet {
-    /// Its name; empty where the set has only one.
+    /// Name of the planet; empty if the set has only one.
     pub name: String,
     /// Teeth of its gears, where known.
     pub gears: Vec<Option<ToothCount>>,
@@ -113,7 +113,7 @@ pub enum GearOf {
     Planet(usize, usize),
 }
 
-/// How two gears mesh.
+/// Kind of mesh of two gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshKind {
     /// External teeth with external teeth: the gears turn in opposite directions.
@@ -141,9 +141,9 @@ impl MeshKind {
 pub struct Mesh {
     /// The gears, the one nearer to the root first.
     pub gears: [GearOf; 2],
-    /// How they mesh.
+    /// Kind of the mesh.
     pub kind: MeshKind,
-    /// Its efficiency. Where only that of the whole set is known, its meshes lose alike.
+    /// Efficiency of the mesh. If only that of the whole set is known, its meshes have equal losses.
     pub efficiency: MeshEfficiency,
 }
 
@@ -168,13 +168,13 @@ impl PlanetSet {
         self.description.id()
     }
 
-    /// How it was described.
+    /// Form in which the set was described.
     #[must_use]
     pub fn description(&self) -> &Description {
         &self.description
     }
 
-    /// Its short description, if it has one.
+    /// Short description of the set, if it has one.
     #[must_use]
     pub fn short(&self) -> Option<&SetSpec> {
         match &self.description {
@@ -183,7 +183,7 @@ impl PlanetSet {
         }
     }
 
-    /// Its kind, if it is one of the usual; a compound set has none.
+    /// Kind of the set, if it is one of the usual; `None` for a compound set.
     #[must_use]
     pub fn kind(&self) -> Option<SetKind> {
         self.short().map(|spec| spec.kind)
@@ -207,7 +207,7 @@ impl PlanetSet {
         self.members[self.centrals.len()]
     }
 
-    /// What a member is: a central gear, or the carrier, which stands last.
+    /// Kind of a member: a central gear, or the carrier, which is last.
     #[must_use]
     pub fn member(&self, member: usize) -> SetMember {
         self.centrals.get(member).map_or(SetMember::Carrier, |central| SetMember::Central(central.kind))
@@ -219,13 +219,13 @@ impl PlanetSet {
         &self.centrals
     }
 
-    /// The planets that differ; none of a pair.
+    /// Planets of different kinds; empty for a pair.
     #[must_use]
     pub fn planets(&self) -> &[Planet] {
         &self.planets
     }
 
-    /// How many of each planet stand around the axis, where known.
+    /// Number of planets of each kind around the axis, if known.
     #[must_use]
     pub fn planet_count(&self) -> Option<u32> {
         match &self.description {
@@ -320,7 +320,7 @@ impl PlanetSet {
         }
     }
 
-    /// `(ω_p − ω_H)/(ω_1 − ω_H)` of a planet over the first central gear, where its teeth tell.
+    /// `(ω_p − ω_H)/(ω_1 − ω_H)` of a planet over the first central gear, if it follows from the teeth.
     #[must_use]
     pub fn planet_factor(&self, planet: usize) -> Option<f64> {
         self.factors[self.centrals.len() + planet]
@@ -362,7 +362,7 @@ impl PlanetSet {
     }
 }
 
-/// What a description comes to before the tree is walked.
+/// Parts of a described set before the tree of its meshes is walked.
 pub(crate) struct Parts {
     pub(crate) centrals: Vec<Central>,
     pub(crate) planets: Vec<Planet>,
@@ -380,7 +380,7 @@ impl PlanetSet {
         let Parts { centrals, planets, mut meshes, factors, exact, rational, loss } = parts;
         let root = match &description {
             Description::Short(_) => 0,
-            // A single sun under several rings is what they have in common; else the first ring.
+            // A single sun is the common gear of several rings; otherwise the first ring is the root.
             Description::Compound(_) => {
                 let of = |kind| centrals.iter().filter(move |central| central.kind == kind).count();
                 let is_single_sun = of(CentralKind::Sun) == 1 && of(CentralKind::Ring) > 1;
@@ -403,7 +403,7 @@ impl PlanetSet {
         set.tree.rationals = exact.iter().map(|exact| exact.or(rational)).collect();
         set.tree.exact = exact;
         if set.centrals.iter().any(|central| central.proportion.is_some()) {
-            // Fractions of decimals decide states, but say nothing of teeth.
+            // Fractions of decimals decide states, but are not tooth counts.
             set.tree.exact.fill(None);
             set.exact.fill(None);
         }
@@ -464,7 +464,7 @@ impl PlanetSet {
     }
 }
 
-/// Fractions that say so where their integers overflow.
+/// Fractions that report an overflow of their integers.
 trait Checked: Sized {
     fn checked_times(self, other: Self) -> Option<Self>;
     fn checked_div_by(self, other: Self) -> Option<Self>;
@@ -480,7 +480,7 @@ impl Checked for Fraction {
     }
 }
 
-/// The parts that a short description stands for.
+/// Returns the parts that a short description represents.
 pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts, Error> {
     use CentralKind::{BevelLeft, BevelRight, Ring, Sun};
     use MeshKind::{External, Internal};
@@ -543,8 +543,8 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
             ]
         }
     };
-    // What teeth do not give: the second central gear from k, and by equal centre distances the planet of a
-    // simple set.
+    // Factors that teeth do not give: the second central gear from k, and the planet of a simple set by equal
+    // centre distances.
     let mut factors = vec![None; 2 + planets.len()];
     let mut known = vec![None; 2 + planets.len()];
     factors[1] = Some(1.0 / ratio.get());

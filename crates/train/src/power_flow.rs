@@ -1,16 +1,16 @@
-//! Powers in a gear: through sets, meshes and links, what is lost, what only circulates.
+//! Powers in a gear: through sets, meshes and links, losses, and circulating power.
 //!
 //! # Source
-//! Rolling and coupling power are the field's terms: seen from the carrier a set passes
-//! `T_a·(ω_a − ω_H)` through its meshes; the rest, `T_a·ω_H` and `T_b·ω_H`, turns with the
-//! carrier and loses nothing.
+//! Rolling and coupling power are the field's terms. Seen from the carrier a set passes the rolling power
+//! `T_a·(ω_a − ω_H)` through its meshes. The coupling power, `T_a·ω_H` and `T_b·ω_H`, turns with the carrier
+//! and loses nothing.
 //!
 //! # Circulating power
-//! The power graph has an arc for every member of every set and for every connection, from where its power
-//! comes to where it goes, and the power as its flow. A *circulation* takes from each arc no more than its
-//! flow, none backwards, and is balanced at every link and set. What circulates through an arc is the largest
-//! circulation through it; what circulates in the gear is the largest of all arcs. It is 0 exactly where no
-//! directed loop exists, and depends on no order.
+//! The power graph has an arc for every member of every set and for every connection, in the direction of its
+//! power; the power is the arc's flow. A *circulation* takes from each arc no more than its flow, none
+//! backwards, and is balanced at every link and set. The power that circulates through an arc is that of the
+//! largest circulation through it. The circulating power of the gear is the largest of all arcs. It is 0
+//! exactly if no directed loop exists, and depends on no order.
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
@@ -22,12 +22,12 @@ use std::collections::VecDeque;
 /// Powers of a set, as multiples of the power that enters the gear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetPower {
-    /// What enters the set at each member, `T·ω`, in the order of
+    /// Power that enters the set at each member, `T·ω`, in the order of
     /// [`PlanetSet::members`](crate::PlanetSet::members).
     pub members: Vec<f64>,
     /// Rolling power at each central gear, `T_c·(ω_c − ω_H)`: positive where it enters.
     pub rolling: Vec<f64>,
-    /// What the meshes take, the sum over the members.
+    /// Power lost in the meshes, the sum over the members.
     pub loss: f64,
 }
 
@@ -38,7 +38,7 @@ impl SetPower {
         self.rolling[0]
     }
 
-    /// Coupling power of a central gear, `T_c·ω_H`: what it gives or takes without its meshes.
+    /// Coupling power of a central gear, `T_c·ω_H`: the power that it gives or takes without its meshes.
     #[must_use]
     pub fn coupling(&self, central: usize) -> f64 {
         self.members[central] - self.rolling[central]
@@ -50,23 +50,23 @@ impl SetPower {
 pub struct MeshPower {
     /// 1 where it flows from the first gear of the mesh to the second, −1 back, 0 where none does.
     pub sense: i8,
-    /// What enters, at least 0.
+    /// Power that enters the mesh, at least 0.
     pub enters: f64,
-    /// What leaves.
+    /// Power that leaves the mesh.
     pub leaves: f64,
 }
 
 /// Powers of a gear, as multiples of the power that enters it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerFlow {
-    /// Of each set; `None` where torque or speed do not follow.
+    /// Powers of each set; `None` if torque or speed do not follow.
     pub sets: Vec<Option<SetPower>>,
-    /// Power through each link by [`LinkId::index`](crate::LinkId::index): half the sum of what its
-    /// members, connections and terminals give and take. `None` where a part does not follow.
+    /// Power through each link by [`LinkId::index`](crate::LinkId::index): half the sum of the powers that
+    /// its members, connections and terminals give and take. `None` if a part does not follow.
     pub links: Vec<Option<f64>>,
-    /// Power that circulates, over what enters.
+    /// Circulating power, over the power that enters.
     pub circulating: f64,
-    /// What circulates through which arcs, of their sign.
+    /// Circulating power of each arc, with the sign of the arc's power.
     circulations: Vec<(Way, f64)>,
     /// The largest power of any member, rolling or at a link, at least 1: the measure for balances.
     pub largest: f64,
@@ -91,7 +91,7 @@ impl PowerFlow {
     }
 }
 
-/// What power flows through.
+/// Arc of the power graph.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Member { set: usize, member: usize },
@@ -136,8 +136,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
-    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one
-    // link under two names circulates as much as under one.
+    // Links that share a torque in an undetermined way are one piece to the flow. So are links that are tied:
+    // one link under two names circulates as much as under one.
     let mut pieces: Option<Groups> = None;
     let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.shift_element.is_none();
     for (edge, _) in topology.edges.iter().zip(edges).filter(is_one) {
@@ -195,7 +195,7 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
 /// Powers of a set under these torques on its members; `None` where a speed is missing.
 fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque: f64) -> Option<SetPower> {
     let centrals = set.centrals().len();
-    // At an unknown speed, what carries no torque has no power.
+    // At an unknown speed, a member without torque has no power.
     let is_idle = torques.iter().all(|torque| torque.abs() <= no_torque);
     let speed = |member: usize| speeds[set.members()[member].0].or(is_idle.then_some(0.0));
     let carrier = speed(centrals)?;
@@ -216,8 +216,8 @@ fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque
     })
 }
 
-/// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it
-/// give and take, through the meshes between. `signs` are those of its segments, none without losses.
+/// Power through each mesh of a set from the rolling powers of the central gears: the powers of the gears
+/// behind the mesh, through the meshes between. `signs` are those of its segments, empty without losses.
 ///
 /// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no direction.
 pub(crate) fn mesh_powers(
@@ -228,7 +228,7 @@ pub(crate) fn mesh_powers(
 ) -> Vec<MeshPower> {
     let (tree, rolling) = (&set.tree, &power.rolling);
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
-    // What a mesh leaves of the power that comes from the side of the root, in the direction of its segment.
+    // Part of the power from the root's side that a mesh passes on, in the direction of its segment.
     let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
         0 => 1.0,
         1 => set.meshes()[mesh].efficiency.get(),
@@ -236,7 +236,7 @@ pub(crate) fn mesh_powers(
     };
     let of_mesh = |mesh: usize| {
         let behind = &tree.behind[mesh];
-        // Power that leaves the mesh outwards: what the central gears behind it take.
+        // Power that leaves the mesh outwards: the powers of the central gears behind it.
         let outwards: f64 = behind
             .clone()
             .map(|place| {
@@ -272,7 +272,7 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
 /// The largest circulation through each flow in a directed loop.
 fn circulations(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> Vec<(Flow, f64)> {
     flows.retain(|flow| flow.power > nothing && flow.from != flow.to);
-    // What no loop can hold: vertices that only give or only take, again and again.
+    // No loop holds an arc at a vertex that only gives or only takes: remove these repeatedly.
     if flows.is_empty() {
         return vec![];
     }

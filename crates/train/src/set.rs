@@ -1,9 +1,9 @@
-//! A planet set with three members, in short: its kind, its basic ratio, what its meshes lose, where its
-//! members go.
+//! A planet set with three members, in short: its kind, its basic ratio, the losses of its meshes, the links
+//! of its members.
 //!
-//! The short form says which of the usual arrangements a set has; [`PlanetSet`](crate::PlanetSet) is what it
-//! stands for, with every gear and mesh. What has more members, or shares planets, is described whole by
-//! [`CompoundSpec`](crate::compound::CompoundSpec).
+//! The short form names one of the usual arrangements; [`PlanetSet`](crate::PlanetSet) is the set it
+//! represents, with every gear and mesh. A set with more members, or with shared planets, is described whole
+//! by [`CompoundSpec`](crate::compound::CompoundSpec).
 
 pub use crate::set_kind::SetKind;
 
@@ -17,7 +17,7 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
-/// What is known of a set's ratio.
+/// Known ratio of a set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gearing {
     /// Size of the basic ratio, `|i₀|`: of a simple set its ring-to-sun ratio `k`. The kind gives the sign.
@@ -26,7 +26,7 @@ pub enum Gearing {
     Teeth(ToothCount, ToothCount),
 }
 
-/// What the meshes of a set lose.
+/// Losses in the meshes of a set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MeshLoss {
     /// `η₀` of the whole set with the carrier fixed.
@@ -35,7 +35,7 @@ pub enum MeshLoss {
     Meshes {
         /// Central gear 1 with its planet.
         first: MeshEfficiency,
-        /// Planet with planet, where there are two; otherwise [`MeshEfficiency::IDEAL`].
+        /// Planet with planet, if a set has two; otherwise [`MeshEfficiency::IDEAL`].
         between: MeshEfficiency,
         /// Planet with central gear 2.
         second: MeshEfficiency,
@@ -101,15 +101,15 @@ pub struct SetSpec {
     pub planet: Option<ToothCount>,
     /// Teeth of the second planet, or of the step, in mesh with central gear 2: `z_f`.
     pub second_planet: Option<ToothCount>,
-    /// How many planets, or pairs of planets, stand around the axis.
+    /// Number of planets, or pairs of planets, around the axis.
     pub planet_count: Option<u32>,
-    /// Where they stand on the carrier.
+    /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
     /// Profile shifts of a simple set.
     pub shifts: Option<Shifts>,
     /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
     pub helix_angle: Angle,
-    /// How sun, planets and ring of a simple set are cut.
+    /// Cutting of sun, planets and ring of a simple set.
     pub cutting: Box<[Cutting; 3]>,
 }
 
@@ -164,25 +164,26 @@ impl SetSpec {
         Self::teeth(id, SetKind::ExternalPair, [a, b, crate::GROUND], first, second)
     }
 
-    /// The same set with these losses.
+    /// Returns the set with these losses.
     #[must_use]
     pub fn with_loss(self, loss: MeshLoss) -> Self {
         Self { loss, ..self }
     }
 
-    /// The same set with the teeth `z_g` and `z_f` of its planets or steps.
+    /// Returns the set with the teeth `z_g` and `z_f` of its planets or steps.
     #[must_use]
     pub fn planet_teeth(self, first: ToothCount, second: Option<ToothCount>) -> Self {
         Self { planet: Some(first), second_planet: second, ..self }
     }
 
-    /// The same set with this many planets.
+    /// Returns the set with this number of planets.
     #[must_use]
     pub fn planet_count(self, count: u32) -> Self {
         Self { planet_count: Some(count), ..self }
     }
 
-    /// The same set with its planets there. Of angles that are given their number is that of the planets.
+    /// Returns the set with this spacing of its planets. Given angles also set the number of planets, unless
+    /// it is already known.
     #[must_use]
     pub fn spaced(self, spacing: Spacing) -> Self {
         let planet_count = self.planet_count.or(spacing.count());

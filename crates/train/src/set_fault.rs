@@ -1,9 +1,8 @@
-//! What keeps a description of a set from being one: its meshes, the spacing of its planets, members that are
-//! one piece.
+//! Errors in the description of a set: its meshes, the spacing of its planets, members that are one piece.
 
 use crate::compound::SetMember;
 
-/// What is wrong with the spacing of planets.
+/// Error in the spacing of planets.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpacingFault {
@@ -13,12 +12,12 @@ pub enum SpacingFault {
     /// Angles of another number of planets.
     #[error("{angles} planet angles are given for {planets} planets; give one angle for each planet")]
     Count {
-        /// How many angles.
+        /// Number of angles.
         angles: usize,
-        /// How many planets.
+        /// Number of planets.
         planets: u32,
     },
-    /// An angle that is no number.
+    /// An angle that is not finite.
     #[error("the angle of planet {planet} is not finite")]
     NotFinite {
         /// The planet, from 1.
@@ -40,14 +39,14 @@ pub enum SpacingFault {
         "{planets} planets need {planets} assembly positions, and the teeth leave {positions}; give fewer planets"
     )]
     TooFewPositions {
-        /// How many planets.
+        /// Number of planets.
         planets: u32,
-        /// How many positions.
+        /// Number of positions.
         positions: u64,
     },
 }
 
-/// What two members of a set that are one piece make of it.
+/// Message for two members of a set that are one piece: the effect and the remedy.
 pub(crate) fn coincident(
     set: &str,
     [first, second]: [&SetMember; 2],

@@ -1,8 +1,8 @@
-//! How the planets of a set join its two central gears.
+//! Kinds of sets: arrangements of the planets between the two central gears.
 
 use std::fmt;
 
-/// How the planets of a set join its two central gears.
+/// Kind of a set: the arrangement of the planets between the two central gears.
 ///
 /// | kind | central gears `1`, `2` | `i₀` |
 /// |---|---|---|

@@ -1,5 +1,5 @@
-//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and what their
-//! friction takes.
+//! Sets with profile shift or helical teeth: the short description of one as toothed gears, and their
+//! friction losses.
 
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_gears::geometry::GearKind;
@@ -12,20 +12,20 @@ use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 impl SetSpec {
-    /// The same set with shifts of sun, planets and ring; they are of simple sets known by their teeth.
+    /// Returns the set with shifts of sun, planets and ring, for simple sets known by their teeth.
     #[must_use]
     pub fn shifted(self, shifts: Shifts) -> Self {
         Self { shifts: Some(shifts), ..self }
     }
 
-    /// The same set with helical teeth, of this helix angle at the reference cylinders; simple sets alone
-    /// have them. The module is then the normal module, as in ISO 21771.
+    /// Returns the set with helical teeth, of this helix angle at the reference cylinders, for simple sets
+    /// only. The module is then the normal module, as in ISO 21771.
     #[must_use]
     pub fn helical(self, helix_angle: Angle) -> Self {
         Self { helix_angle, ..self }
     }
 
-    /// The same set with sun, planets and ring cut so; of a simple set.
+    /// Returns the set with this cutting of sun, planets and ring, for simple sets only.
     #[must_use]
     pub fn cut(self, cutting: [Cutting; 3]) -> Self {
         Self { cutting: Box::new(cutting), ..self }

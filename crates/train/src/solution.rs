@@ -1,14 +1,14 @@
-//! What solving a gear finds, and what the ways to solve it share: the direction of power, runs of equations.
+//! Solution of a gear, and the parts that its solvers share: the direction of power, runs of equations.
 
-/// The node of what is one piece with the housing.
+/// Node of the housing and of all links that are one piece with it.
 pub(crate) const RESTING: u16 = u16::MAX;
 
-/// Which way power runs.
+/// Direction of power through a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// From input to output: a torque of 1 enters at the input, with speed 1.
+    /// Power from input to output: a torque of 1 enters at the input, with speed 1.
     Drive,
-    /// From output to input: a torque of `i` enters at the output, with speed `1/i`.
+    /// Power from output to input: a torque of `i` enters at the output, with speed `1/i`.
     BackDrive,
 }
 
@@ -25,11 +25,11 @@ pub(crate) struct Run {
 /// [`Direction`]. Equations and segments are the gear's active ones.
 #[derive(Debug, Clone, Default)]
 pub struct Solution {
-    /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the
-    /// nodes.
+    /// For each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of
+    /// the nodes.
     numbers: Vec<f64>,
     equations: usize,
-    /// Of each segment the direction of its power without losses, then with losses.
+    /// For each segment the direction of its power without losses, then with losses.
     senses: Vec<i8>,
     pub(crate) output_speed: f64,
     pub(crate) ideal_other: f64,
@@ -40,7 +40,7 @@ pub struct Solution {
     pub(crate) efficiency: f64,
 }
 
-/// What a solution holds, to be written.
+/// Mutable parts of a solution, for the solver to write.
 pub(crate) struct Written<'s> {
     pub(crate) relative_speed: &'s mut [f64],
     pub(crate) ideal_root: &'s mut [f64],
@@ -118,7 +118,7 @@ impl Solution {
         self.has_branch.then(|| self.root())
     }
 
-    /// The same without losses.
+    /// Torque on the first central gear of each active set with two of them, without losses.
     #[must_use]
     pub fn ideal_sun_torques(&self) -> &[f64] {
         self.of_equations(1)

@@ -1,14 +1,14 @@
-//! Where the planets of a set stand on its carrier, as a description says it.
+//! Spacing of the planets of a set on its carrier, as a description gives it.
 
 use epicyclic_gears::synthesis::Placement;
 use uom::si::f64::Angle;
 
-/// Where the planets of a set stand on its carrier.
+/// Spacing of the planets of a set on its carrier.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Spacing {
-    /// At equal angles, or at the assembly positions nearest to them.
+    /// Equal angles, or the assembly positions nearest to them.
     Placed(Placement),
-    /// At these angles, in any order.
+    /// Given angles, in any order.
     At(Vec<Angle>),
 }
 
@@ -19,7 +19,7 @@ impl Default for Spacing {
 }
 
 impl Spacing {
-    /// How many planets the angles are of, where they are given.
+    /// Number of planets, if the angles are given.
     pub(crate) fn count(&self) -> Option<u32> {
         match self {
             Self::At(angles) => u32::try_from(angles.len()).ok(),

@@ -5,7 +5,7 @@ use crate::state::Verdict;
 use crate::topology::Topology;
 use crate::{Gear, Gearbox};
 
-/// How a set moves; speeds are multiples of the input's.
+/// Motion of a set; speeds are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetMotion {
     /// Speeds of the members, in the order of [`PlanetSet::members`]: the carrier last. `None` where they do
@@ -25,10 +25,10 @@ impl SetMotion {
     }
 }
 
-/// How a planet turns, as multiples of the input's speed.
+/// Motion of a planet, as multiples of the input's speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanetMotion {
-    /// Relative to the carrier, `ω_g − ω_H`: what its bearing sees.
+    /// Speed relative to the carrier, `ω_g − ω_H`, which is that of the planet's bearing.
     pub relative: f64,
     /// Seen from the housing, `ω_g`. Of a bevel planet, whose axis is not the set's, `None`.
     pub speed: Option<f64>,

@@ -1,22 +1,23 @@
-//! What a gear does: its state, from the rank of its equations.
+//! State of a gear, from the rank of its equations.
 //!
-//! Speeds obey the equations of the sets; torques obey one equation a link. Both systems are brought to
+//! Speeds obey the equations of the sets; torques obey one equation per link. Both systems are brought to
 //! reduced echelon form with input and output kept back, so the state is read off, not counted:
 //!
-//! | state | in the speeds | in the torques |
-//! |---|---|---|
-//! | [`InputBlocked`](State::InputBlocked) | `ω_in = 0` follows | |
-//! | [`OutputFree`](State::OutputFree) | no relation holds both `ω_in` and `ω_out` | |
-//! | [`Underdetermined`](State::Underdetermined) | their relation holds a further free speed | or a loaded set turns at a free speed |
-//! | [`OutputAtRest`](State::OutputAtRest) | `ω_out = 0` follows, `ω_in` is free | |
-//! | [`TorquesIndeterminate`](State::TorquesIndeterminate) | `ω_out = ω_in/i` | a torque in relation with the input's is free |
-//! | [`Driven`](State::Driven) | `ω_out = ω_in/i` | all such torques follow |
-//! | [`SelfLocking`](State::SelfLocking) | as driven | but with losses `η ≤ 0`: no torque at the input moves a load |
+//! - [`InputBlocked`](State::InputBlocked): `ω_in = 0` follows from the speeds.
+//! - [`OutputFree`](State::OutputFree): no relation of the speeds holds both `ω_in` and `ω_out`.
+//! - [`Underdetermined`](State::Underdetermined): the relation of `ω_in` and `ω_out` holds a further free
+//!   speed, or, in the torques, a loaded set turns at a free speed.
+//! - [`OutputAtRest`](State::OutputAtRest): `ω_out = 0` follows, `ω_in` is free.
+//! - [`TorquesIndeterminate`](State::TorquesIndeterminate): `ω_out = ω_in/i`; a torque in relation with the
+//!   input's is free.
+//! - [`Driven`](State::Driven): `ω_out = ω_in/i`; all such torques follow.
+//! - [`SelfLocking`](State::SelfLocking): speeds as in a driven gear, but with losses `η ≤ 0`: no torque at
+//!   the input moves a load.
 //!
-//! The first line that fits is the state. "In relation" means: in one part of the system's matroid
-//! (some least relation holds both). That is how parts beside the power path are told from it: an
-//! idle set that spins freely, an idle link held by two brakes at once, a set locked on its own do
-//! not spoil a driven gear; they only leave their own speed or torque unnamed.
+//! The first entry that fits is the state. "In relation" means: in one part of the system's matroid (some
+//! minimal relation holds both). This separates the power path from the parts outside it: an idle set that
+//! spins freely, an idle link held by two brakes at once, or a set locked on its own. Such parts do not spoil
+//! a driven gear; only their own speed or torque remains unknown.
 
 use crate::elimination::{Echelon, Scalar};
 use crate::tolerance::SPEED;
@@ -43,15 +44,15 @@ pub enum State {
     },
     /// No relation joins output and input: neutral.
     OutputFree {
-        /// The output and the links whose speeds stand in a relation with its own.
+        /// The output and the links whose speeds are in a relation with its own.
         links: Vec<String>,
     },
     /// Input and output are related, but only together with further speeds that nothing gives: a
     /// differential with too few shift elements engaged.
     Underdetermined {
-        /// How many further speeds must be given.
+        /// Number of further speeds required.
         missing: usize,
-        /// The links whose speeds are not known, any of which could be held.
+        /// Links with unknown speed; each of them could be held.
         links: Vec<String>,
     },
     /// Speeds follow, but torques on the power path depend on how tightly redundant shift elements or sets
@@ -95,7 +96,7 @@ impl State {
         }
     }
 
-    /// The links concerned; none of a driven gear.
+    /// Links concerned; empty for a driven gear.
     #[must_use]
     pub fn links(&self) -> &[String] {
         match self {
@@ -120,10 +121,10 @@ impl fmt::Display for State {
     }
 }
 
-/// Which links are meant.
+/// Selection of links.
 type Choice<'a> = &'a dyn Fn(LinkId) -> bool;
 
-/// The state of a gear and what else the two reductions tell.
+/// State of a gear and the other results of the two reductions.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Verdict {
     pub(crate) state: State,
@@ -133,7 +134,7 @@ pub(crate) struct Verdict {
     pub(crate) equations: Vec<usize>,
     /// Nodes at speeds that can be chosen, the input apart.
     pub(crate) chosen: Vec<usize>,
-    /// Which torques follow from the input's.
+    /// Torques that follow from the input's.
     pub(crate) known: Known,
     /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
     pub(crate) solvable: bool,

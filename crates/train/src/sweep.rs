@@ -60,10 +60,10 @@ impl From<&State> for StateName {
     }
 }
 
-/// What one gear does at some basic ratios.
+/// State, ratio and efficiency of one gear at some basic ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swept {
-    /// Its state.
+    /// State of the gear.
     pub state: StateName,
     /// Ratio `i = ω_in/ω_out`; `None` where the output's speed does not follow from the input's.
     pub ratio: Option<f64>,
@@ -111,7 +111,7 @@ struct Plan {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Sweep {
-    /// Its basic ratios are those of the last variant.
+    /// Gearbox of the sweep; its basic ratios are those of the last variant.
     gearbox: Gearbox,
     varied: Vec<Varied>,
     plans: Vec<Plan>,
@@ -122,11 +122,13 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// These gears, while `k` of the sets of these names varies.
+    /// Prepares a sweep of these gears over `k` of the sets of these names.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no set has, [`Error::NotVaried`] for a set described gear by gear,
-    /// [`Error::VariedTwice`] for a set named twice, [`Error::ForeignGear`] for a gear of another gearbox.
+    /// - [`Error::Unknown`] for a name that no set has;
+    /// - [`Error::NotVaried`] for a set described gear by gear;
+    /// - [`Error::VariedTwice`] for a set named twice;
+    /// - [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn new(gearbox: &Gearbox, gears: &[Gear], sets: &[&str]) -> Result<Self, Error> {
         let mut varied: Vec<Varied> = vec![];
         for &id in sets {
@@ -150,18 +152,19 @@ impl Sweep {
         })
     }
 
-    /// How many gears there are.
+    /// Number of gears.
     #[must_use]
     pub fn gears(&self) -> usize {
         self.plans.len()
     }
 
-    /// What the gears do with these `k` of the varied sets, in the order in which both were given.
+    /// Solves the gears for these `k` of the varied sets; gears and `k` are in the order in which both were
+    /// given.
     ///
     /// # Errors
-    /// [`Error::ValueCount`] unless there is one `k` a set, [`Error::RingToSunRatio`] for one that the kind
-    /// of its set cannot have, [`Error::Spread`] for basic ratios that multiply to more than numbers can
-    /// tell.
+    /// - [`Error::ValueCount`] unless there is one `k` per set;
+    /// - [`Error::RingToSunRatio`] for a `k` that the kind of its set cannot have;
+    /// - [`Error::Spread`] for basic ratios whose product is above the largest allowed.
     pub fn solve(&mut self, k: &[f64], found: &mut Vec<Swept>) -> Result<(), Error> {
         if k.len() != self.varied.len() {
             let (given, expected) = (k.len(), self.varied.len());
@@ -221,7 +224,7 @@ fn quick(gearbox: &Gearbox, gear: &Gear) -> Option<(Proof, CompiledGear)> {
         return None;
     }
     let proof = Proof::new(&topology, input)?;
-    // What the elimination of independent equations says; where they are not, it is not used.
+    // Verdict of the elimination if the equations are independent; otherwise it is not used.
     let verdict = Verdict {
         state: State::Driven,
         speeds: vec![Some(0.0); topology.count],

@@ -1,27 +1,32 @@
-//! Every number below which something counts as nothing, and every limit of size, in one place.
+//! Tolerances below which a value counts as zero, and limits of size, in one place.
 //!
-//! # What is nothing
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `ERROR_FACTOR` | a number in an elimination | its own error bound, which is carried along with it |
-//! | `POWER` | a power or torque, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
-//! | `SLOPE` | `∂ln i/∂ln i₀` of a set, over the largest | as `POWER`, but behind a second elimination |
-//! | `LOOP` | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
-//! | `PIVOT` | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
-//! | `SHARP` | the error bound of a speed, over it | a speed that is less certain is found again without rounding |
-//! | `POLE` | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
-//! | `ALIKE` | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
-//! | `SPEED` | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
-//! | `LATE`, `LEAST_WEIGHT` | the weight of a number as a pivot, by the size of its error bound | one known to six digits or fewer has the least, so that a better known one is taken first |
-//! | `FLAT` | the cosine of a triangle beyond ±1 | rounding of sides that lie on one line |
-//! | `PRINTED_SHIFTS` | the overlap of flanks, in modules | two shifts of four decimals |
-//! | `TOUCH` | the overlap of two circles, in modules | rounding of a sine times a centre distance |
-//! | `AT_POSITION` | the distance of a planet from an assembly position, over that of two such positions | angles in degrees with two digits, of some hundred teeth |
-//! | `AT_ANGLE` | the same distance, rad | angles in degrees with one digit; few positions are far apart |
-//! | `APART` | the angle between two planets, in turns | angles in degrees with six digits |
-//! | `NO_TORQUE` | the torque of a carrier, over the largest of its set | torques with losses are known to 1e-11; less says nothing of the pins |
+//! # Tolerances
+//! Entries give the constant, the value it limits, and the reason for its size:
+//! - `ERROR_FACTOR`: a number in an elimination; its own error bound, which is carried along with it.
+//! - `POWER`: a power or torque, over the largest inside the gear; rounding leaves 1e-14 of it, and a set
+//!   that carries less is idle.
+//! - `SLOPE`: `∂ln i/∂ln i₀` of a set, over the largest; as `POWER`, but after a second elimination.
+//! - `LOOP`: a flow in the graph of powers, over the largest; the differences of flows lose two more digits.
+//! - `PIVOT`: a pivot of a gear solved at other ratios than its own; at its own the rank is proved.
+//! - `SHARP`: the error bound of a speed, over the speed; a less certain speed is computed again without
+//!   rounding.
+//! - `POLE`: a torque with losses, over the largest without; beyond it no finite torque keeps the gear
+//!   moving.
+//! - `ALIKE`: a difference of two efficiencies, over 1 and their size; two sign patterns with less are one.
+//! - `SPEED`: a difference of speeds, over the larger; speeds are known to 1e-13 of the largest.
+//! - `LATE`, `LEAST_WEIGHT`: the weight of a number as a pivot, by the size of its error bound. A number
+//!   known to six digits or fewer has the least weight, so that a better known one is taken first.
+//! - `FLAT`: the cosine of a triangle beyond ±1; rounding of sides that lie on one line.
+//! - `PRINTED_SHIFTS`: the overlap of flanks, in modules; two shifts of four decimals.
+//! - `TOUCH`: the overlap of two circles, in modules; rounding of a sine times a centre distance.
+//! - `AT_POSITION`: the distance of a planet from an assembly position, over that of two such positions;
+//!   angles in degrees with two digits, of some hundred teeth.
+//! - `AT_ANGLE`: the same distance, rad; angles in degrees with one digit; few positions are far apart.
+//! - `APART`: the angle between two planets, in turns; angles in degrees with six digits.
+//! - `NO_TORQUE`: the torque of a carrier, over the largest of its set; torques with losses are known to
+//!   1e-11, and less is no evidence of the pins' load.
 //!
-//! # What is solved
+//! # Limits of size
 //! | constant | limits |
 //! |---|---|
 //! | [`MOST_SETS`] | planet sets and pairs of a gearbox |
@@ -35,7 +40,7 @@
 //! | [`MOST_SYMBOLS`] | symbols of a formula |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
 //! | [`LARGEST_LOAD`] | a speed in rad/s or torque in N·m from outside |
-//! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
+//! | [`SPREAD`] | product of the basic ratios of a gearbox |
 
 /// Least size of a number that is certainly not zero, in multiples of its error bound.
 pub(crate) const ERROR_FACTOR: f64 = 4.0;
@@ -64,7 +69,8 @@ pub(crate) const SPEED: f64 = 1e-10;
 /// Efficiencies that differ by less are alike.
 pub(crate) const ALIKE: f64 = 1e-12;
 
-/// As a pivot a number weighs its size less this multiple of its error bound.
+/// Factor of the error bound in a pivot's weight: the weight is the size of the number less this multiple of
+/// its error bound.
 pub(crate) const LATE: f64 = 1e6;
 
 /// The least weight of a pivot, over its size.
@@ -92,42 +98,42 @@ pub(crate) const APART: f64 = 1e-9;
 /// A carrier torque below this share of the largest torque of its set is none.
 pub(crate) const NO_TORQUE: f64 = 1e-9;
 
-/// How many planet sets and pairs a gearbox may have.
+/// Largest number of planet sets and pairs in a gearbox.
 pub const MOST_SETS: usize = 64;
 
-/// How many links a gearbox may have besides the housing.
+/// Largest number of links in a gearbox besides the housing.
 pub const MOST_LINKS: usize = 256;
 
-/// How many brakes, clutches and one-way clutches a gearbox may have.
+/// Largest number of brakes, clutches and one-way clutches in a gearbox.
 pub const MOST_ELEMENTS: usize = 128;
 
-/// How many gears a gearbox may have.
+/// Largest number of gears in a gearbox.
 pub const MOST_GEARS: usize = 1000;
 
-/// How many drags a gearbox may have besides those of its shift elements.
+/// Largest number of drags in a gearbox besides those of its shift elements.
 pub const MOST_DRAGS: usize = 256;
 
-/// How many central gears and planet shafts a set may have.
+/// Largest number of central gears and planet shafts in a set.
 pub const MOST_MEMBERS: usize = 12;
 
-/// How many different planets a set may have.
+/// Largest number of different planets in a set.
 pub const MOST_PLANETS: usize = 12;
 
-/// How many of one planet may stand around the axis.
+/// Largest number of planets of one kind around the axis.
 pub const MOST_ALIKE: u32 = 1000;
 
-/// How many symbols the formula of a ratio takes: with 12 it may have 4096 terms.
+/// Largest number of symbols in the formula of a ratio: with 12 it may have 4096 terms.
 pub const MOST_SYMBOLS: usize = 12;
 
 /// Largest size of a basic ratio; its inverse is the smallest.
 ///
-/// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
+/// Within it every quantity of a gear keeps its digits; a ratio beyond it is a typing error.
 pub const BASIC_RATIO: f64 = 1e9;
 
-/// Largest size of a speed in rad/s or of a torque in N·m from outside: what follows from it is a number too.
+/// Largest size of a speed in rad/s or of a torque in N·m from outside: all results are then numbers too.
 pub const LARGEST_LOAD: f64 = 1e50;
 
 /// Largest product of `1 + |i|`, or `1 + 1/|i|` where that is larger, over the basic ratios of a gearbox.
 ///
-/// No ratio of links in series is larger. Beyond, neither speeds nor torques can be told as numbers.
+/// No ratio of links in series is larger. Beyond this limit speeds and torques exceed the range of numbers.
 pub const SPREAD: f64 = 1e200;

@@ -1,19 +1,22 @@
-//! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut, interference.
+//! Checks whether the gears of a set fit: equal centre distances, clearance, assembly, undercut,
+//! interference.
 //!
-//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with them instead: limits,
-//! interference and clearance as [`involute::set`](epicyclic_gears::involute::set) has them, with flanks that
-//! may press by what printed shifts are rounded by.
+//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with these instead: limits,
+//! interference and clearance follow [`involute::set`](epicyclic_gears::involute::set). Flanks may then
+//! overlap by the rounding of printed shifts.
 //!
-//! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile
-//! shift, teeth of other proportions, planets at unequal angles. All else is said of gears without profile
-//! shift. Lengths are in modules; gears that mesh with one another, and all meshes of one gear, have one
-//! module, and nothing more is assumed: the steps of a planet may differ in theirs.
+//! No check keeps a gearbox from being analysed. Many a failed check is intended in service: profile shift,
+//! teeth of other proportions, planets at unequal angles. All other checks assume gears without profile
+//! shift. Lengths are in modules. Gears that mesh with one another, and all meshes of one gear, have one
+//! module. Nothing more is assumed: the steps of a planet may differ in theirs.
 //!
 //! ```text
-//! centre distance   2·R/m = z_c ± z_p           + sun, − ring; the same for all central gears of one planet gear
+//! centre distance   2·R/m = z_c ± z_p           + sun, − ring; the same for all central gears
+//!                                               of one planet gear
 //! clearance         e > r_a1 + r_a2             e distance of two centres,  r_a = m·(z/2 + h_a*)
 //! undercut          z ≥ 2·h_a*/sin²α            to the nearest whole number, as handbooks have it
-//! interference      planet and ring: the tips miss each other outside the mesh, as in gears::involute::interference
+//! interference      planet and ring: the tips miss each other outside the mesh,
+//!                   as in gears::involute::interference
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -21,18 +24,18 @@
 //! | `z_c`, `z_p`, `z` | teeth of a central gear, of a planet, of any gear | 1 |
 //! | `R` | radius of a planet's centre | that of `m` |
 //! | `h_a*`, `α` | addendum coefficient and pressure angle of the teeth | 1, deg |
-//! | `N` | planets of a kind, at equal angles `2π/N` unless the set [says otherwise](crate::planet_angles) | 1 |
+//! | `N` | planets of a kind, at equal angles `2π/N` unless [given otherwise](crate::planet_angles) | 1 |
 //!
-//! Of identical neighbours `e = 2·R·sin(γ/2)`, `γ = 2π/N` or the least angle between planets at
-//! [given angles](crate::planet_angles). Two planets in mesh stand apart by the angle of
-//! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it
-//! does not mesh with. Gears that do not mesh may lie beside each other along the axis, as the short planets
-//! and the large sun of a Ravigneaux set do; that they must is a remark.
+//! For identical neighbours `e = 2·R·sin(γ/2)`, with `γ = 2π/N` or the least angle between planets at [given
+//! angles](crate::planet_angles). Two planets in mesh are apart by the angle of
+//! [`planet_bearings`](crate::planet_bearings#geometry); each is checked against those of the other kind that
+//! it does not mesh with. Gears that do not mesh may be side by side along the axis, as the short planets and
+//! the large sun of a Ravigneaux set are; if they must be, the check is a remark.
 //!
 //! # Assembly
-//! Moved from one place to the next a planet, or tree of planets in mesh, finds every central gear turned by
-//! `z_c/N` teeth back. It fits where each planet can turn by some angle `x_p` (in revolutions) so that every
-//! mesh is whole:
+//! Let a planet, or a tree of planets in mesh, move from one position to the next. It then finds every
+//! central gear turned by `z_c/N` teeth back. It fits if each planet can turn by some angle `x_p` (in
+//! revolutions) so that every mesh is whole:
 //!
 //! ```text
 //! s·z_p·x_p ≡ z_c/N (mod 1)       of each mesh with a central gear, s = + sun, − ring
@@ -40,11 +43,13 @@
 //! ```
 //!
 //! Integer combinations of the lines that lose all `x` leave `v_j/N ≡ 0`, so `N` divides the number of
-//! assembly positions `G = gcd(v_j)`. Of planets at given angles the same holds for any `θ/2π` in place of
-//! `1/N`: each is a multiple of `2π/G` from the first. A simple set has `G = z_a + z_b`, a double planet
-//! `z_b − z_a`, a stepped one between sun and ring `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are
-//! identical, also in the phase of their steps. Exact, in integers. Of sets with a planet shaft it says
-//! nothing: how many pins the shaft has is not known.
+//! assembly positions `G = gcd(v_j)`. For planets at given angles the same holds with `θ/2π` in place of
+//! `1/N`: each is a multiple of `2π/G` from the first.
+//!
+//! A simple set has `G = z_a + z_b`, a double planet `z_b − z_a`. A stepped planet between sun and ring has
+//! `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are identical, also in the phase of their steps. The result
+//! is exact, in integers. Sets with a planet shaft are not checked: the number of pins of the shaft is not
+//! known.
 
 mod list;
 mod warning;
@@ -72,8 +77,8 @@ use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 
 impl Gearbox {
-    /// What does not fit in the teeth of its sets, set by set: the [checks](Self::set_checks) that do not
-    /// hold but for remarks, in words.
+    /// Lists what does not fit in the teeth of the sets, set by set: the failed [checks](Self::set_checks),
+    /// without remarks, in words.
     ///
     /// ```
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
@@ -105,7 +110,7 @@ impl Gearbox {
 /// Of gears without profile shift, or of a simple set with its shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetFit {
-    /// Whether so many planets of each kind can be assembled at their angles.
+    /// Whether this number of planets of each kind can be assembled at their angles.
     pub assembles: Option<bool>,
     /// Whether tip circles of planets alike, and of those in mesh with each other's neighbours, clear.
     pub clears: Option<bool>,
@@ -164,7 +169,8 @@ struct Checks<'a> {
     rack: BasicRack,
     /// Modules that are stated of each mesh, in any unit.
     stated: Vec<Option<f64>>,
-    /// In the unit of the modules, or in modules of the first mesh where none is stated.
+    /// Positions of the planets, in the unit of the modules, or in modules of the first mesh if none is
+    /// stated.
     places: Places,
     angles: Vec<(usize, f64)>,
     /// Angles from each group of planets to every other; `None` of an unknown number of groups.
@@ -183,7 +189,7 @@ fn steps_between(angles_rad: &[f64]) -> Vec<f64> {
     steps
 }
 
-/// The same of so many planets at equal angles.
+/// Angles between a planet and the others, for planets at equal angles, rad.
 fn equal_steps(planets: u32) -> Vec<f64> {
     (1..planets).map(|place| TAU * f64::from(place) / f64::from(planets)).collect()
 }
@@ -217,7 +223,7 @@ impl<'a> Checks<'a> {
         Self { set, rack, stated, places, angles, steps }
     }
 
-    /// The checks of toothed gears, their planets being where they stand.
+    /// Checks of toothed gears, with the planets at their actual angles.
     fn at_angles(&self, set: &InvoluteSet) -> Vec<Check> {
         let mut checks = set.checks(&Limits::default());
         if let Spacing::At(_) = self.set.spacing() {
@@ -358,7 +364,8 @@ impl<'a> Checks<'a> {
         neighbours.iter().all(|one| self.gap(one, steps).is_none_or(|gap| gap > TOUCH))
     }
 
-    /// The same of its own planets, `None` where the place or size of any planet is not known.
+    /// Whether the planets of the set clear each other at their own angles; `None` if the place or size of
+    /// any planet is not known.
     fn do_clear(&self) -> Option<bool> {
         let steps = self.steps.as_ref()?;
         let all = self.neighbours();

@@ -9,7 +9,7 @@ use epicyclic_gears::simple_set::Fraction;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Edge {
     pub(crate) links: [LinkId; 2],
-    /// Place of the shift element; none of a permanent connection.
+    /// Place of the shift element; `None` for a permanent connection.
     pub(crate) shift_element: Option<usize>,
 }
 
@@ -90,18 +90,18 @@ pub(crate) fn numbers(gearbox: &Gearbox) -> Vec<f64> {
     gearbox.equations.iter().map(|one| one.ratio).collect()
 }
 
-/// The same with bounds on their errors.
+/// Basic ratios of all equations as numbers with bounds on their errors.
 pub(crate) fn bounded(gearbox: &Gearbox) -> Vec<Bounded<true>> {
     gearbox.equations.iter().map(|one| Bounded::rounded(one.ratio)).collect()
 }
 
-/// The same as fractions, where all are known by teeth or as decimals.
+/// Basic ratios of all equations as fractions, if all are known by teeth or as decimals.
 pub(crate) fn fractions(gearbox: &Gearbox) -> Option<Vec<Fraction>> {
     gearbox.equations.iter().map(|one| one.rational).collect()
 }
 
-/// The same as rationals of any size; those that were computed, and are neither of teeth nor decimals, are
-/// numbered.
+/// Basic ratios of all equations as rationals of any size. Computed ratios, neither of teeth nor decimals,
+/// are numbered.
 pub(crate) fn traced(gearbox: &Gearbox) -> Option<Vec<Traced>> {
     let mut computed: Vec<f64> = vec![];
     let of = |one: &crate::gearbox::Equation| match &one.rational {
@@ -126,7 +126,7 @@ pub(crate) fn node_equations<'r, S: Scalar + 'r>(
 ) -> Option<Vec<S>> {
     let mut entries = Vec::with_capacity(topology.equations.len() * topology.count);
     for (&nodes, ratio) in topology.equations.iter().zip(ratios) {
-        // What has no ratio is left out.
+        // Equations without a ratio are left out.
         let Some(ratio) = ratio else { continue };
         let from = entries.len();
         entries.resize(from + topology.count, S::zero());

@@ -7,15 +7,15 @@ use crate::state::{Known, Verdict};
 use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};
 
-/// Torques and powers of a gear while one unit of power enters it.
+/// Torques and powers of a gear for one unit of input power.
 ///
-/// Torques are multiples of the input torque, that is for 1 at the input in
-/// [`Direction::Drive`], and for `i` at the output in [`Direction::BackDrive`] (there the input
-/// carries `−η`, the load). The [sign convention](epicyclic_gears#sign-convention) is that of the
-/// workspace: torques act on the member from outside.
+/// Torques are multiples of the input torque. In [`Direction::Drive`] the input torque is 1. In
+/// [`Direction::BackDrive`] the output torque is `i` and the input carries `−η`, the load. The [sign
+/// convention](epicyclic_gears#sign-convention) is that of the workspace: torques act on the member from
+/// outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
-    /// Which way power runs.
+    /// Direction of power.
     pub direction: Direction,
     /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members):
     /// the carrier last; `None` in an idle set whose torque nothing settles.
@@ -27,7 +27,7 @@ pub struct LoadCase {
     pub input: f64,
     /// Torque on the output from outside.
     pub output: f64,
-    /// What the housing takes in all, `−T_in − T_out`, as a torque on the gearbox.
+    /// Torque of the housing on the gearbox in all, `−T_in − T_out`.
     pub housing: f64,
     /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear is
     /// self-locking in this direction.
@@ -51,7 +51,7 @@ pub(crate) struct Found<'a> {
     pub(crate) entering: f64,
     pub(crate) leaving: f64,
     pub(crate) efficiency: f64,
-    /// Of the active segments.
+    /// Signs of the active segments.
     pub(crate) signs: &'a [i8],
     pub(crate) is_lossy: bool,
 }
@@ -64,9 +64,9 @@ pub(crate) struct Scene<'a> {
     pub(crate) speeds: &'a [Option<f64>],
 }
 
-/// Torques on the links and sets of a gear, from what the solver found.
+/// Torques on the links and sets of a gear, from the solver's results.
 pub(crate) struct Members {
-    /// On the members of each set.
+    /// Torques on the members of each set.
     pub(crate) sets: Vec<Vec<f64>>,
     /// Direction of the power in each segment of the gearbox, 0 in one that is not active.
     pub(crate) signs: Vec<i8>,
@@ -204,7 +204,7 @@ impl LoadCase {
     }
 }
 
-/// What the connections must supply to each link for these torques on the sets' members.
+/// Torques that the connections must supply to each link, for these torques on the sets' members.
 pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
     let mut demand = vec![0.0; gearbox.links.len()];
     for (set, torques) in gearbox.sets.iter().zip(sets) {
@@ -217,8 +217,8 @@ pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
 
 /// Torque of every connection on its first link.
 ///
-/// A connection that is the only way between two sides carries what the side away from the housing
-/// demands. One in a loop carries an unknown share.
+/// Torques of the connections. A connection that is the only way between two sides carries the demand of the
+/// side away from the housing. One in a loop carries an unknown share.
 pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f64>) -> Vec<Option<f64>> {
     let mut torques: Vec<Option<f64>> = vec![None; topology.edges.len()];
     if topology.edges.is_empty() {
@@ -246,7 +246,7 @@ pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f
         degree[other.0] -= 1;
         open[place] = false;
     }
-    // What is left stands in loops, or between them.
+    // The remaining connections are in loops, or between them.
     for place in 0..open.len() {
         if open[place] && known.edge(place) {
             torques[place] = bridge(topology, &open, place, &demand);

@@ -1,7 +1,7 @@
 //! The kind of a mode, decided on the subspace of its frequency.
 //!
-//! Let `φ_1 … φ_d` be mass-normalised modes of one frequency. The central members' kinetic energy of
-//! translation and of rotation in a motion `Σ c_a·φ_a` is a quadratic form of `c`, whose matrices are
+//! Let `φ_1 … φ_d` be mass-normalised modes of one frequency. In a motion `Σ c_a·φ_a` the central members'
+//! kinetic energy of translation and that of rotation are quadratic forms of `c`, with the matrices:
 //!
 //! ```text
 //! T_ab = Σ m·(x_a·x_b + y_a·y_b),     R_ab = Σ (I/r²)·u_a·u_b        over the central members

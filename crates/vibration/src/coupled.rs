@@ -1,9 +1,10 @@
 //! Sets on common links: the planar model of a whole gearbox.
 //!
-//! A link is what turns as one piece, a centre what moves in the plane as one piece. They are bodies of their
-//! own, since members that a clutch lets turn together need not move together. With the angle `θ` of a link
-//! and the displacement `d = (x, y)` of a centre, the base radii `r`, the radius `r_c` of the planets' circle
-//! and the unit vectors of the [planar model of one set](crate::planetary) springs are bent by
+//! A link is the parts that turn as one piece, a centre the parts that move in the plane as one piece. They
+//! are bodies of their own, since members that a clutch lets turn together need not move together. The
+//! springs depend on the angle `θ` of a link and the displacement `d = (x, y)` of a centre. With the base
+//! radii `r`, the radius `r_c` of the planets' circle and the unit vectors of the [planar model of one
+//! set](crate::planetary) their elongations are:
 //!
 //! ```text
 //! sun–planet        δ_s = t_s·(d_s − d_n) + r_s·θ_s + u_n
@@ -16,10 +17,10 @@
 //! shaft joins two links by a torsional stiffness and two centres by a lateral one.
 //!
 //! # Axes
-//! The axes of a set turn with its carrier. At rest all are the same. The planets of a set of three or more
-//! equal ones at equal angles meet a centre that moves in any direction with the same stiffness, so that it
-//! does not matter at which angle such sets stand to each other, or to one other set. Where all are such,
-//! each mode is of one kind:
+//! The axes of a set turn with its carrier. At rest all are the same. In a set of three or more equal planets
+//! at equal angles, the planets have the same stiffness for every direction of a centre's motion. So the
+//! angle between such sets, or to one other set, does not matter. If all sets are such, each mode is of one
+//! kind:
 //!
 //! | kind | links | centres | planets |
 //! |---|---|---|---|
@@ -43,7 +44,7 @@ use uom::si::f64::{Length, Mass, MomentOfInertia};
 /// A centre: what moves in the plane as one piece.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Centre {
-    /// Its name.
+    /// Name of the centre.
     pub name: String,
     /// Mass of what it has beside the members of sets.
     pub mass: Mass,
@@ -54,21 +55,21 @@ pub struct Centre {
 /// A set with the places of the links and the centres of its sun, ring and carrier.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed<'s> {
-    /// Its name, which its bodies and springs begin with.
+    /// Name of the set, with which the names of its bodies and springs begin.
     pub name: String,
     /// The set; of its members masses, inertias, radii and radial supports count, tangential supports and
     /// freedoms do not.
     pub set: &'s PlanetarySet,
     /// Links of sun, ring and carrier.
     pub links: [usize; 3],
-    /// Their centres.
+    /// Centres of sun, ring and carrier.
     pub centres: [usize; 3],
 }
 
 /// A shaft between two links, and between two centres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shaft {
-    /// Its name.
+    /// Name of the shaft.
     pub name: String,
     /// The links, with its torsional stiffness.
     pub links: Option<([usize; 2], TorsionalStiffness)>,
@@ -76,7 +77,7 @@ pub struct Shaft {
     pub centres: Option<([usize; 2], Stiffness)>,
 }
 
-/// Where links, centres and sets are in the model.
+/// Places of links, centres and sets in the model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CoupledParts {
     /// The links.
@@ -100,7 +101,7 @@ pub struct CoupledParts {
 }
 
 impl CoupledParts {
-    /// Links and centres: what tells the kind of a mode.
+    /// Links and centres, which determine the kind of a mode.
     #[must_use]
     pub fn central(&self) -> Vec<BodyId> {
         self.links.iter().chain(&self.centres).copied().collect()
@@ -127,6 +128,7 @@ pub fn planar(
         .iter()
         .map(|centre| not_negative(|| format!("mass of {}", centre.name), centre.mass.si(), "kg"))
         .collect::<Result<Vec<f64>, Error>>()?;
+    // Several members may share a link or a centre: their inertias, masses and supports add up.
     let mut supports = vec![0.0; centres.len()];
     for placed in sets {
         placed.set.check_planets()?;

@@ -1,10 +1,10 @@
-//! Modal energy of each body and spring, and what a frequency does when a stiffness or a mass changes.
+//! Modal energy of each body and spring, and the sensitivity of a frequency to a change of stiffness or mass.
 //!
-//! A mass-normalised mode `φ` of `ω` has the mean kinetic energy `T = Σ m_i·φ_i²` and the mean strain energy
-//! `V = Σ k_j·δ_j²/ω²`, both of size 1 in these units. Over a subspace of `d` modes the shares are means over
-//! any basis, which do not depend on it.
+//! A mass-normalised mode `φ` of `ω` has a mean kinetic energy `T = Σ m_i·φ_i²` and a mean strain energy
+//! `V = Σ k_j·δ_j²/ω²`. In these units both are of size 1. Over a subspace of `d` modes the shares are means
+//! over any basis, which do not depend on it.
 //!
-//! From `φᵀ·(K − ω²·M)·φ = 0`, as `φ` is stationary,
+//! From `φᵀ·(K − ω²·M)·φ = 0`, as `φ` is stationary:
 //!
 //! ```text
 //! ∂ω²/∂k_j = δ_j²,   ∂ω²/∂m_i = −ω²·φ_i²     so     (k/ω)·∂ω/∂k = ½·V_j,   (m/ω)·∂ω/∂m = −½·T_i
@@ -23,9 +23,9 @@ use nalgebra::DMatrix;
 pub struct KineticShare {
     /// The body.
     pub body: BodyId,
-    /// Of its translation.
+    /// Share of the body's translation.
     pub translation: f64,
-    /// Of its rotation.
+    /// Share of the body's rotation.
     pub rotation: f64,
 }
 
@@ -34,16 +34,17 @@ pub struct KineticShare {
 pub struct StrainShare {
     /// The spring.
     pub spring: SpringId,
-    /// Its share.
+    /// Share of the spring.
     pub share: f64,
 }
 
-/// Where the energy of a group of modes is.
+/// Distribution of the energy of a group of modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModalEnergy {
-    /// Of every body; they add up to 1.
+    /// Shares of the bodies in the kinetic energy; they add up to 1.
     pub kinetic: Vec<KineticShare>,
-    /// Of every spring; they add up to 1. All 0 for zero modes, which deform no spring.
+    /// Shares of the springs in the strain energy; they add up to 1. For zero modes, which deform no spring,
+    /// all are 0.
     pub strain: Vec<StrainShare>,
 }
 
@@ -63,12 +64,12 @@ impl ModalEnergy {
     }
 }
 
-/// Which inertia of a body changes.
+/// Kind of inertia of a body that changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InertiaKind {
-    /// Its mass.
+    /// Mass of the body.
     Mass,
-    /// Its moment of inertia.
+    /// Moment of inertia of the body.
     Rotary,
 }
 

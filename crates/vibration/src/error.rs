@@ -1,4 +1,4 @@
-//! What the crate refuses.
+//! Errors of this crate.
 
 /// An input that describes no vibrating system, or none that the calculation holds for.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -10,27 +10,27 @@ pub enum Error {
     /// A quantity that must be finite and above 0.
     #[error("{field} is {value} {unit}; it must be finite and above 0")]
     NotPositive {
-        /// Its name, with the body or spring.
+        /// Name of the quantity, with the body or spring.
         field: String,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
     /// A quantity that must be finite and not below 0.
     #[error("{field} is {value} {unit}; it must be finite and not below 0")]
     Negative {
-        /// Its name, with the body or spring.
+        /// Name of the quantity, with the body or spring.
         field: String,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
     /// A quantity outside its range.
     #[error("{field} is {value} {unit}; it must lie between {low} and {high} {unit}")]
     OutOfRange {
-        /// Its name.
+        /// Name of the quantity.
         field: String,
         /// The value given.
         value: f64,
@@ -38,17 +38,17 @@ pub enum Error {
         low: f64,
         /// The greatest allowed.
         high: f64,
-        /// Its unit.
+        /// Unit of the values.
         unit: &'static str,
     },
     /// Too few of something.
     #[error("{count} {of}; at least {least} are needed")]
     TooFew {
-        /// What is counted.
+        /// Things that are counted.
         of: &'static str,
-        /// How many there are.
+        /// Number given.
         count: usize,
-        /// How many are needed.
+        /// Least number required.
         least: usize,
     },
     /// Two planets at one angle.
@@ -64,9 +64,9 @@ pub enum Error {
         "body {index} is not in the model, which has {count}; take the number that adding a body returned"
     )]
     NoSuchBody {
-        /// Its index.
+        /// Index of the body.
         index: usize,
-        /// How many bodies the model has.
+        /// Number of bodies in the model.
         count: usize,
     },
     /// A spring of another model.
@@ -74,12 +74,12 @@ pub enum Error {
         "spring {index} is not in the model, which has {count}; take the number that adding a spring returned"
     )]
     NoSuchSpring {
-        /// Its index.
+        /// Index of the spring.
         index: usize,
-        /// How many springs the model has.
+        /// Number of springs in the model.
         count: usize,
     },
-    /// A model of which nothing can move.
+    /// A model in which nothing can move.
     #[error("no body of the model can move; leave at least one coordinate free")]
     NothingMoves,
     /// Matrices of different sizes.
@@ -170,17 +170,17 @@ pub enum Error {
         sun: u32,
         /// Teeth of the ring.
         ring: u32,
-        /// What the equation lacks.
+        /// Residual of the equation.
         surplus: f64,
     },
     /// Values of one kind where another number of them is needed.
     #[error("{count} values of {of}; {needed} are needed")]
     Count {
-        /// What is counted.
+        /// Things that are counted.
         of: &'static str,
-        /// How many were given.
+        /// Number given.
         count: usize,
-        /// How many are needed.
+        /// Number required.
         needed: usize,
     },
 }

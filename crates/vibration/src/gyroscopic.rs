@@ -1,7 +1,7 @@
 //! Modes while the carrier turns.
 //!
-//! In axes that turn with the carrier at `Ω` the absolute acceleration of a body has, beside `ẍ` and `ÿ`, the
-//! parts `−2·Ω·ẏ − Ω²·x` and `2·Ω·ẋ − Ω²·y`, so
+//! In axes that turn with the carrier at `Ω` the absolute acceleration of a body has further parts. In
+//! addition to `ẍ` and `ÿ` these are `−2·Ω·ẏ − Ω²·x` and `2·Ω·ẋ − Ω²·y`, so:
 //!
 //! ```text
 //! M·q̈ + Ω·G·q̇ + (K − Ω²·K_Ω)·q = 0,     G = m·[0 −2; 2 0],     K_Ω = m·[1 0; 0 1]     in x, y of each body
@@ -12,26 +12,27 @@
 //!
 //! A planet's bearing of stiffness `k_b` holds the planet on the circle `r = r_c/(1 − m_n·Ω²/k_b)` by the
 //! force `m_n·Ω²·r`, which turns with the carrier. As the carrier rotates by `u_c/r_c`, the pin moves inwards
-//! by `½·u_c²/r_c` against that force, so `K − Ω²·K_Ω` has also
+//! by `½·u_c²/r_c` against that force, so `K − Ω²·K_Ω` has also:
 //!
 //! ```text
 //! Σ m_n·Ω²/(1 − m_n·Ω²/k_b)     at u_c
 //! ```
 //!
-//! With it a rotation of carrier and planets together (`η = u_c·r/r_c`) costs no energy, as must be. The
-//! source leaves it out; then a set that is free to rotate has a negative stiffness and diverges at any speed
-//! ([`Centripetal::AsPublished`]). Left out: the part of that force that meshes carry, and stiffness from the
-//! mean torque. The forces on a carrier must balance, so that it turns about its centre.
+//! With this term a rotation of carrier and planets together (`η = u_c·r/r_c`) costs no energy, as must be.
+//! The source leaves it out; then a set that is free to rotate has a negative stiffness and diverges at any
+//! speed ([`Centripetal::AsPublished`]). Left out: the part of that force that meshes carry, and stiffness
+//! from the mean torque. The forces on a carrier must balance, so that it turns about its centre.
 //!
-//! With `A = M^-½·(K − Ω²·K_Ω)·M^-½ = Q·Λ·Qᵀ` and modal velocities `v`, `s = Λ^½·Qᵀ·M^½·q`,
+//! Let `A = M^-½·(K − Ω²·K_Ω)·M^-½ = Q·Λ·Qᵀ`, with modal velocities `v` and `s = Λ^½·Qᵀ·M^½·q`. The equations
+//! of motion are then:
 //!
 //! ```text
 //! ṡ = Λ^½·v,     v̇ = −Λ^½·s − Ω·Γ·v,     Γ = Qᵀ·M^-½·G·M^-½·Q
 //! ```
 //!
-//! is `ż = S·z` with `S` skew-symmetric, and `−i·S` is Hermitian: its eigenvalues are the frequencies `±ω`,
-//! real without rounding. This needs `Λ ≥ 0`, speeds below the first critical one; there every motion is
-//! stable.
+//! They have the form `ż = S·z` with `S` skew-symmetric, and `−i·S` is Hermitian: its eigenvalues are the
+//! frequencies `±ω`, real without rounding. This needs `Λ ≥ 0`, speeds below the first critical one; there
+//! every motion is stable.
 //!
 //! Frequencies are those in axes on the carrier. From the housing, motions that translate centres are seen at
 //! `ω ± Ω`.
@@ -49,13 +50,13 @@ use epicyclic_units::Physical;
 use nalgebra::{Complex, DMatrix};
 use uom::si::f64::{AngularVelocity, Frequency};
 
-/// Which centripetal terms a turning frame has.
+/// Choice of the centripetal terms of a turning frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Centripetal {
-    /// With the stiffness of planet bearings that carry the centripetal force.
+    /// Terms with the stiffness of planet bearings that carry the centripetal force.
     #[default]
     WithBearingLoad,
-    /// Without it, as in the source.
+    /// Terms without that stiffness, as in the source.
     AsPublished,
 }
 
@@ -66,7 +67,7 @@ pub struct WhirlMode {
     pub frequency: Frequency,
     /// Natural circular frequency in the turning frame.
     pub omega: AngularVelocity,
-    /// What central members do; of equal frequencies, what they do in all their modes.
+    /// Kind of motion of the central members; of equal frequencies, the kind of all their modes.
     pub kind: Kind,
     /// `q(t) = cosine·cos(ω·t) + sine·sin(ω·t)`; of a zero mode the displacement that stays.
     pub cosine: Shape,
@@ -75,12 +76,12 @@ pub struct WhirlMode {
 }
 
 impl Model {
-    /// Modes in a frame that turns at a speed, in ascending order of frequency. Central members tell the
-    /// kinds.
+    /// Calculates the modes in a frame that turns at a speed, in ascending order of frequency. The central
+    /// members determine the kinds.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a speed that is not finite, [`Error::AboveCritical`], [`Error::Unbalanced`],
-    /// [`Error::NoSuchBody`], and as [`Model::modes`].
+    /// [`Error::NoSuchBody`], and the errors of [`Model::modes`].
     pub fn whirl_modes(
         &self,
         frame_speed: AngularVelocity,
@@ -174,7 +175,7 @@ impl Model {
         self.gyroscopic(|body| 2.0 * body.masses_kg[0])
     }
 
-    /// What a speed along `y` does along `x`, and the other way round.
+    /// Coupling matrix of a speed along `y` to `x`, and the other way round.
     fn gyroscopic(&self, part: impl Fn(&Inertia) -> f64) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.size, self.size);
         for body in &self.bodies {

@@ -49,11 +49,11 @@ pub struct HeldRing {
 /// Frequencies of a set with a held ring. The frequency 0 is not among them: all rotate by their ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldRingFrequencies {
-    /// Of the modes in which sun and carrier rotate, ascending.
+    /// Frequencies of the modes in which sun and carrier rotate, ascending.
     pub rotational: [Frequency; 2],
-    /// Of the modes in which they are at rest.
+    /// Frequency of the modes in which sun and carrier are at rest.
     pub planet: Frequency,
-    /// How many of the latter there are: `N − 1`.
+    /// Number of modes with sun and carrier at rest: `N − 1`.
     pub planet_multiplicity: usize,
 }
 

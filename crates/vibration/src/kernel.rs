@@ -110,7 +110,7 @@ fn equal(below: f64, above: f64, largest: f64) -> bool {
     above - below <= (tolerance::EQUAL * above).max(tolerance::EQUAL_FLOOR * largest)
 }
 
-/// Eigenvalues of `Σ w_i·d_i·d_iᵀ`, ascending: `rows` are the `d_i`, `weights` the `w_i`.
+/// Matrix `Σ w_i·d_i·d_iᵀ` of the `rows`, pairs of a weight `w_i` and a vector `d_i`.
 pub(crate) fn gram(dimension: usize, rows: impl Iterator<Item = (f64, Vec<f64>)>) -> DMatrix<f64> {
     let mut sum = DMatrix::zeros(dimension, dimension);
     for (weight, row) in rows {

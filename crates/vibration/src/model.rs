@@ -44,17 +44,17 @@ impl Body {
     }
 }
 
-/// What a body can do.
+/// Freedom of motion of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Freedom {
-    /// It moves in the plane and rotates.
+    /// The body moves in the plane and rotates.
     #[default]
     Planar,
-    /// It rotates about its centre, which is at rest.
+    /// The body rotates about its centre, which is at rest.
     Rotation,
-    /// It moves in the plane and does not rotate.
+    /// The body moves in the plane and does not rotate.
     Translation,
-    /// It is held.
+    /// The body is held.
     Held,
 }
 
@@ -100,12 +100,12 @@ impl Shape {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Inertia {
     pub(crate) name: String,
-    /// Of `x`, `y`, `u`, kg.
+    /// Masses of `x`, `y`, `u`, kg.
     pub(crate) masses_kg: [f64; 3],
     pub(crate) radius_m: f64,
     /// Places of the coordinates in `q`; none where held.
     pub(crate) coordinates: [Option<usize>; 3],
-    /// What the body carries on its radius.
+    /// Planets that the body carries on its radius.
     pub(crate) orbiting: Vec<Orbiting>,
 }
 
@@ -198,6 +198,7 @@ impl Model {
                 return Err(Error::OutOfRange { field, value: factor, low, high, unit: "m/m" });
             }
             let Some(place) = self.inertia(body)?.coordinates[axis as usize] else { continue };
+            // One coordinate may occur twice, when two members of a set are the same body.
             match terms.iter_mut().find(|term| term.0 == place) {
                 Some(term) => term.1 += factor,
                 None => terms.push((place, factor)),
@@ -248,6 +249,7 @@ impl Model {
         let mut springs = Vec::new();
         if torsional > 0.0 {
             let terms = [(first, Axis::Rotation, 1.0), (second, Axis::Rotation, -r_1 / r_2)];
+            // The coordinate is a length, u = r·θ, so the torsional stiffness is one over r_1².
             let stiffness = crate::newtons_per_meter(torsional / (r_1 * r_1));
             springs.push(self.spring(&format!("torsion of {name}"), stiffness, &terms)?);
         }
@@ -260,7 +262,7 @@ impl Model {
         Ok(springs)
     }
 
-    /// How many coordinates are free.
+    /// Number of free coordinates.
     #[must_use]
     pub fn size(&self) -> usize {
         self.size

@@ -21,7 +21,7 @@ pub struct Mode {
     pub(crate) omega2: f64,
 }
 
-/// All modes of a model in ascending order of frequency.
+/// Modes of a model in ascending order of frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Modes {
     /// The modes, as many as the model has free coordinates.
@@ -30,7 +30,7 @@ pub struct Modes {
     pub equal: Vec<Range<usize>>,
 }
 
-/// What central members do in a mode.
+/// Kind of a mode by the motion of the central members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
@@ -47,7 +47,7 @@ pub enum Kind {
 /// Modes of one kind and one frequency: a subspace, spanned by its shapes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
-    /// What central members do.
+    /// Kind of motion of the central members.
     pub kind: Kind,
     /// Natural frequency, 0 of zero modes.
     pub frequency: Frequency,
@@ -59,7 +59,7 @@ pub struct Group {
 }
 
 impl Group {
-    /// How many modes have this frequency and kind.
+    /// Number of modes with this frequency and kind.
     #[must_use]
     pub fn multiplicity(&self) -> usize {
         self.shapes.len()

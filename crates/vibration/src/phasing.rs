@@ -1,17 +1,17 @@
-//! Planet phasing: which modes of a set of equally spaced planets an excitation can drive.
+//! Planet phasing: the modes of a set of equally spaced planets that an excitation can drive.
 //!
-//! Planet `n` stands at `ψ_n = 2π·n/N`. What goes around the set with `p` periods a turn meets it with the
-//! phase `p·ψ_n`: the harmonic `l` of the meshes of a gear with `z` teeth has `p = l·z`, and a deviation of
-//! sun or ring that has `h` periods on its circumference has `p = h`. Let the meshes of planet `n` have the
-//! force `f·exp(i·(ω·t + p·ψ_n))`. A mode in which what planet `n` does follows from planet 0 by the factor
-//! `exp(−i·j·ψ_n)` takes the work
+//! Planet `n` is at `ψ_n = 2π·n/N`. An excitation that goes around the set with `p` periods per turn meets
+//! the planet with the phase `p·ψ_n`. The harmonic `l` of the meshes of a gear with `z` teeth has `p = l·z`.
+//! A deviation of sun or ring with `h` periods on its circumference has `p = h`. Let the meshes of planet `n`
+//! have the force `f·exp(i·(ω·t + p·ψ_n))`. Consider a mode in which the motion of planet `n` follows from
+//! planet 0 by the factor `exp(−i·j·ψ_n)`. It takes the work:
 //!
 //! ```text
 //! Σ exp(i·(p − j)·ψ_n) = N where p ≡ j (mod N), else 0
 //! ```
 //!
 //! In rotational modes all planets do the same, `j = 0`; in translational ones `j = ±1`; in planet modes `j`
-//! is any other. So with `k = p mod N`
+//! is any other. So with `k = p mod N`:
 //!
 //! | `k` | modes that are excited |
 //! |---|---|
@@ -23,8 +23,8 @@
 //! rotate, `j = 0`, and those of its planets alone, any other `j`. This holds for two planets, too, and for
 //! each set of several on common links: the meshes of a set take work from its own planets and members alone.
 //!
-//! Where sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite
-//! `k`, so one rule holds for both.
+//! If sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite `k`,
+//! so one rule holds for both.
 //!
 //! # Source
 //! R. G. Parker, A physical explanation for the effectiveness of planet phasing to suppress planetary gear

@@ -3,16 +3,15 @@
 //! # Planar model
 //!
 //! Sun, ring, carrier and planets have `x`, `y`, `u` each, in axes that turn with the carrier. `ψ_n` is the
-//! angle of planet `n`, `u` is the rotation times the base radius of a gear, and times the radius `r_c` of
-//! the planets' circle for the carrier. Flanks stay in contact, a mesh is one spring along its line of
-//! action. With the unit vectors
+//! angle of planet `n`. `u` is the rotation times the base radius of a gear, and for the carrier the rotation
+//! times the radius `r_c` of the planets' circle. Flanks stay in contact, a mesh is one spring along its line
+//! of action. The unit vectors of the lines of action are:
 //!
 //! ```text
 //! t_s = (−sin(ψ_n − α_s), cos(ψ_n − α_s)),     t_r = (−sin(ψ_n + α_r), cos(ψ_n + α_r))
 //! ```
 //!
-//! of the lines of action, and `d` the displacement `(x, y)` of a body, the elongations (compression of a
-//! mesh is positive) are
+//! Let `d` be the displacement `(x, y)` of a body. The elongations are (compression of a mesh is positive):
 //!
 //! ```text
 //! sun–planet        δ_s = t_s·(d_s − d_n) + u_s + u_n
@@ -23,19 +22,19 @@
 //!
 //! Resolved along `e_r` and `e_t` of each planet these are the equations of the source. The other flanks give
 //! the same frequencies, as a mirror image. Left out: the change of mesh stiffness over time, friction, gaps,
-//! bearings of planets that resist rotation, stiffness from the mean load .
+//! bearings of planets that resist rotation, stiffness from the mean load.
 //!
 //! # Torsional model
 //!
 //! The centres of sun, ring and carrier are at rest and planets are rigid on the carrier: `d_n = u_c·e_t`.
-//! Then
+//! Then:
 //!
 //! ```text
 //! δ_s = u_s + u_n − u_c·cos α_s,     δ_r = u_r − u_n − u_c·cos α_r
 //! ```
 //!
-//! and the carrier has the rotary mass `I_c/r_c² + Σ m_n`. It is the planar model as bearings and supports
-//! become rigid.
+//! The carrier has the rotary mass `I_c/r_c² + Σ m_n`. The torsional model is the limit of the planar one as
+//! bearings and supports become rigid.
 //!
 //! # Source
 //! J. Lin, R. G. Parker, Analytical characterization of the unique properties of planetary gear free
@@ -52,12 +51,12 @@ use uom::si::f64::{Angle, MomentOfInertia};
 /// Sun, ring or carrier.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Central {
-    /// Its mass and inertia; the radius is the base radius of a gear, and of the carrier that of the planets'
-    /// circle.
+    /// Mass and inertia of the member; the radius is the base radius of a gear, and for the carrier that of
+    /// the planets' circle.
     pub body: Body,
-    /// Its springs to the ground.
+    /// Springs of the member to the ground.
     pub support: Support,
-    /// What it can do. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`], and
+    /// Freedom of the member. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`], and
     /// [`Freedom::Translation`] as held.
     pub freedom: Freedom,
 }
@@ -69,7 +68,7 @@ impl Central {
         Self { body, support, freedom: Freedom::Planar }
     }
 
-    /// The same member, held: it neither moves nor rotates.
+    /// Returns the member held: it neither moves nor rotates.
     #[must_use]
     pub fn held(self) -> Self {
         Self { freedom: Freedom::Held, ..self }
@@ -79,9 +78,9 @@ impl Central {
 /// A planet with its springs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planet {
-    /// Its mass and inertia; the radius is the base radius.
+    /// Mass and inertia of the planet; the radius is the base radius.
     pub body: Body,
-    /// Its angle `ψ` on the carrier.
+    /// Angle `ψ` of the planet on the carrier.
     pub angle: Angle,
     /// Radial stiffness of its bearing on the carrier.
     pub bearing: Stiffness,
@@ -92,7 +91,7 @@ pub struct Planet {
 }
 
 impl Planet {
-    /// This planet and equal ones, `count` in all, equally spaced; their angles lie between 0 and 2π.
+    /// Returns `count` planets equal to this one, equally spaced; their angles are between 0 and 2π.
     #[must_use]
     pub fn equally_spaced(self, count: usize) -> Vec<Self> {
         let [first, step] = [self.angle.si(), TAU / count as f64];
@@ -119,7 +118,7 @@ pub struct PlanetarySet {
     pub ring_pressure_angle: Angle,
 }
 
-/// Where the bodies and springs of a set are in its model.
+/// Places of the bodies and springs of a set in its model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetParts {
     /// The sun.
@@ -175,9 +174,9 @@ impl PlanetarySet {
     /// rotational modes, and for others where no lateral spring joins the sets.
     ///
     /// # Errors
-    /// [`Error::TooFew`] without planets, [`Error::SameAngle`], [`Error::OutOfRange`] for a pressure angle
-    /// outside 0 to 90°, [`Error::NotPositive`] for a mass, inertia, radius or the stiffness of a mesh or
-    /// planet bearing, [`Error::Negative`] for a support.
+    /// [`Error::TooFew`] without planets, [`Error::SameAngle`]; [`Error::OutOfRange`] for a pressure angle
+    /// outside 0 to 90°; [`Error::NotPositive`] for a mass, inertia, radius or the stiffness of a mesh or
+    /// planet bearing; [`Error::Negative`] for a support.
     pub fn add_planar(&self, model: &mut Model, prefix: &str) -> Result<SetParts, Error> {
         let mut parts = self.bodies(model, prefix, false)?;
         let [alpha_s, alpha_r] = self.pressure_angles()?;

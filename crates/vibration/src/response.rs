@@ -1,34 +1,35 @@
 //! Forced vibration: the response of a model to displacements in its springs, such as the transmission errors
 //! of meshes.
 //!
-//! A spring `j` whose natural length changes by `e_j(t)` has the force `k_j·(δ_j − e_j)`, so
+//! A spring `j` whose natural length changes by `e_j(t)` has the force `k_j·(δ_j − e_j)`, so:
 //!
 //! ```text
 //! M·q̈ + C·q̇ + K·q = Σ b_j·k_j·e_j,     e_j = a_j·cos(ω·t + φ_j)
 //! ```
 //!
-//! Damping is modal: with the modes `Φ`, mass-normalised, `C = M·Φ·diag(2·ζ·ω_r)·Φᵀ·M`, so that each mode has
-//! the damping ratio `ζ`; zero modes have none. In steady state `q = Re(q̂·exp(i·ω·t))` and
+//! Damping is modal. With the mass-normalised modes `Φ` it is `C = M·Φ·diag(2·ζ·ω_r)·Φᵀ·M`, so that each mode
+//! has the damping ratio `ζ`; zero modes have none. In steady state `q = Re(q̂·exp(i·ω·t))` and:
 //!
 //! ```text
 //! q̂ = Σ φ_r·(φ_rᵀ·F̂)/(ω_r² − ω² + 2·i·ζ·ω_r·ω),     F̂ = Σ b_j·k_j·a_j·exp(i·φ_j)
 //! ```
 //!
 //! While the axes turn with the carrier at `Ω` the matrices are those of that speed
-//! ([`gyroscopic`](crate::gyroscopic)),
+//! ([`gyroscopic`](crate::gyroscopic)):
 //!
 //! ```text
 //! M·q̈ + (C + Ω·G)·q̇ + (K − Ω²·K_Ω)·q = Σ b_j·k_j·e_j
 //! ```
 //!
-//! with the damping of the modes at rest. `G` couples the modes, so that with `q = Φ·y` a system of as many
-//! equations is solved for each frequency:
+//! The damping is that of the modes at rest. `G` couples the modes, so that with `q = Φ·y` a system of as
+//! many equations is solved for each frequency:
 //!
 //! ```text
 //! (Φᵀ·(K − Ω²·K_Ω)·Φ − ω² + i·ω·diag(2·ζ·ω_r) + i·ω·Ω·Φᵀ·G·Φ)·ŷ = Φᵀ·F̂
 //! ```
 //!
-//! Linear: flanks are taken to stay in contact, which holds while the dynamic forces are below the mean ones.
+//! The model is linear: flanks are assumed to stay in contact, which holds while the dynamic forces are below
+//! the mean ones.
 //!
 //! # Source
 //! A. Kahraman, Load sharing characteristics of planetary transmissions, Mechanism and Machine Theory 29
@@ -142,7 +143,7 @@ impl Model {
     }
 }
 
-/// What displacements do to a model.
+/// Forces and displacements that drive a model.
 struct Driven {
     omega_rad_s: f64,
     zeta: f64,

@@ -25,7 +25,7 @@ use uom::si::f64::{Length, MomentOfInertia};
 /// A link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
     /// Inertia of what it has beside the members of sets.
     pub inertia: MomentOfInertia,
@@ -38,7 +38,7 @@ pub struct Link {
 /// A set with the places of the links of its sun, ring and carrier.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed<'s> {
-    /// Its name, which its bodies and springs begin with.
+    /// Name of the set, with which the names of its bodies and springs begin.
     pub name: String,
     /// The set; of its members inertias and radii count, supports and freedoms do not.
     pub set: &'s PlanetarySet,
@@ -49,15 +49,15 @@ pub struct Placed<'s> {
 /// A shaft between two links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shaft {
-    /// Its name.
+    /// Name of the shaft.
     pub name: String,
     /// The links.
     pub links: [usize; 2],
-    /// Its torsional stiffness.
+    /// Torsional stiffness of the shaft.
     pub stiffness: TorsionalStiffness,
 }
 
-/// Where the links and sets are in the model.
+/// Places of the links and sets in the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainParts {
     /// The links.

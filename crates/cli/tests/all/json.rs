@@ -1305,7 +1305,7 @@ fn there_is_always_one_object() {
     let folder = folder();
     for (args, code, name) in [
         (&["teeth", "--ratio", "24"][..], 1, "no-tooth-numbers"),
-        (&["teeth", "--ratio", "6", "--planets", "9"], 2, "option"),
+        (&["teeth", "--ratio", "6", "--planets", "9"], 2, "planet-number"),
         (
             &["synthesize", "--ratios", "2.56, 1.465", "--sets", "1", "--elements", "2", "--engaged", "1"],
             1,
@@ -1330,7 +1330,7 @@ fn there_is_always_one_object() {
             "no-motor",
         ),
         (&["analyze", "missing.yaml"], 3, "cannot-be-read"),
-        (&["analyze", "ravigneaux.yaml", "--gear", "9"], 2, "option"),
+        (&["analyze", "ravigneaux.yaml", "--gear", "9"], 2, "no-gear"),
     ] {
         let done = output(folder.path(), &[args, &["--format", "json"]].concat());
         assert_eq!(done.status.code(), Some(code), "{args:?} {done:?}");

@@ -24,8 +24,8 @@ fn refused(folder: &Path, line: &[&str]) -> Value {
 fn a_wrong_command_line_is_refused_in_json() {
     let folder = here();
     for (line, name, option) in [
-        ("teeth --ratio abc --format json", "option", Some("--ratio")),
-        ("teeth --format=json --ratio abc", "option", Some("--ratio")),
+        ("teeth --ratio abc --format json", "invalid-value", Some("--ratio")),
+        ("teeth --format=json --ratio abc", "invalid-value", Some("--ratio")),
         ("teeth --ratio 6 --rato 7 --format json", "unknown-argument", Some("--rato")),
         ("teeth --format json", "missing-argument", Some("--ratio")),
         ("analyze --format json", "missing-argument", None),

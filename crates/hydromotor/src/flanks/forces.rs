@@ -1,28 +1,29 @@
-//! The forces on the flanks with contacts at the pitch points, and the load of the rotor's bearing.
+//! Forces on the flanks with contacts at the pitch points, and the load of the rotor's bearing.
 //!
 //! # Who carries
 //! With ideal ports a satellite parts high from low pressure exactly while it is within `π/N` of a crest,
-//! where `f` is greatest, or of a trough: the chamber behind it grows from `Φ = −π/N` to `π/n` and the one in
-//! front from `π/N` on. By a crest it is pushed forward, by a trough back; `2n` satellites are loaded and
-//! `N − n` idle at any angle.
+//! where `f` is greatest, or of a trough. The chamber behind it grows from `Φ = −π/N` to `π/n`, and the one
+//! in front from `π/N` on. By a crest a satellite is pushed forward, by a trough back; `2n` satellites are
+//! loaded and `N − n` idle at any angle.
 //!
 //! # Flank forces
-//! The pressure force `F = σ·Δp·b·2·r·cos μ` across the ray through the satellite's centre and the forces in
-//! both lines of action balance: about the centre, where both have the arm `r·cos α`, they are equal, along
-//! the ray they cancel, across it
+//! The pressure force is `F = σ·Δp·b·2·r·cos μ`, across the ray through the satellite's centre. It balances
+//! with the forces in both lines of action. About the centre, where both have the arm `r·cos α`, they are
+//! equal; along the ray they cancel; across it:
 //!
 //! ```text
 //! 2·N·cos(α + σ·μ) = Δp·b·2·r·cos μ        N = Δp·b·r·cos μ/cos(α + σ·μ) = Δp·b·r/(cos α − σ·sin α·tan μ)
 //! ```
 //!
-//! so that `N` grows with `σ·μ`, and is greatest where the slope is steepest. From `α + σ·μ = 90°` on no
-//! force holds the satellite.
+//! So `N` grows with `σ·μ`, and is greatest where the slope is steepest. From `α + σ·μ = 90°` on no force
+//! holds the satellite.
 //!
 //! # The rotor
-//! The pressures of the chambers act on its outline from contact to contact, `−p·b·(y_B − y_A, x_A − x_B)`
-//! and the torque `½·p·b·(ρ_B² − ρ_A²)` from `A` counter-clockwise to `B`, the flank forces in the contacts.
-//! The torque is that of the volumes; what is left of the forces the bearing carries. It vanishes where `N`
-//! and `n` have a common divisor, since the pressures then repeat about the axis.
+//! The pressures of the chambers act on the rotor's outline from contact to contact. From `A`
+//! counter-clockwise to `B` they give the force `−p·b·(y_B − y_A, x_A − x_B)` and the torque
+//! `½·p·b·(ρ_B² − ρ_A²)`. The flank forces act in the contacts. The torque is that of the volumes; the
+//! bearing carries the rest of the forces. It vanishes if `N` and `n` have a common divisor, since the
+//! pressures then repeat about the axis.
 
 use crate::quantity::Quantity;
 use epicyclic_units::Physical;
@@ -37,7 +38,7 @@ use crate::profile::Side;
 use crate::ranges::{finite_angle, finite_pressure};
 use crate::tolerance::BESIDE_JUMP;
 
-/// Which way the pressure pushes a satellite.
+/// Direction in which the pressure pushes a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Push {
     /// Counter-clockwise, the way that the rotor turns: by a crest.
@@ -57,7 +58,7 @@ impl Push {
 pub struct FlankForce {
     /// Number of the satellite.
     pub index: u32,
-    /// Which way it is pushed; none while it is idle.
+    /// Direction of the push; `None` while the satellite is idle.
     pub push: Option<Push>,
     /// `N`, the force between it and the stator and between it and the rotor; 0 while it is idle.
     pub force: Force,
@@ -68,7 +69,7 @@ pub struct FlankForce {
 /// The greatest flank force of the satellites by a crest, or by a trough.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GreatestFlankForce {
-    /// Which way those satellites are pushed.
+    /// Direction in which those satellites are pushed.
     pub push: Push,
     /// `N`.
     pub force: Force,
@@ -89,7 +90,7 @@ pub struct BearingLoad {
     pub force: Force,
 }
 
-/// All satellites at a rotation, and which chambers have the high pressure.
+/// Contacts of all satellites at a rotation, and the chambers with high pressure.
 struct Instant {
     contacts: Vec<Contact>,
     high: Vec<bool>,
@@ -123,7 +124,7 @@ impl Load {
         if self.pressure_drop < Pressure::default() { -1.0 } else { 1.0 }
     }
 
-    /// The force of so many `Δp·b·m`, by the drop's magnitude.
+    /// Force of a number of `Δp·b·m`, by the drop's magnitude.
     pub(super) fn force(&self, motor: &Motor, number: f64) -> Force {
         motor.length(number) * self.width * self.pressure_drop.abs()
     }
@@ -196,7 +197,8 @@ impl Motor {
     /// use epicyclic_hydromotor::{Motor, MotorNumbers};
     /// use uom::si::{angle::degree, f64::{Angle, Length}, length::millimeter};
     ///
-    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, Length::new::<millimeter>(1.0), Length::new::<millimeter>(40.0))?;
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(1.0), mm(40.0))?;
     /// assert!(motor.held_by(Angle::new::<degree>(25.0)));
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
@@ -328,9 +330,9 @@ impl Motor {
 
     /// The greatest load of the rotor's bearing over a revolution.
     ///
-    /// Looked at on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of chambers, where it
-    /// jumps, and passages of junctions; where the load vanishes throughout, at 0. Of a greatest load right
-    /// before or behind a jump the rotation is a hair within.
+    /// The load is evaluated on each smooth piece of the period `2π/lcm(N, n)`, between changeovers of
+    /// chambers, where it jumps, and passages of junctions. If the load vanishes throughout, the rotation
+    /// is 0. For a greatest load right before or behind a jump the rotation is slightly within the piece.
     ///
     /// # Errors
     /// As [`flank_forces`](Self::flank_forces).

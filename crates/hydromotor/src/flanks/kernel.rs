@@ -1,9 +1,9 @@
-//! What the flanks' modules share: directions of the forces, loaded phases, greatest values on smooth pieces.
+//! Shared parts of the flanks' modules: directions of the forces, loaded phases, greatest values on smooth
+//! pieces.
 //!
 //! # Places
-//! Ranges are looked at in the quantity in which the shape is explicit ([`Shape::explicit`]), so that a
-//! contact there costs no search, and one contact serves everything that is asked of it. The ends are sought
-//! once.
+//! Ranges are sampled in the quantity in which the shape is explicit ([`Shape::explicit`]), so that a contact
+//! there costs no search, and one contact serves all its uses. The ends are computed once.
 
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
@@ -18,7 +18,7 @@ use epicyclic_units::Physical;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use uom::si::f64::Angle;
 
-/// Pieces in which a smooth stretch is looked at for its extremes.
+/// Pieces of a smooth stretch in the search for its extremes.
 const PIECES: usize = 16;
 
 /// A pressure angle of a tooth form, in radians.
@@ -92,7 +92,7 @@ impl Motor {
         self.smooth_ends_by(By::Phase, range, more)
     }
 
-    /// The same with all places by another quantity.
+    /// Places of kinks and ends within a range of another quantity, in order.
     pub(super) fn smooth_ends_by(
         &self,
         by: By,
@@ -111,7 +111,7 @@ impl Motor {
         ends
     }
 
-    /// How far a phase is from that of the nearest crest.
+    /// Distance of a phase from that of the nearest crest.
     fn beside_crest(&self, phase: f64) -> f64 {
         let cycle = 2.0 * self.shape.trough().phase;
         (phase - (phase / cycle).round() * cycle).abs()
@@ -163,12 +163,12 @@ pub(super) struct Top {
     pub(super) value: f64,
 }
 
-/// The greatest values of some functions at once that are smooth on some pieces.
+/// Finds the greatest values of several functions at once, each smooth on some pieces.
 ///
-/// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does
-/// not, but jumps, is taken a `hair` of the piece within. Each piece is sampled, all functions in the same
-/// places; of each function those samples that no neighbour exceeds are refined if they reach the best of all
-/// by rising from there by twice as much as they have come from the lower neighbour.
+/// `f` receives the index of the piece, so that it keeps to one branch there up to both ends. A function that
+/// jumps instead is evaluated a `hair` of the piece within. Each piece is sampled, all functions in the same
+/// places. For each function a sample that no neighbour exceeds is refined if it may reach the best of all.
+/// It may if its value, plus twice its rise above the lower neighbour, exceeds the best.
 pub(super) fn greatest_of<const N: usize>(
     pieces: &[[f64; 2]],
     hair: f64,
@@ -185,7 +185,7 @@ pub(super) fn greatest_of<const N: usize>(
             for i in 0..=PIECES {
                 let around = [i.saturating_sub(1), i, (i + 1).min(PIECES)];
                 let [before, value, after] = around.map(|i| values[i][k]);
-                // Nothing is above or below what is no number.
+                // NaN is neither above nor below a number.
                 if value.is_nan() || value < before || value < after {
                     continue;
                 }
@@ -210,7 +210,7 @@ pub(super) fn greatest_of<const N: usize>(
     best
 }
 
-/// All `place + k·period` within a range, whole numbers `k`.
+/// Values `place + k·period` within a range, for whole numbers `k`.
 pub(super) fn windings(place: f64, period: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let first = place + period * ((from - place) / period).ceil();
     let count = ((to - first) / period).floor();

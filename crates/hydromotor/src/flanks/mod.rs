@@ -1,4 +1,4 @@
-//! The flanks under load: which satellites carry, forces, sealing, a third contact, stresses.
+//! The flanks under load: loaded satellites, forces, sealing, a third contact, stresses.
 //!
 //! # Contents
 //!
@@ -12,13 +12,13 @@
 //! | [`starting`] | the torque at the start, against friction with the contacts where they are |
 //!
 //! # Frame and signs
-//! A satellite is looked at in the frame of its ray: x along the ray from the axis, y across it
-//! counter-clockwise, the origin in the middle of the chord `PP₁` of its pitch points. There
-//! `P = (r·cos μ, 0)`, `P₁ = (−r·cos μ, 0)`, and the centre is `(0, r·sin μ)`. `σ` is the sign of the
-//! pressure force: `+1` forward, with the high pressure behind the satellite, `−1` back. A satellite pushed
-//! back is the mirror image, in the ray, of one pushed forward with `−μ` for `μ`.
+//! The frame of a satellite is that of its ray: x along the ray from the axis, y across it counter-clockwise,
+//! the origin in the middle of the chord `PP₁` of its pitch points. There `P = (r·cos μ, 0)`,
+//! `P₁ = (−r·cos μ, 0)`, and the centre is `(0, r·sin μ)`. `σ` is the sign of the pressure force: `+1`
+//! forward, with the high pressure behind the satellite, `−1` back. A satellite pushed back is the mirror
+//! image, in the ray, of one pushed forward with `−μ` for `μ`.
 //!
-//! The forces of the flanks on a satellite lie in the lines of action, which pass through the pitch points at
+//! The forces of the flanks on a satellite are in the lines of action. These pass through the pitch points at
 //! `α` to the pitch curves and touch the base circle:
 //!
 //! ```text

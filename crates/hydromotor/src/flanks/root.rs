@@ -1,7 +1,7 @@
 //! Bending at the roots of the teeth, after Lewis, and the pressure that a shape allows.
 //!
 //! # The model
-//! A tooth is a cantilever. The force `N` acts at a point of its flank along the line of action, and in the
+//! A tooth is a cantilever. The force `N` acts at a point of its flank along the line of action. In the
 //! section at `x` on the tooth's middle line, of thickness `s`, it bends with the moment `M` about the
 //! section's middle:
 //!
@@ -10,16 +10,16 @@
 //! ```
 //!
 //! The sections are those below the place where the line of action crosses the middle line: above it `N`
-//! bends the tooth's tip the other way. Where the stress is greatest, the parabola of equal strength from
-//! that place touches the outline from within (Lewis). The sections are those of the generated outline:
+//! bends the tooth's tip the other way. At the place of greatest stress the parabola of equal strength from
+//! that crossing touches the outline from within (Lewis). The sections are those of the generated outline:
 //! flank, the fillet that the tool leaves, undercut if there is any. With `N ∝ Δp·b·m` the width and the
 //! module drop out.
 //!
 //! The stress is nominal: the compression by the force's part along the tooth, shear and the notch of the
 //! fillet are left out. The load is `N` of contacts at the pitch points, whole on one pair of flanks, at the
-//! worst point of the path of contact that [`LoadedPath`] says. For the satellite this is a usual model; for
-//! the teeth of stator and rotor, whose two flanks differ and whose rims and hollow roots carry in other
-//! ways, it is a comparison of shapes. The values are reported; they certify nothing.
+//! worst point of the path of contact given by [`LoadedPath`]. For the satellite this is a usual model. For
+//! stator and rotor it is a comparison of shapes: the two flanks of their teeth differ, and their rims and
+//! hollow roots carry in other ways. The values are reported; they certify nothing.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length, Pressure};
@@ -35,8 +35,8 @@ use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
 use crate::ranges::positive_pressure;
 
-/// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of
-/// that of many more.
+/// Number of points of the outline's fillet at which the section is evaluated: the stress is within a
+/// thousandth of that of many more.
 const POINTS: u32 = 24;
 
 /// The greatest nominal bending stress at the roots of a wheel's teeth.
@@ -46,7 +46,7 @@ pub struct RootStress {
     pub wheel: Wheel,
     /// The stress.
     pub stress: Pressure,
-    /// Which way the satellites are pushed.
+    /// Direction in which the satellites are pushed.
     pub push: Push,
     /// Rotation of the rotor at which satellite 0 loads, or is, the wheel so.
     pub rotation: Angle,
@@ -59,7 +59,7 @@ pub struct RootStress {
     pub tooth: u32,
 }
 
-/// What materials bear.
+/// Allowed stresses of the materials, and their modulus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MaterialLimits {
     /// Pressure of Hertz.
@@ -70,7 +70,7 @@ pub struct MaterialLimits {
     pub modulus: Pressure,
 }
 
-/// What limits the pressure.
+/// Stress that limits the pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Governing {
     /// The pressure of Hertz.
@@ -88,7 +88,7 @@ pub struct AllowedPressure {
     pub by_contact: Pressure,
     /// By the bending of the teeth.
     pub by_root: Pressure,
-    /// What limits it.
+    /// Stress that limits the pressure.
     pub governing: Governing,
 }
 
@@ -139,11 +139,11 @@ impl Profile {
         Ok(self.bent(path, POINTS)?.into_iter().map(stress).collect())
     }
 
-    /// The worst of stator, rotor and satellite, from outlines with so many points a fillet.
+    /// Worst places of stator, rotor and satellite, from outlines with `points` points per fillet.
     fn bent(&self, path: LoadedPath, points: u32) -> Result<Vec<(Wheel, Worst)>, Error> {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
-        // Refuses what no flank holds before anything is compared.
+        // Refuses a motor that no flank holds before anything is compared.
         motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), Pressure::from_si(1.0))?;
         let (own, by) = (self.satellite_tooth(points), motor.shape.explicit());
         let mut worst: [Option<Worst>; 3] = [None; 3];

@@ -1,13 +1,14 @@
-//! Where the flanks seal, and what the chambers take there: flow and ripple at the flanks.
+//! Sealing of the flanks: the volume that the chambers take with the seals there, flow and ripple.
 //!
 //! # The swept area
-//! The line that parts two chambers runs from the contact `K₃` of the satellite and the stator to the contact
-//! `K₁` of the satellite and the rotor, at the distances `e₃` and `e₁` along the lines of action from the
-//! pitch points. What passes it a radian of the rotor is the rotor's sector under `K₁` and what the
-//! satellite, which turns about `P` at `ρ₁/c` of the rotor's speed, sweeps between:
+//! The line that parts two chambers runs between the two contacts of a satellite: `K₃` with the stator and
+//! `K₁` with the rotor. `e₃` and `e₁` are their distances from the pitch points along the lines of action.
+//! Two parts of area pass the line per radian of the rotor. One is the rotor's sector under `K₁`, the other
+//! is swept by the satellite between, which turns about `P` at `ρ₁/c` of the rotor's speed:
 //!
 //! ```text
-//! f′ = ½·|OK₁|² + ½·(ρ₁/c)·(|PK₁|² − |PK₃|²) = ½·ρ₁·ρ₃ + (ρ₃·e₁² − ρ₁·e₃²)/(2·c)        c = ρ₃ − ρ₁ = 2·r·cos μ
+//! f′ = ½·|OK₁|² + ½·(ρ₁/c)·(|PK₁|² − |PK₃|²)
+//!    = ½·ρ₁·ρ₃ + (ρ₃·e₁² − ρ₁·e₃²)/(2·c)        c = ρ₃ − ρ₁ = 2·r·cos μ
 //! ```
 //!
 //! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and
@@ -15,21 +16,21 @@
 //!
 //! # The contacts
 //! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at
-//! their back, as seen along the tracks ([`crate::profile`]); pushed back the other way round. The contact on
-//! a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a space,
-//! `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For
-//! `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
+//! their back; pushed back the other way round. Front and back are seen along the tracks
+//! ([`crate::profile`]). The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`.
+//! `s₀` is half a space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and
+//! odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
 //!
-//! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes
-//! over, `f′` has a kink if both are at `p_b/2`, and jumps if they are not. The satellite is taken to stand
-//! in the middle of its backlash, which moves a contact by less than half of it.
+//! Of two contacts in mesh one is assumed to seal; [`SealingContact`] chooses it. Where the next contact
+//! takes over, `f′` has a kink if both are at `p_b/2`, and jumps if they are not. The satellite is assumed to
+//! be in the middle of its backlash, which moves a contact by less than half of it.
 //!
 //! # Flow
 //! `Q′ = b·Σ σ·f′` over the loaded satellites. It is smooth between changeovers of chambers, where it jumps,
-//! passages of junctions, and changes of the sealing contacts, all known phases; on each smooth piece the
-//! extremes are ends, taken from within, or zeros of `dQ′/dφ` in closed form. So nothing hinges on a sample
-//! but the number of zeros on a piece, which is looked at in four parts. A zero is sought only where the
-//! tangents at both ends of its part reach beyond the extremes known so far.
+//! passages of junctions, and changes of the sealing contacts, all at known phases. On each smooth piece the
+//! extremes are ends, taken from within, or zeros of `dQ′/dφ` in closed form. So the result depends on
+//! samples only through the number of zeros on a piece, which is divided into four parts. A zero is searched
+//! for only where the tangents at both ends of its part reach beyond the extremes known so far.
 //!
 //! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`:
 //! it drops out of the displacement but for the change of the radii within a pitch.
@@ -50,14 +51,14 @@ use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
-/// Parts of a smooth piece between which zeros of the slope are sought.
+/// Parts of a smooth piece; zeros of the slope are searched for between their ends.
 const PARTS: u32 = 4;
 
 /// Weights of the values at the parts' ends in the integral over a piece (Boole), exact up to the fifth
 /// power.
 const BOOLE: [f64; 5] = [7.0 / 90.0, 32.0 / 90.0, 12.0 / 90.0, 32.0 / 90.0, 7.0 / 90.0];
 
-/// Which of two contacts in mesh seals.
+/// Rule that chooses the sealing contact of two in mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum SealingContact {
     /// The one nearest to the pitch point, `|e| ≤ p_b/2`, even where the flank ends before.
@@ -72,9 +73,9 @@ pub enum SealingContact {
 pub struct FlankRipple {
     /// Least, greatest, mean and ripple at the flanks.
     pub at_flanks: Ripple,
-    /// The same at the pitch points.
+    /// Least, greatest, mean and ripple at the pitch points.
     pub at_pitch_points: Ripple,
-    /// Least over mean at the flanks: what is left of the torque at the worst angle.
+    /// Least over mean at the flanks: the part of the mean torque that remains at the worst angle.
     pub least_over_mean: f64,
     /// Rotation of the rotor with the least flow, within the first period.
     pub least_at: Angle,
@@ -239,13 +240,13 @@ impl Piece<'_> {
         self.with(|j| (self.motor.shape.at(By::Phase, self.motor.phase(rotation, j)), None))
     }
 
-    /// The same with contacts that the choice of its seals knows already.
+    /// `Q′/b` and its slope, with contacts that the choice of the seals knows already.
     fn known(&self, rotation: f64, known: &mut Known) -> (f64, f64) {
         self.with(|j| (*contact_of(self.motor, known, rotation, j), None))
     }
 
-    /// The same at an end, with contacts that the neighbouring piece may know already; what jumps there is
-    /// taken at a place within.
+    /// `Q′/b` and its slope at an end, with contacts that the neighbouring piece may know already. Quantities
+    /// that jump there are taken at the place `within`.
     fn at_end(&self, end: f64, within: f64, known: &mut Known) -> (f64, f64) {
         self.with(|j| {
             let motor = self.motor;
@@ -255,7 +256,7 @@ impl Piece<'_> {
         })
     }
 
-    /// With the contact of each satellite, and another for its curvatures.
+    /// `Q′/b` and its slope with the given contact of each satellite, and another for its curvatures.
     fn with(&self, mut contact: impl FnMut(u32) -> (Contact, Option<Contact>)) -> (f64, f64) {
         let r = self.motor.shape.satellite_radius();
         let (mut flow, mut slope) = (0.0, 0.0);
@@ -278,7 +279,7 @@ fn contact_of<'a>(motor: &Motor, known: &'a mut Known, rotation: f64, j: u32) ->
 /// The flow of a profile piece by piece.
 pub(super) struct Flow<'a> {
     profile: &'a Profile,
-    /// Of satellites by a crest and by a trough.
+    /// Rows of both wheels, for satellites by a crest and by a trough.
     rows: [Rows; 2],
     ends: Vec<f64>,
 }
@@ -420,9 +421,9 @@ impl Extremes {
 }
 
 impl Motor {
-    /// The area that a satellite sweeps a radian of the rotor, `f′`, with contacts at `e₃` and `e₁` along the
-    /// lines of action from the pitch points, positive towards the satellite's base circle; `rotation` since
-    /// the satellite stood between two crests.
+    /// Area that a satellite sweeps per radian of the rotor, `f′`, with contacts at `e₃` and `e₁` along the
+    /// lines of action from the pitch points. Both are positive towards the satellite's base circle;
+    /// `rotation` counts from the place of the satellite between two crests.
     ///
     /// # Errors
     /// [`Error::NotFinite`].

@@ -88,7 +88,7 @@ mod tests {
             prop_assert!((fast - slow).abs() <= 1e-12 * slow, "{fast} {slow}");
         }
 
-        /// Of polynomials with a few extremes, those at ends included.
+        /// Greatest values of polynomials with a few extremes, those at ends included.
         #[test]
         fn the_greatest_values_are_those_of_golden_sections(
             coefficients in prop::array::uniform2(prop::array::uniform4(-1.0..1.0_f64)), cut in 0.1..0.9,

@@ -1,19 +1,19 @@
-//! The torque at the start: what is left at the worst angle against the friction of the flanks, with the
-//! contacts where they are.
+//! The torque at the start: the rest at the worst angle after the friction of the flanks, with the contacts
+//! in their actual places.
 //!
-//! A standing motor has its contacts at one place each, not in the mean over a pitch. With the contacts that
-//! seal at `e₃` and `e₁` ([`crate::flanks::sealing`]) the torque is `Δp·b·Σ σ·f′`, and friction takes, as a
-//! satellite turns by `ρ₁/c` against the stator and by `ρ₃/c` against the rotor a radian of it,
+//! A motor at rest has its contacts at one place each, not in the mean over a pitch. With the contacts that
+//! seal at `e₃` and `e₁` ([`crate::flanks::sealing`]) the torque is `Δp·b·Σ σ·f′`. Per radian of the rotor a
+//! satellite turns by `ρ₁/c` against the stator and by `ρ₃/c` against the rotor. So the friction is:
 //!
 //! ```text
 //! M_loss = μ_f·Σ N·(|e₃|·ρ₁ + |e₁|·ρ₃)/c        M_start = min over the angle of  Δp·b·Σ σ·f′ − M_loss
 //! ```
 //!
-//! over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a base
-//! pitch, that is the loss of a running motor ([`crate::friction`]).
+//! The sum is over the satellites that part the pressures, `c = ρ₃ − ρ₁`. With `|e| = p_b/4`, the mean over a
+//! base pitch, it is the loss of a running motor ([`crate::friction`]).
 //!
 //! Both are smooth between changeovers of chambers, passages of junctions, changes of the sealing contacts
-//! and passages of the pitch points, all known phases. On each such piece the least is an end, taken from
+//! and passages of the pitch points, all at known phases. On each such piece the least is an end, taken from
 //! within, or is refined to where it is flat.
 //!
 //! # Left out
@@ -36,16 +36,16 @@ use crate::ranges::positive_pressure;
 /// The least torque over a revolution at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartingTorque {
-    /// Without friction.
+    /// Torque without friction.
     pub frictionless: Torque,
-    /// With the greatest and with the least friction: what the motor starts at any angle, at least and at
-    /// best.
+    /// Torque with the greatest and with the least friction: the least and the best load that the motor
+    /// starts at any angle.
     pub range: [Torque; 2],
     /// The rotation at which the greatest friction leaves least, within the first period.
     pub rotation: Angle,
 }
 
-/// `M/(Δp·b·m²)` without friction, and what a coefficient of friction of 1 takes of it.
+/// `M/(Δp·b·m²)` without friction, and its loss by a coefficient of friction of 1.
 fn torques(piece: &Piece<'_>, r: f64, alpha: f64, rotation: f64) -> [f64; 2] {
     let (mut whole, mut lost) = (0.0, 0.0);
     for (contact, sigma, [e3, e1]) in piece.contacts(rotation) {

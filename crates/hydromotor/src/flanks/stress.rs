@@ -1,23 +1,24 @@
-//! The pressure of Hertz where flanks touch.
+//! Pressure of Hertz at the contacts of the flanks.
 //!
 //! Along the line of action the satellite's involute has the radius of curvature `r·sin α − e`, and the
-//! wheel's flank `sin α/κ + e`, since its normal turns by `κ` a unit of arc length as its point moves on by
-//! `sin α + κ·e` (the envelope in [`crate::profile`]); `κ` is the wheel's curvature there, positive where it
-//! bulges towards the satellite:
+//! wheel's flank `sin α/κ + e`. Per unit of arc length the flank's normal turns by `κ` as its point moves on
+//! by `sin α + κ·e` (the envelope in [`crate::profile`]). `κ` is the wheel's curvature there, positive where
+//! it bulges towards the satellite:
 //!
 //! ```text
-//! 1/ρ_rel = 1/(r·sin α − e) + κ/(sin α + κ·e)        p_H² = N·E*/(π·b·ρ_rel)        1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
+//! 1/ρ_rel = 1/(r·sin α − e) + κ/(sin α + κ·e)        p_H² = N·E*/(π·b·ρ_rel)
+//! 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
 //! ```
 //!
 //! `N` is that of contacts at the pitch points, on one pair of flanks alone. With
-//! `N = Δp·b·r·cos μ/cos(α + σ·μ)` width and module drop out: `p_H²/(Δp·E*)` belongs to the shape. At the
-//! pitch point and `μ = 0` it is `(2/sin 2α)·(1 + r·κ)/π`.
+//! `N = Δp·b·r·cos μ/cos(α + σ·μ)` width and module drop out: `p_H²/(Δp·E*)` depends on the shape alone. At
+//! the pitch point and `μ = 0` it is `(2/sin 2α)·(1 + r·κ)/π`.
 //!
 //! # The path
 //! A flank meets the satellite from `e₋` to `e₊` ([`crate::profile`]): from the satellite's tip, or the
 //! beginning of its own flank, to its tip, or the beginning of the satellite's involute. Where the next flank
-//! is in mesh too, two pairs share the load, how is not calculated: values on the whole path, each with the
-//! whole load, are bounds for rigid teeth; those in single contact are not shared.
+//! is in mesh too, two pairs share the load; their shares are not calculated. Values on the whole path, each
+//! with the whole load, are bounds for rigid teeth; the load in single contact is not shared.
 //!
 //! # Left out
 //! Friction, lubrication, edges of tips, the third contact, dynamic loads. The values are reported; they
@@ -40,14 +41,14 @@ use std::f64::consts::PI;
 /// A mesh of a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mesh {
-    /// With the stator.
+    /// Mesh with the stator.
     Stator,
-    /// With the rotor.
+    /// Mesh with the rotor.
     Rotor,
 }
 
 impl Mesh {
-    /// Both.
+    /// Meshes of a satellite, that with the stator first.
     pub const BOTH: [Self; 2] = [Self::Stator, Self::Rotor];
 
     pub(super) fn side(self) -> Side {
@@ -58,13 +59,13 @@ impl Mesh {
     }
 }
 
-/// Which part of the path of contact a stress is taken on, with the whole load on one pair of flanks.
+/// Part of the path of contact for a stress, with the whole load on one pair of flanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum LoadedPath {
     /// The whole path: a bound for rigid teeth, whichever pair carries.
     #[default]
     Whole,
-    /// Where one pair alone is in mesh, and the pitch point: no load is shared there.
+    /// Places with one pair alone in mesh, and the pitch point: no load is shared there.
     SingleContact,
 }
 
@@ -84,13 +85,13 @@ pub struct PeakPressure {
 pub struct ContactStress {
     /// The mesh.
     pub mesh: Mesh,
-    /// Which way the satellites are pushed.
+    /// Direction in which the satellites are pushed.
     pub push: Push,
     /// The greatest with the contact at the pitch point, at any angle.
     pub at_pitch_point: PeakPressure,
-    /// The greatest where one pair alone is in mesh; none where there always are two.
+    /// The greatest with one pair alone in mesh; `None` if always two are.
     pub in_single_contact: Option<PeakPressure>,
-    /// The greatest on the whole path with the whole load on one pair; none where no flank of a loaded
+    /// The greatest on the whole path with the whole load on one pair; `None` if no flank of a loaded
     /// satellite has a path.
     pub on_path: Option<PeakPressure>,
 }
@@ -116,12 +117,12 @@ pub(super) fn severity(
     Ok((number * (1.0 / own + bulge / wheel) / PI).max(0.0))
 }
 
-/// [`severity`] of one mesh and push at many places of which all are held; no number elsewhere.
+/// Computes [`severity`] of one mesh and push at many places, if all hold the satellite; NaN elsewhere.
 struct Severity {
     side: Side,
     r: f64,
     sigma: f64,
-    /// Of the pressure angle.
+    /// Sine of the pressure angle.
     sin: f64,
     cos: f64,
 }
@@ -150,8 +151,8 @@ impl Severity {
     }
 }
 
-/// Places by the explicit quantity of a shape, sought by arc length: each once, since stretches share their
-/// ends.
+/// Places by the explicit quantity of a shape, found from the arc length. Each is found once, since stretches
+/// share their ends.
 pub(super) struct Places<'a> {
     motor: &'a Motor,
     arc: By,
@@ -282,7 +283,7 @@ impl Profile {
         let (arc, by) = (arc(side), motor.shape.explicit());
         let range = motor.loaded(crest);
         let ends = motor.corners(crest);
-        // Refuses what no flank holds before anything is compared.
+        // Refuses a motor that no flank holds before anything is compared.
         for contact in &ends {
             flank_number(r, alpha, contact, sigma)?;
         }

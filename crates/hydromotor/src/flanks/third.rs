@@ -1,26 +1,27 @@
-//! The third contact: what holds a satellite whose contacts are off the pitch points.
+//! The third contact, which holds a satellite whose contacts are off the pitch points.
 //!
 //! The pressures act on the chord `K₁K₃` between the contacts: a force `Δp·b·|K₁K₃|` at right angles to it,
 //! through its middle. Both flank forces stay in their lines of action, through the pitch points. These cross
-//! on the chord's perpendicular bisector only if the contacts are at the pitch points; else the two leave a
-//! moment, and the satellite turns in its backlash until a back flank holds it:
+//! on the chord's perpendicular bisector only if the contacts are at the pitch points. Otherwise the two
+//! leave a moment, and the satellite turns in its backlash until a back flank holds it:
 //!
 //! ```text
 //! N₃·u₃ + N₁·u₁ + N_b·u_b + F = 0        r·cos α·σ·(−N₃ + N₁ ± N_b) + (moment of F about the centre) = 0
 //! ```
 //!
 //! with `−N_b` for the rotor's back flank, `+N_b` for the stator's. The two back flanks are mirror images in
-//! the satellite's bisector of the pitch points, and so are the front ones; about the point where the front
-//! lines of action cross, their moments are opposite. So exactly one of them can hold the satellite: the one
-//! with `N_b ≥ 0`. It changes within a pitch. With `B = N_b` of the rotor's or `−N_b` of the stator's, and
-//! the moment `T` of `F` over `r·cos α`,
+//! the satellite's bisector of the pitch points, and so are the front ones. About the point where the front
+//! lines of action cross, the moments of the back flanks are opposite. So exactly one of them can hold the
+//! satellite: the one with `N_b ≥ 0`. It changes within a pitch. Let `B` be `N_b` for the rotor's flank and
+//! `−N_b` for the stator's, and `T` the moment of `F` over `r·cos α`:
 //!
 //! ```text
-//! B = (sin(α + σ·μ)·σ·T − F_x)/(2·sin α·cos μ)    N₁ − N₃ = B − σ·T    N₁ + N₃ = (σ·F_y + cos(α − σ·μ)·|B|)/cos(α + σ·μ)
+//! B = (sin(α + σ·μ)·σ·T − F_x)/(2·sin α·cos μ)    N₁ − N₃ = B − σ·T
+//! N₁ + N₃ = (σ·F_y + cos(α − σ·μ)·|B|)/cos(α + σ·μ)
 //! ```
 //!
 //! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between
-//! the front and the back contact is taken to be on the side of the seal.
+//! the front and the back contact is assumed to be on the side of the seal.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Force, Length, Pressure};
@@ -37,10 +38,10 @@ use crate::quantity::Quantity;
 use crate::ranges::{finite_angle, finite_modules};
 use epicyclic_numerics::roots::bracketed;
 
-/// What holds a satellite.
+/// Forces that hold a satellite with three contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThirdContact {
-    /// Which way it is pushed.
+    /// Direction in which the satellite is pushed.
     pub push: Push,
     /// `N₃`, the force of the stator's flank.
     pub stator: Force,
@@ -57,7 +58,7 @@ pub struct ThirdContact {
 pub struct ForceBound {
     /// The force.
     pub force: Force,
-    /// Which way the satellite is pushed.
+    /// Direction in which the satellite is pushed.
     pub push: Push,
     /// Rotation of the rotor at which satellite 0 has it.
     pub rotation: Angle,
@@ -66,13 +67,13 @@ pub struct ForceBound {
 /// Bounds of the forces over a revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThirdContactBounds {
-    /// On the stator's flanks.
+    /// Greatest force on the stator's flanks.
     pub stator: ForceBound,
-    /// On the rotor's flanks.
+    /// Greatest force on the rotor's flanks.
     pub rotor: ForceBound,
-    /// On the stator's back flanks; none where they never hold.
+    /// Greatest force on the stator's back flanks; `None` if they never hold a satellite.
     pub stator_back: Option<ForceBound>,
-    /// On the rotor's back flanks; none where they never hold.
+    /// Greatest force on the rotor's back flanks; `None` if they never hold a satellite.
     pub rotor_back: Option<ForceBound>,
 }
 
@@ -89,8 +90,8 @@ impl Inclined {
         Self { sin, cos }
     }
 
-    /// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`;
-    /// none where the equations have no solution.
+    /// `N₃`, `N₁`, and the force of the rotor's back flank, or with the sign changed of the stator's, over
+    /// `Δp·b·m`; `None` if the equations have no solution.
     fn held(self, r: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<[f64; 3]> {
         let (mu_sin, mu_cos) = libm::sincos(contact.mu);
         // α + σ·μ, and of α − σ·μ the cosine.
@@ -113,11 +114,12 @@ impl Inclined {
 }
 
 impl Motor {
-    /// What holds a satellite with contacts at `e₃` and `e₁` along the lines of action from the pitch points,
-    /// positive towards its base circle; `rotation` since it stood between two crests. None while it is idle.
+    /// Forces that hold a satellite with contacts at `e₃` and `e₁` along the lines of action from the pitch
+    /// points, positive towards its base circle. `rotation` counts from the place of the satellite between
+    /// two crests. `None` while the satellite is idle.
     ///
     /// # Errors
-    /// As [`flank_forces`](Self::flank_forces).
+    /// Errors of [`flank_forces`](Self::flank_forces).
     #[allow(clippy::too_many_arguments)] // the load, the place, and the two offsets
     pub fn third_contact(
         &self,
@@ -160,10 +162,11 @@ impl Motor {
 }
 
 impl Profile {
-    /// What holds each satellite after a rotation, with contacts where its flanks seal; none of an idle one.
+    /// Forces that hold each satellite after a rotation, with contacts where its flanks seal; `None` for an
+    /// idle one.
     ///
     /// # Errors
-    /// As [`Motor::flank_forces`].
+    /// Errors of [`Motor::flank_forces`].
     pub fn third_contacts(
         &self,
         rule: SealingContact,
@@ -187,11 +190,11 @@ impl Profile {
 
     /// Bounds of the forces with a third contact over a revolution.
     ///
-    /// Each smooth piece of the loaded phases, between changes of the sealing contacts, junctions and changes
-    /// of the back flank, is looked at with its own contacts up to both ends.
+    /// Smooth pieces of the loaded phases lie between changes of the sealing contacts, junctions and changes
+    /// of the back flank. Each is evaluated with its own contacts up to both ends.
     ///
     /// # Errors
-    /// As [`Motor::flank_forces`].
+    /// Errors of [`Motor::flank_forces`].
     pub fn third_contact_bounds(
         &self,
         rule: SealingContact,

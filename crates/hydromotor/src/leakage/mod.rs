@@ -1,32 +1,32 @@
 //! Leakage through the gaps at the end faces of satellites and rotor.
 //!
-//! A face lies at a gap `h` before a plate. The mean of a slow flow across the gap follows the pressure as in
-//! a Hele-Shaw cell, `q = −h³/(12η)·∇p` over the width of the flow, so that the pressure is harmonic on the
-//! face. On the rim of a satellite high and low pressure meet at the two contacts, and no oil enters along
-//! the sealed angle `δ` at each. A conformal map takes the disc to a rectangle:
+//! A face is at a gap `h` before a plate. The mean of a slow flow across the gap follows the pressure as in a
+//! Hele-Shaw cell, `q = −h³/(12η)·∇p` over the width of the flow. So the pressure is harmonic on the face. On
+//! the rim of a satellite high and low pressure meet at the two contacts, and no oil enters along the sealed
+//! angle `δ` at each. A conformal map takes the disc to a rectangle:
 //!
 //! ```text
 //! Q = G(δ)·h³·Δp/(12·η)        G = K′(k)/(2·K(k))        k = tan²(δ/4)
 //! ```
 //!
 //! with the complete elliptic integrals `K(k)` and `K′(k) = K(√(1 − k²))`, by the arithmetic-geometric mean
-//! `agm`: `G = agm(1, √(1 − k²))/(2·agm(1, k))`. The rotor's face has `2n` such contacts; taken as a disc
-//! with evenly spaced ones it is the `n`-fold cover of the other by `z → zⁿ`, and passes `n·G(n·δ₁)`.
+//! `agm`: `G = agm(1, √(1 − k²))/(2·agm(1, k))`. The rotor's face has `2n` such contacts. As a disc with
+//! evenly spaced contacts it is the `n`-fold cover of the other by `z → zⁿ`, and passes `n·G(n·δ₁)`.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `h` | gap at one face | m |
 //! | `η` | dynamic viscosity | Pa·s |
-//! | `δ`, `δ₁` | sealed angle at a contact, of a satellite and of the rotor: a tooth pitch, `2π/Z_s` and `2π/Z₁` | rad |
+//! | `δ`, `δ₁` | sealed angle at a contact of a satellite, `2π/Z_s`, and of the rotor, `2π/Z₁` | rad |
 //!
-//! Of the satellites `2n` part high from low pressure at any angle; the others have one pressure on both
-//! sides.
+//! The sealed angle is a tooth pitch. Of the satellites `2n` part high from low pressure at any angle; the
+//! others have one pressure on both sides.
 //!
 //! # Reynolds number
-//! With the mean velocity `u` across the lines from the centre to the contacts, `2r` together on a satellite
-//! and `2n·R` on the rotor with `R = m·Z₁/2`, and the hydraulic diameter `2h`: `Re = 2·ϱ·u·h/η`. Up to
-//! [`LAMINAR`] the law above holds. Beyond, the user's law of friction `λ = C·Re^(−s)` takes its place on a
-//! path of the same mean length `ℓ`:
+//! The Reynolds number is `Re = 2·ϱ·u·h/η`, with the hydraulic diameter `2h` and the mean velocity `u` across
+//! the lines from the centre to the contacts. These lines are `2r` together on a satellite and `2n·R` on the
+//! rotor with `R = m·Z₁/2`. Up to [`LAMINAR`] the law above holds. Beyond, the user's law of friction
+//! `λ = C·Re^(−s)` takes its place on a path of the same mean length `ℓ`:
 //!
 //! ```text
 //! Δp = λ·ℓ·ϱ·u²/(4·h)        ℓ = 2r/G for a satellite
@@ -35,9 +35,10 @@
 //! which with `C = 96`, `s = 1` is the laminar law again.
 //!
 //! # Left out
-//! Leaks at the flanks and past the tips of the teeth, tilted faces, gaps that pressure widens, the bore of
-//! the rotor's face (it lets still less through), and the drag of the moving faces on the oil, which carries
-//! as much to the one side as to the other.
+//! - Leaks at the flanks and past the tips of the teeth.
+//! - Tilted faces, and gaps that pressure widens.
+//! - The bore of the rotor's face, which lets still less through.
+//! - The drag of the moving faces on the oil, which carries as much to the one side as to the other.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{
@@ -58,13 +59,13 @@ pub const LAMINAR: f64 = 2000.0;
 /// The gaps at one face of each kind of wheel; 0 of a face that seals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EndGaps {
-    /// At one face of a satellite: half the axial play of one that floats in the middle.
+    /// Gap at one face of a satellite: half the axial play of one that floats in the middle.
     pub satellite: Length,
-    /// At one face of the rotor.
+    /// Gap at one face of the rotor.
     pub rotor: Length,
 }
 
-/// What flows through the gaps.
+/// Fluid in the gaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapFluid {
     /// Dynamic viscosity `η`.
@@ -96,7 +97,7 @@ pub enum Regime {
 /// The flow through the gaps of one wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapFlow {
-    /// Through both faces.
+    /// Flow through both faces.
     pub flow: VolumeRate,
     /// The Reynolds number.
     pub reynolds: f64,
@@ -107,15 +108,15 @@ pub struct GapFlow {
 /// The leakage of a motor at rest or in motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leakage {
-    /// At one satellite that parts the pressures.
+    /// Flow at one satellite that parts the pressures.
     pub satellite: GapFlow,
-    /// How many do: `2n`.
+    /// Number of satellites that part the pressures: `2n`.
     pub loaded_satellites: u32,
-    /// At all of them.
+    /// Flow at all these satellites.
     pub satellites: VolumeRate,
-    /// At the rotor.
+    /// Flow at the rotor.
     pub rotor: GapFlow,
-    /// All together.
+    /// Total leakage.
     pub total: VolumeRate,
 }
 
@@ -218,7 +219,8 @@ impl Motor {
     /// use epicyclic_hydromotor::leakage::{EndGaps, GapFluid};
     /// use epicyclic_hydromotor::{Motor, MotorNumbers};
     /// use uom::si::f64::{DynamicViscosity, Length, MassDensity, Pressure};
-    /// use uom::si::{dynamic_viscosity::pascal_second, length::{micrometer, millimeter}, volume_rate::liter_per_minute};
+    /// use uom::si::length::{micrometer, millimeter};
+    /// use uom::si::{dynamic_viscosity::pascal_second, volume_rate::liter_per_minute};
     /// use uom::si::{mass_density::kilogram_per_cubic_meter, pressure::megapascal};
     ///
     /// let mm = Length::new::<millimeter>;
@@ -229,7 +231,8 @@ impl Motor {
     ///     density: MassDensity::new::<kilogram_per_cubic_meter>(870.0),
     ///     turbulent: None,
     /// };
-    /// let leakage = motor.end_leakage(EndGaps { satellite: gap, rotor: gap }, fluid, Pressure::new::<megapascal>(25.0))?;
+    /// let gaps = EndGaps { satellite: gap, rotor: gap };
+    /// let leakage = motor.end_leakage(gaps, fluid, Pressure::new::<megapascal>(25.0))?;
     /// assert!((leakage.satellites.get::<liter_per_minute>() - 0.081).abs() < 5e-4);
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
@@ -284,8 +287,8 @@ impl Face {
     }
 }
 
-/// What is left of an axial play between housing and satellite when the satellite is warmer: `j − a_T·b·ΔT`;
-/// a face has half of it.
+/// Axial play that remains between housing and satellite when the satellite is warmer: `j − a_T·b·ΔT`; a face
+/// has half of it.
 ///
 /// | symbol | argument | meaning | unit |
 /// |---|---|---|---|
@@ -295,8 +298,8 @@ impl Face {
 /// | `ΔT` | `warmer` | how much warmer the satellite is; below 0 the play opens | K |
 ///
 /// # Errors
-/// [`Error::NotPositive`] for play and width, [`Error::NotFinite`] for the others, [`Error::PlayClosed`]
-/// where nothing is left.
+/// [`Error::NotPositive`] for play and width, [`Error::NotFinite`] for the others, [`Error::PlayClosed`] if
+/// no play remains.
 pub fn warm_play(
     play: Length,
     expansion: TemperatureCoefficient,

@@ -175,7 +175,7 @@ proptest! {
 
     #[test]
     fn a_conductance_and_its_complement_are_inverse(sealed in 0.01..3.1) {
-        // What is sealed and what is open change places, as the potential and its conjugate do.
+        // Sealed and open parts change places, as the potential and its conjugate do.
         prop_assert!((conductance(sealed) * conductance(PI - sealed) - 1.0).abs() < 1e-12);
     }
 }

@@ -1,23 +1,25 @@
-//! Whether a port is open to a chamber, or closed, throughout a stretch of the chamber's cycle.
+//! Proof whether a port is open to a chamber, or closed, throughout a stretch of the chamber's cycle.
 //!
-//! The depth of a point within a chamber is at most its distance from what bounds it:
+//! The depth of a point within a chamber is at most its distance from the chamber's walls:
 //!
 //! ```text
-//! d(p, φ) = min( |p − c| − r of both satellites, 0.6·distances from both rays, c_w·(ρ₃(θ) − ρ), c_w·(ρ − ρ₁(θ − φ)) )
+//! d(p, φ) = min( |p − c| − r of both satellites, 0.6·distances from both rays,
+//!                c_w·(ρ₃(θ) − ρ), c_w·(ρ − ρ₁(θ − φ)) )
 //! c_w     = 1/√(1 + (ρ_w·tan μ/ρ)²)
 //! ```
 //!
-//! It changes by no more than 1 with the way of the point. With the rotation of the rotor, of which a ray
-//! makes `dθ₃/dΦ < 1`, it changes by no more than
+//! The depth changes by no more than 1 with the way of the point. With the rotation of the rotor a ray turns
+//! by `dθ₃/dΦ < 1`, and the depth changes by no more than:
 //!
 //! ```text
 //! max( ρ₁/(2·cos μ), 0.6·ρ₃, c_w·ρ₁·tan μ )
 //! ```
 //!
-//! the first being the speed of the centre of a satellite, which rolls on the stator. A port is open
-//! throughout a stretch where some point of its outline lies deeper in the middle of the stretch than that
-//! makes over half of it, and closed where every point of it lies farther outside. The deepest point is
-//! sought by halving the pieces of the outline, the most promising first.
+//! The first term is the speed of the centre of a satellite, which rolls on the stator. Let the greatest
+//! change over half the stretch be the margin. A port is open throughout the stretch if some point of its
+//! outline is deeper than the margin in the middle of the stretch. It is closed if every point is farther
+//! outside than the margin. The deepest point is found by halving the pieces of the outline, the most
+//! promising first.
 
 use crate::ports::LEAST_COSINE;
 use crate::ports::outline::{Piece, Port};
@@ -26,7 +28,7 @@ use crate::satellites::Place;
 use crate::tolerance::{LOWEST, OPEN};
 use std::f64::consts::{PI, TAU};
 
-/// What a port is to a chamber throughout a stretch.
+/// State of a port towards a chamber throughout a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Throughout {
     Open,
@@ -45,7 +47,8 @@ struct Part {
 }
 
 impl Region<'_> {
-    /// What a port is to the chamber for all rotations that differ from this one by no more than `half`.
+    /// State of a port towards the chamber for all rotations that differ from this one by no more than
+    /// `half`.
     pub(super) fn throughout(&self, port: &Port, half: f64) -> Throughout {
         let [inner, outer] = port.radii();
         let [from, to] = self.ends();
@@ -57,7 +60,7 @@ impl Region<'_> {
             return Throughout::Closed;
         }
         let margin = half * self.swiftest();
-        // A quarter of a circle of this radius is more than what counts as open.
+        // A quarter of a circle of this radius is larger than the least area that counts as open.
         let open = margin + (10.0 * OPEN * port.area()).sqrt();
         let pieces = port.pieces().into_iter();
         let mut parts: Vec<Part> = pieces.map(|piece| self.part(piece, [0.0, 1.0], margin)).collect();
@@ -89,7 +92,7 @@ impl Region<'_> {
         }
     }
 
-    /// How much the depth of a point changes at most with the rotation of the rotor.
+    /// Greatest change of the depth of a point with the rotation of the rotor.
     fn swiftest(&self) -> f64 {
         let [rotor, stator] = [Wall::Rotor, Wall::Stator].map(|wall| self.radii(wall)[1]);
         let of_rotor = rotor * STEEPEST / (1.0 + (rotor * STEEPEST / stator).powi(2)).sqrt();
@@ -123,7 +126,7 @@ impl Region<'_> {
             }
             let steepness = greatest * STEEPEST / lowest;
             let scale = 1.0 / (1.0 + steepness * steepness).sqrt();
-            // Its nearest radius may tell that the wall is not what bounds the depth.
+            // The nearest radius may show that the wall does not bound the depth.
             if scale * low.min(high) < depth {
                 depth = depth.min(scale * inward(self.radius(wall, theta)));
             }

@@ -1,4 +1,4 @@
-//! Ports as they are made: holes and kidneys of given size in the cover, at rest with the stator.
+//! Ports as made: holes and kidneys of given size in the cover, at rest with the stator.
 //!
 //! # Contents
 //!
@@ -9,7 +9,7 @@
 //! | `depth` | whether a port is open or closed throughout a stretch of rotation |
 //! | `land` | the least distance of two ports, exactly |
 //! | [`timing`] | when each chamber opens and closes, closed angles, short circuits |
-//! | [`trapped`] | what a closed chamber does to its pressure, the charge of what it never empties |
+//! | [`trapped`] | pressure of a closed chamber, charge of the volume that is never emptied |
 //! | [`throttling`] | the pressure drop over the openings |
 //!
 //! # Frame and signs
@@ -50,7 +50,7 @@ use std::f64::consts::TAU;
 pub enum PortShape {
     /// A round hole.
     Hole {
-        /// Its diameter.
+        /// Diameter of the hole.
         diameter: Length,
         /// Distance of its centre from the axis.
         pitch_radius: Length,
@@ -73,7 +73,7 @@ pub enum PortShape {
 }
 
 impl PortShape {
-    /// The same mirrored in the crest.
+    /// Returns the shape mirrored in the crest.
     #[must_use]
     pub fn mirrored(self) -> Self {
         match self {
@@ -98,7 +98,7 @@ pub struct PortPlate {
 /// A port that is open to a chamber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Opening {
-    /// Its pressure.
+    /// Pressure of the port.
     pub side: PortSide,
     /// The crest that it belongs to, from 0, counter-clockwise.
     pub crest: u32,
@@ -111,18 +111,18 @@ pub struct Opening {
 /// The outline of a port as a closed loop, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PortOutline {
-    /// Its pressure.
+    /// Pressure of the port.
     pub side: PortSide,
     /// The crest that it belongs to.
     pub crest: u32,
-    /// Its corners; each with the way on from it, the last to the first.
+    /// Corners of the outline, each with the way to the next; the last leads to the first.
     pub vertices: Vec<OutlineVertex>,
 }
 
 /// A corner of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutlineVertex {
-    /// Where it is.
+    /// Position of the corner.
     pub at: Point,
     /// The way to the next: 0 a straight line, else an arc, `tan(sweep/4)`, positive counter-clockwise.
     pub bulge: f64,
@@ -139,7 +139,7 @@ const STEEPEST: f64 = 0.125 * TAU;
 /// beyond 45° and looks at 64 phases.
 const LEAST_COSINE: f64 = 0.65;
 
-/// Both pressures.
+/// Pressures of the ports, high first.
 const SIDES: [PortSide; 2] = [PortSide::High, PortSide::Low];
 
 impl PortPlate {
@@ -158,7 +158,8 @@ impl PortPlate {
     ///
     /// let mm = Length::new::<millimeter>;
     /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(0.75), mm(30.0))?;
-    /// let hole = PortShape::Hole { diameter: mm(4.5), pitch_radius: mm(19.66), angle: Angle::new::<degree>(-15.1) };
+    /// let angle = Angle::new::<degree>(-15.1);
+    /// let hole = PortShape::Hole { diameter: mm(4.5), pitch_radius: mm(19.66), angle };
     /// let plate = PortPlate::new(&motor, hole, hole.mirrored())?;
     /// let timing = plate.timing()?;
     /// assert!(timing.short_circuits.is_empty());
@@ -190,8 +191,8 @@ impl PortPlate {
     /// The ideal ports of a motor as round holes of a part of the greatest diameter that a satellite covers.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the part lies between 0 and 1; as [`PortPlate::new`], above all where
-    /// there is no such hole.
+    /// [`Error::OutOfRange`] unless the part is between 0 and 1; errors of [`PortPlate::new`], above all if
+    /// no such hole exists.
     pub fn of_ideal_holes(motor: &Motor, part: f64) -> Result<Self, Error> {
         let part = crate::ranges::ranging(Quantity::HoleDiameter, part, [0.0, 1.0], "of the greatest")?;
         let ideal = motor.ports();
@@ -221,7 +222,7 @@ impl PortPlate {
         area(self.ports[of(side)].area(), self.motor.module())
     }
 
-    /// What is open after a rotation: every port towards every chamber, where they share an area.
+    /// Openings after a rotation: every port with every chamber with which it shares an area.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -272,7 +273,8 @@ impl PortPlate {
         self.motor.length(self.least_land())
     }
 
-    /// In units of the module; 0 where ports overlap.
+    /// Least distance of a high-pressure from a low-pressure port, in units of the module; 0 if ports
+    /// overlap.
     fn least_land(&self) -> f64 {
         let [high, low] = self.ports;
         let lobes = self.motor.numbers().stator_lobes();
@@ -284,7 +286,7 @@ impl PortPlate {
         self.ports[of(side)].turned(TAU * f64::from(crest) / f64::from(self.motor.numbers().stator_lobes()))
     }
 
-    /// What a chamber at a phase shares with the ports of a pressure, in units of the module.
+    /// Area that a chamber at a phase shares with the ports of a pressure, in units of the module.
     fn opening(&self, side: PortSide, phase: f64) -> f64 {
         let region = Region::new(&self.motor, phase - 0.5 * self.motor.chamber_phase(), 0);
         let crests = 0..self.motor.numbers().stator_lobes();
@@ -307,9 +309,10 @@ impl PortPlate {
     }
 }
 
-/// Why the rays through the contacts do not part the chambers, by the first of three causes with its greatest
-/// extent: a contact steeper than 45°, a satellite across its neighbour's ray, a satellite that cuts into a
-/// wheel. Looked at for 64 phases of a cycle and where the curvature jumps, and at 64 points of a satellite.
+/// Checks that the rays through the contacts part the chambers. The error is the first of three causes with
+/// its greatest extent: a contact steeper than 45°, a satellite across its neighbour's ray, a satellite that
+/// cuts into a wheel. The check covers 64 phases of a cycle and the jumps of the curvature, and 64 points of
+/// a satellite.
 pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
     const PLACES: u32 = 64;
     let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());
@@ -344,7 +347,7 @@ pub(crate) fn rays_part_chambers(motor: &Motor) -> Result<(), Error> {
                 ([x + r * cos, y + r * sin], phase)
             })
         });
-        // Within the stator's least radius, and outside the rotor's greatest, nothing is asked of the curves.
+        // Within the stator's least radius, and outside the rotor's greatest, the curves are not evaluated.
         let cut = within.filter_map(|([x, y], phase)| {
             let (rho, theta) = (libm::hypot(x, y), libm::atan2(y, x));
             let by = if is_stator {

@@ -15,9 +15,9 @@ use uom::si::f64::{Angle, Length};
 /// A straight side or an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Piece {
-    /// From one point to another.
+    /// Straight side from one point to another.
     Line([f64; 2], [f64; 2]),
-    /// About a centre: radius, start and sweep; a negative sweep is clockwise.
+    /// Arc about a centre: radius, start and sweep; a negative sweep is clockwise.
     Arc([f64; 2], f64, f64, f64),
 }
 
@@ -33,7 +33,7 @@ impl Piece {
         }
     }
 
-    /// From end to end along it.
+    /// Length of the piece from end to end.
     pub(crate) fn length(&self) -> f64 {
         match *self {
             Self::Line(from, to) => libm::hypot(to[0] - from[0], to[1] - from[1]),
@@ -57,7 +57,7 @@ impl Piece {
         }
     }
 
-    /// Of an arc, whether a point lies in a direction from the centre in which the arc lies too.
+    /// Whether the piece is an arc that covers the direction of a point from its centre.
     pub(crate) fn faces(&self, [x, y]: [f64; 2]) -> bool {
         let Self::Arc(centre, _, start, sweep) = *self else { return false };
         let angle = libm::atan2(y - centre[1], x - centre[0]);
@@ -65,7 +65,7 @@ impl Piece {
         turn.rem_euclid(TAU) <= sweep.abs()
     }
 
-    /// Its points whose normal goes through a point.
+    /// Points of the piece whose normal goes through a point.
     pub(crate) fn normal_to(&self, point: [f64; 2]) -> Vec<[f64; 2]> {
         match *self {
             Self::Line(from, to) => {
@@ -83,7 +83,7 @@ impl Piece {
         }
     }
 
-    /// Its point nearest to another.
+    /// Point of the piece nearest to another.
     pub(crate) fn nearest(&self, point: [f64; 2]) -> [f64; 2] {
         let apart = |[x, y]: &[f64; 2]| libm::hypot(x - point[0], y - point[1]);
         let mut nearest = self.at(0.0);
@@ -185,7 +185,7 @@ impl Port {
         }
     }
 
-    /// The same turned about the axis.
+    /// Returns the port turned about the axis.
     pub(crate) fn turned(self, by: f64) -> Self {
         match self {
             Self::Hole(radius, distance, angle) => Self::Hole(radius, distance, angle + by),

@@ -7,7 +7,7 @@
 //! θ₃(back) < θ < θ₃(front)        ρ₁(θ − φ) < ρ < ρ₃(θ)        outside of both satellites
 //! ```
 //!
-//! Where the outlines cross, both are cut. What of the port lies within the chamber, and what of the
+//! Outlines are cut at their crossings. The parts of the port within the chamber, and the parts of the
 //! chamber's walls within the port, bound the common area: `½∮(x·dy − y·dx)` over them. Arcs and straight
 //! sides have it in closed form, the centrodes by the eight-point rule on their smooth pieces.
 
@@ -20,7 +20,7 @@ use epicyclic_numerics::quadrature::quadrature;
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{PI, TAU};
 
-/// Places of a piece between which a crossing with a centrode is sought at first.
+/// Number of places of a piece between which to look for a crossing with a centrode at first.
 const PLACES: u32 = 24;
 
 /// A piece that dips into a wall for less, over the square root of the port's area, is not followed: the
@@ -181,7 +181,7 @@ impl<'a> Region<'a> {
         found
     }
 
-    /// What the wall along a satellite adds: clockwise about it, from the one contact to the other.
+    /// Contribution of the wall along a satellite: clockwise about it, from the one contact to the other.
     fn of_disc(&self, port: &Port, disc: &Place, is_front: bool, cuts: &[f64]) -> f64 {
         let (theta, mu) = (disc.contact.theta3, disc.contact.mu);
         let [from, to] = if is_front { [theta + mu - PI, theta - mu] } else { [theta - mu, theta + mu + PI] };
@@ -197,7 +197,7 @@ impl<'a> Region<'a> {
         ends.windows(2).map(of_pair).sum()
     }
 
-    /// What the wall along a centrode adds: counter-clockwise along the stator, back along the rotor.
+    /// Contribution of the wall along a centrode: counter-clockwise along the stator, back along the rotor.
     fn of_wall(&self, port: &Port, wall: Wall, cuts: &[f64]) -> f64 {
         let [from, to] = self.ends();
         let (kinks, sign) = match wall {

@@ -54,7 +54,7 @@ fn polygon(port: &Port, points: u32) -> Vec<[f64; 2]> {
     pieces.iter().flat_map(|piece| (0..points).map(|i| piece.at(f64::from(i) / f64::from(points)))).collect()
 }
 
-/// What of a polygon lies within a convex one, counter-clockwise (Sutherland and Hodgman).
+/// Part of a polygon within a convex one, counter-clockwise (Sutherland and Hodgman).
 fn clipped(subject: &[[f64; 2]], window: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut left = subject.to_vec();
     for (a, b) in window.iter().zip(window.iter().cycle().skip(1)) {
@@ -101,8 +101,8 @@ proptest! {
         let polygons = |steps| polygon_area(&clipped(&outline_of(&motor, rotation, chamber, steps), &polygon(&port, steps)));
         let (coarse, fine) = (polygons(200), polygons(400));
         let extrapolated = fine + (fine - coarse) / 3.0;
-        // As of the chambers' own polygons: the junction of the arcs falls between two points and takes part
-        // of the gain.
+        // As for the chambers' own polygons: the junction of the arcs falls between two points and reduces
+        // the gain.
         prop_assert!((shared - extrapolated).abs() < 1e-4 * motor.shape.satellite_radius().powi(2), "{shared} {extrapolated}");
     }
 

@@ -10,11 +10,12 @@
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
 //! | `ϱ` | `density` | density of the fluid | kg/m³ |
-//! | `C_d` | `discharge` | discharge coefficient of the openings, an input: it depends on edges and channels | 1 |
+//! | `C_d` | `discharge` | discharge coefficient of the openings, an input | 1 |
 //! | `ω` | `speed` | speed of the rotor | rad/s |
 //!
-//! One drop for all openings is the model: the chamber that is just opening has a greater one of its own,
-//! until compression of its oil limits it. The channels beyond the plate are left out.
+//! The discharge coefficient depends on edges and channels. One drop for all openings is the model: the
+//! chamber that is just opening has a greater one of its own, until compression of its oil limits it. The
+//! channels beyond the plate are left out.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, MassDensity, Power, Pressure};
@@ -26,7 +27,7 @@ use crate::quantity::{PortSide, Quantity};
 use crate::ranges::{positive, ranging};
 use crate::tolerance::OPEN;
 
-/// Rotations of a period that are looked at.
+/// Number of rotations of a period that are evaluated.
 const PLACES: u32 = 60;
 
 /// A fluid through ports.

@@ -1,9 +1,9 @@
-//! When a chamber opens and closes over its cycle.
+//! Opening and closing of a chamber over its cycle.
 //!
-//! All chambers go through the same cycle, so that one stands for all. The cycle is halved until a port is
-//! proven open or closed throughout a stretch (`depth`), down to stretches of 1e-4 radians, 0.006°; what such
-//! a short one is, the area says that is open in its middle. So nothing that lasts longer is missed, be it an
-//! opening, a closure or a short circuit. The phase of a change is found by halving on.
+//! All chambers go through the same cycle, so that one represents all. The cycle is halved until a port is
+//! proven open or closed throughout a stretch (`depth`), down to stretches of 1e-4 radians, 0.006°. The state
+//! of such a short stretch follows from the area that is open in its middle. So nothing that lasts longer is
+//! missed, be it an opening, a closure or a short circuit. The phase of a change is found by halving on.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Area};
@@ -25,7 +25,7 @@ const STRETCHES: u32 = 16;
 /// Stretches of rotation that are halved no more.
 const SHORTEST: f64 = 1e-4;
 
-/// Phases of the cycle between which the widest opening is sought.
+/// Number of phases of the cycle in the search for the widest opening.
 const PHASES: u32 = 120;
 
 /// Steps of golden section between two of them.
@@ -34,18 +34,18 @@ const STEPS: u32 = 24;
 /// A stretch of a chamber's cycle, by its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Where it begins, from `−π/N − π/n` on.
+    /// Beginning of the stretch, from `−π/N − π/n` on.
     pub from: Angle,
-    /// Where it ends; beyond half a cycle where the stretch goes on through the least.
+    /// End of the stretch; beyond half a cycle if the stretch goes on through the least.
     pub to: Angle,
 }
 
-/// Where a chamber is at an extreme.
+/// Extreme of a chamber's area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtExtreme {
-    /// At its greatest.
+    /// The greatest area.
     Greatest,
-    /// At its least.
+    /// The least area.
     Least,
 }
 
@@ -65,7 +65,7 @@ pub struct Closed {
 /// The widest opening of a chamber to a pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Widest {
-    /// Its area.
+    /// Area of the opening.
     pub area: Area,
     /// The phase of the chamber.
     pub phase: Angle,
@@ -74,22 +74,22 @@ pub struct Widest {
 /// The cycle of a chamber.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timing {
-    /// Rotation of the rotor in which a chamber comes to the same state: `2π/N + 2π/n`.
+    /// Rotation of the rotor in which a chamber returns to the same state: `2π/N + 2π/n`.
     pub cycle: Angle,
-    /// Where a chamber is open to the high pressure.
+    /// Stretches in which a chamber is open to the high pressure.
     pub high: Vec<Stretch>,
-    /// Where it is open to the low one.
+    /// Stretches in which a chamber is open to the low pressure.
     pub low: Vec<Stretch>,
-    /// Where it is open to both: short circuits.
+    /// Stretches in which a chamber is open to both pressures: short circuits.
     pub short_circuits: Vec<Stretch>,
-    /// Where it is closed to both.
+    /// Stretches in which a chamber is closed to both pressures.
     pub closed: Vec<Closed>,
     /// The widest openings to the high and to the low pressure.
     pub widest: [Widest; 2],
 }
 
 impl PortPlate {
-    /// When a chamber opens and closes.
+    /// Opening and closing of a chamber over its cycle.
     ///
     /// # Errors
     /// [`Error::PortNeverOpens`], [`Error::PortNeverCloses`].
@@ -119,7 +119,7 @@ impl PortPlate {
         Ok(Timing { cycle: Angle::from_si(cycle), high, low, short_circuits, closed, widest })
     }
 
-    /// Where a chamber is open to a pressure; the widest opening and its phase.
+    /// Stretches in which a chamber is open to a pressure; the widest opening and its phase.
     fn open_stretches(&self, side: PortSide, cycle: f64) -> Result<(Vec<Span>, (f64, f64)), Error> {
         let least = OPEN * self.ports[of(side)].area();
         let is_open = |phase: f64| self.opening(side, phase) > least;
@@ -170,7 +170,7 @@ impl PortPlate {
         }
     }
 
-    /// What the ports of a pressure are to a chamber for all phases that differ from one by no more than
+    /// State of the ports of a pressure towards a chamber for all phases that differ from one by no more than
     /// `half`.
     fn throughout(&self, side: PortSide, phase: f64, half: f64) -> Throughout {
         let region = Region::new(&self.motor, phase - 0.5 * self.motor.chamber_phase(), 0);
@@ -221,7 +221,7 @@ struct Span {
 }
 
 impl Span {
-    /// The same beginning within half a cycle of the greatest.
+    /// Returns the stretch moved by whole cycles to begin within half a cycle of the greatest.
     fn within(self, cycle: f64) -> Self {
         let by = cycle * (self.from / cycle + 0.5).floor();
         Self { from: self.from - by, to: self.to - by }

@@ -1,16 +1,16 @@
-//! What a chamber closed to both pressures does to its own.
+//! Pressure in a chamber that is closed to both pressures.
 //!
 //! About an extreme the area of a chamber is `A = A_ext + ½·A″·u²` in the rotation `u` from it. A chamber
-//! that is closed a rotation `ε` before holds the oil of that instant, so that its pressure changes until the
-//! extreme by
+//! that closes a rotation `ε` before the extreme holds the oil of that instant. So its pressure changes until
+//! the extreme by:
 //!
 //! ```text
 //! p = K·½·|A″|·ε²/(A_ext + A_dead)
 //! ```
 //!
-//! up at the least, down at the greatest; and the angle in which it comes by itself to a pressure `p` higher
-//! is `ε = √(2·p·(A + A_dead)/(K·|A″|))`. What a chamber still has at its least must be brought from the low
-//! to the high pressure as it opens, which takes, a revolution,
+//! The pressure rises at the least area and falls at the greatest. The angle in which it rises on its own by
+//! `p` is `ε = √(2·p·(A + A_dead)/(K·|A″|))`. The volume that a chamber still has at its least must be
+//! brought from the low to the high pressure as it opens. This takes per revolution:
 //!
 //! ```text
 //! V = N·n·(A_min + A_dead)·b·Δp/K
@@ -18,7 +18,7 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `K` | `bulk_modulus` | bulk modulus of the fluid, with what air it holds | Pa |
+//! | `K` | `bulk_modulus` | bulk modulus of the fluid, with the air in it | Pa |
 //! | `A_dead` | `dead_area` | volume of port and gaps that stays joined with a chamber, over the width | m² |
 //! | `A″` | | second derivative of the area by the rotation | m²/rad² |
 //!
@@ -41,7 +41,7 @@ use crate::tolerance::WITHIN;
 /// A chamber at its greatest or least.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extreme {
-    /// Its area.
+    /// Area of the chamber.
     pub area: Area,
     /// `A″`, the second derivative of its area by the rotation, a squared radian.
     pub bend: Area,
@@ -57,7 +57,8 @@ impl Extreme {
     /// # Example
     /// ```
     /// use epicyclic_hydromotor::ports::trapped::Extreme;
-    /// use uom::si::{angle::degree, area::square_millimeter, f64::{Angle, Area, Pressure}, pressure::gigapascal};
+    /// use uom::si::f64::{Angle, Area, Pressure};
+    /// use uom::si::{angle::degree, area::square_millimeter, pressure::gigapascal};
     /// use uom::si::pressure::megapascal;
     ///
     /// let mm2 = Area::new::<square_millimeter>;
@@ -110,7 +111,7 @@ fn from_zero(closed: Angle) -> Result<f64, Error> {
     Ok(closed.si())
 }
 
-/// What a closed stretch does to the pressure in a chamber.
+/// Effect of a closed stretch on the pressure in a chamber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trapped {
     /// The stretch.
@@ -162,7 +163,7 @@ impl PortPlate {
         Ok(self.motor.chambers(rotation)?[0].area.si())
     }
 
-    /// What every closed stretch does to the pressure, with the exact areas:
+    /// Effects of all closed stretches on the pressure, with the exact areas:
     /// `K·(A(closing) − A)/(A + A_dead)` where it is greatest.
     ///
     /// # Errors
@@ -193,8 +194,9 @@ impl PortPlate {
         timing.closed.iter().map(of).collect()
     }
 
-    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and
-    /// while it is closed what compression makes of that before; none in a short circuit.
+    /// Pressure over the low one in a chamber at a phase, which is 0 at the chamber's greatest. It is that of
+    /// the open port, and while the chamber is closed the previous pressure changed by compression; `None` in
+    /// a short circuit.
     ///
     /// # Errors
     /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the
@@ -235,11 +237,12 @@ impl PortPlate {
         Ok(Some(Pressure::from_si(pressure)))
     }
 
-    /// What a revolution has against the ports: short circuits, and stretches that change the pressure by
-    /// more than is allowed.
+    /// Faults of the ports over a revolution: short circuits, and stretches that change the pressure by more
+    /// than is allowed.
     ///
     /// # Errors
-    /// As [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure allowed.
+    /// Errors of [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure
+    /// allowed.
     pub fn findings(
         &self,
         bulk_modulus: Pressure,
@@ -260,14 +263,14 @@ impl PortPlate {
 pub enum Finding {
     /// A chamber joins the high and the low pressure.
     ShortCircuit {
-        /// At these phases of the chamber.
+        /// Phases of the chamber with the short circuit.
         stretch: Stretch,
     },
     /// A closed chamber changes its pressure by more than is allowed.
     Trapped {
-        /// Where and by how much.
+        /// Stretch and change of the pressure.
         trapped: Trapped,
-        /// What is allowed.
+        /// Greatest change allowed.
         allowed: Pressure,
     },
 }

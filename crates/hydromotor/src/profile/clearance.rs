@@ -1,14 +1,14 @@
-//! How near the teeth come to each other over a revolution.
+//! Clearances of the teeth over a revolution.
 //!
-//! The signed distance of every point of a wheel's outline from a satellite's, for the satellites that stand
-//! in the middle of their backlash, as rolling without slip places them; negative where teeth overlap.
+//! The clearance is the signed distance of every point of a wheel's outline from a satellite's; negative if
+//! teeth overlap. The satellites are in the middle of their backlash, as rolling without slip places them.
 //!
 //! # Why one satellite and half a lobe are enough
-//! All satellites run through the same states, one behind the other ([`crate::satellites`]). When one has
-//! passed a lobe of both wheels, it meets the same teeth again with its own turned by whole pitches, since
-//! lobes are whole numbers of pitches. The teeth are mirror images in the middle of a crest, so that the
-//! state at `−Φ` is that at `Φ` mirrored. `Φ` from 0 to `π/N + π/n` therefore holds every state of every
-//! satellite in a revolution.
+//! All satellites run through the same states, one behind the other ([`crate::satellites`]). After a lobe of
+//! both wheels a satellite meets the same teeth again, itself turned by whole pitches, since lobes are whole
+//! numbers of pitches. The teeth are mirror images in the middle of a crest, so that the state at `−Φ` is
+//! that at `Φ` mirrored. `Φ` from 0 to `π/N + π/n` therefore holds every state of every satellite in a
+//! revolution.
 //!
 //! Rotations are sampled; at each, the nearest of the wheel's sampled points is refined along its curve, and
 //! the nearest rotation by golden section at last. Where flanks mesh the distance is `½·j·cos α` at each of
@@ -29,7 +29,7 @@ use crate::satellites::Point;
 use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 
-/// Where teeth come nearest.
+/// Place at which teeth come nearest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
     /// The wheel that the satellite comes near.
@@ -49,13 +49,14 @@ pub struct Nearest {
 /// The least distances over a revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearances {
-    /// Between satellites and stator.
+    /// Least distance between satellites and stator.
     pub stator: Nearest,
-    /// Between satellites and rotor.
+    /// Least distance between satellites and rotor.
     pub rotor: Nearest,
-    /// Between the tip circles of neighbouring satellites, and the rotation at which they have it.
+    /// Least distance between the tip circles of neighbouring satellites, and the rotation at which they have
+    /// it.
     pub neighbours: (Length, Angle),
-    /// Between the tips of the rotor's crests and the stator's troughs.
+    /// Distance between the tips of the rotor's crests and the stator's troughs.
     pub wheels: Length,
 }
 
@@ -102,7 +103,7 @@ struct Found {
 }
 
 impl<'a> Teeth<'a> {
-    /// From `before` lobes behind the crest at 0 to `after` ahead.
+    /// Teeth from `before` lobes behind the crest at 0 to `after` lobes ahead.
     fn new(profile: &'a Profile, side: Side, before: i32, after: i32) -> Self {
         let track = profile.track(side);
         let lobe = track.lobe();
@@ -245,7 +246,7 @@ impl Profile {
         })
     }
 
-    /// How near each satellite comes to stator and rotor after a rotation of the rotor: the naive way, along
+    /// Least distances of each satellite from stator and rotor after a rotation of the rotor, by trial along
     /// whole wheels.
     ///
     /// # Errors

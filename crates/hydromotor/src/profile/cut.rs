@@ -1,7 +1,7 @@
 //! The teeth of stator and rotor as the envelope of the satellite-shaped cutter that rolls along the track.
 //!
-//! With the cutter in contact at the arc length `s`, its point `C`, the unit vector `T` along the track and
-//! `n` across it to the satellite, each part of the outline is explicit:
+//! Let the cutter be in contact at the arc length `s`, at its point `C`. `T` is the unit vector along the
+//! track and `n` the one across it to the satellite. Each part of the outline is then explicit:
 //!
 //! ```text
 //! flank    X = C − Δ·cos α·u        u = cos α·T ∓ sin α·n        Δ = s − s₀
@@ -11,12 +11,14 @@
 //!
 //! | symbol | meaning |
 //! |---|---|
-//! | `s₀` | where the flank cuts the centrode: half a space from the middle `s_c` of its space, `±` on its sides |
-//! | `ψ` | `±φ_F − (s − s_c)/r`, angle at the cutter's centre between contact and the centre `F` of its rounded tip |
+//! | `s₀` | contact where the flank cuts the centrode: half a space from `s_c`, `±` on its sides |
+//! | `s_c` | middle of the flank's space |
+//! | `ψ` | `±φ_F − (s − s_c)/r`, angle at the cutter's centre between contact and `F` |
+//! | `F` | centre of the cutter's rounded tip |
 //! | `R_F`, `φ_F` | radius and angle of `F` on the cutter |
 //!
 //! The flank's normal passes through the pitch point (law of gearing), and on an involute it touches the base
-//! circle: as the pitch point runs along the pitch circle by `Δ`, the distance along the normal grows by
+//! circle. As the pitch point runs along the pitch circle by `Δ`, the distance along the normal grows by
 //! `Δ·cos α`, whatever the track's curvature. The *roll* `η = ±Δ` is positive towards the wheel's tip. The
 //! envelope's derivatives, by which cusps are found:
 //!
@@ -38,7 +40,7 @@ use crate::tolerance::{ALONGSIDE, LEAST_ADDENDUM, MET, STEP};
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
-/// Places of a flank at which it is looked at for cusps.
+/// Number of places of a flank in the search for cusps.
 const PLACES: u32 = 24;
 
 /// A formula of the outline.
@@ -62,7 +64,7 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// The same part lobes further on.
+    /// Returns the part moved by whole lobes.
     pub(super) fn shifted(self, by: f64) -> Self {
         let curve = match self.curve {
             Curve::Parallel { .. } => self.curve,
@@ -82,13 +84,13 @@ pub(super) struct Flank {
     /// Contact of its end at the tip, and the foot of that end on the centrode.
     pub(super) tip: f64,
     pub(super) foot: f64,
-    /// What is missing to the tip where the flank ends in a cusp before; the tooth goes on there along the
+    /// Missing height to the tip if the flank ends in a cusp before; the tooth goes on there along the
     /// centrode's normal.
     pub(super) missing: f64,
     /// Contact of its end at the fillet, and that of the fillet's end there.
     pub(super) end: f64,
     pub(super) fillet: f64,
-    /// Where the flank goes on to the fillet after a loop at its end, if a loop is all that is cut off.
+    /// Contact at which the flank goes on to the fillet after a loop at its end, if only a loop is cut off.
     pub(super) again: Option<f64>,
     /// Whether the cutter removes a part of the flank.
     pub(super) undercut: bool,
@@ -120,7 +122,7 @@ impl Flank {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cut {
     pub(super) side: Side,
-    /// Both flanks of every space, the one before its middle first.
+    /// Flanks of every space, first the one before its middle, then the one after.
     pub(super) flanks: Vec<[Flank; 2]>,
     /// The outline along the track, from a space on.
     pub(super) pieces: Vec<Piece>,
@@ -171,7 +173,7 @@ fn derivative(teeth: &Teeth, curve: Curve, frame: &Frame) -> [f64; 2] {
     from.point(along, across)
 }
 
-/// How far the flank is from a cusp, `sin α − η·κ·cos α`: positive on the branch that is cut.
+/// Distance of the flank from a cusp, `sin α − η·κ·cos α`: positive on the branch that is cut.
 pub(super) fn regularity(teeth: &Teeth, flank: &Flank, frame: &Frame) -> f64 {
     teeth.sin - flank.roll(frame.s) * frame.curvature * teeth.cos
 }
@@ -180,7 +182,7 @@ fn apart([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> [f64; 2] {
     [ax - bx, ay - by]
 }
 
-/// Where two curves meet, by Newton's method from near there; the contacts on either.
+/// Contacts on two curves at their crossing, by Newton's method from near it.
 fn meeting(teeth: &Teeth, track: &Track<'_>, curves: [Curve; 2], start: [f64; 2]) -> Option<[f64; 2]> {
     let mut s = start;
     for _ in 0..60 {
@@ -222,7 +224,7 @@ impl Cut {
         Self::of_flanks(&track, teeth, offset, &after)
     }
 
-    /// From the flanks after the middles of the spaces of a lobe.
+    /// Teeth of a lobe from the flanks after the middles of its spaces.
     pub(super) fn of_flanks(
         track: &Track<'_>,
         teeth: &Teeth,
@@ -315,8 +317,8 @@ impl Cut {
         Ok(flank)
     }
 
-    /// Where a flank meets the parallel of the centrode at the addendum, or ends in a cusp before: contact,
-    /// foot on the centrode, and what is missing.
+    /// End of a flank: the crossing with the parallel of the centrode at the addendum, or a cusp before.
+    /// Returns the contact, the foot on the centrode, and the height missing.
     pub(super) fn tip(
         track: &Track<'_>,
         teeth: &Teeth,
@@ -370,8 +372,8 @@ impl Cut {
         bracketed(LEAST_ADDENDUM, teeth.wheel_addendum, |addendum| -land(addendum))
     }
 
-    /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by
-    /// the fillet. The curve that cuts it, and the contacts on both.
+    /// Finds the undercut of a flank, followed from the tip to its first cusp: the curve that cuts it, the
+    /// flank itself or the fillet, and the contacts on both.
     fn undercut(track: &Track<'_>, teeth: &Teeth, flank: &Flank, middle: f64) -> Option<(Curve, [f64; 2])> {
         const COUNT: u32 = 40;
         let on_flank = Curve::Flank { sign: flank.sign, pitch: flank.pitch };
@@ -418,8 +420,7 @@ impl Cut {
     }
 }
 
-/// Where two curves whose chords cross do so themselves: Newton's method, from ever shorter chords if it
-/// leaves them.
+/// Crossing of two curves whose chords cross: Newton's method, from ever shorter chords if it leaves them.
 fn crossing(
     teeth: &Teeth,
     track: &Track<'_>,

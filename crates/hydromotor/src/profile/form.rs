@@ -1,4 +1,4 @@
-//! The form of the teeth: what an engineer chooses, and the numbers of satellite and cutter that follow.
+//! The form of the teeth: the engineer's choice, and the numbers of satellite and cutter that follow.
 //!
 //! In modules, `p = π` the pitch, `r = Z_s/2` the satellite's pitch radius, `r_b = r·cos α` its base radius:
 //!
@@ -22,7 +22,7 @@ use crate::ranges::finite_angle;
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What lies in the middle of the stator's crests.
+/// Part of a tooth in the middle of the stator's crests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Crest {
     /// The middle of a space.
@@ -52,7 +52,7 @@ pub struct ToothForm {
     pub satellite_share: f64,
     /// Radius `ρ*` of the rounded tips of the cutter of the wheels and of the satellite's rack, from 0 to 1.
     pub fillet: f64,
-    /// What lies in the middle of the stator's crests.
+    /// Part of a tooth in the middle of the stator's crests.
     pub crest: Crest,
 }
 
@@ -97,7 +97,8 @@ pub(crate) struct Teeth {
     /// Centre of the cutter's rounded tip: radius, and angle from the middle of the tooth.
     pub(super) round_radius: f64,
     pub(super) round_angle: f64,
-    /// Where the cutter's flank ends at the rounding: roll from the pitch point, negative ([`super::cut`]).
+    /// Roll at which the cutter's flank ends at the rounding, from the pitch point, negative
+    /// ([`super::cut`]).
     pub(super) cutter_roll: f64,
     /// The wheels' addendum.
     pub(super) wheel_addendum: f64,
@@ -105,7 +106,7 @@ pub(crate) struct Teeth {
     /// line.
     pub(super) rack_half: f64,
     pub(super) rack_depth: f64,
-    /// Where the rack's flank ends at the rounding.
+    /// Roll at which the rack's flank ends at the rounding.
     pub(super) rack_roll: f64,
     pub(super) fillet: f64,
     pub(super) backlash: f64,

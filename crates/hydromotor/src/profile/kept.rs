@@ -1,10 +1,10 @@
-//! Whether a motor keeps all limits in a form, for searches that try many: what decides soonest first, with
-//! an end at the first failure.
+//! Fast test whether a motor keeps all limits in a form, for searches that try many: the quickest tests come
+//! first, with an end at the first failure.
 //!
-//! What depends on the form and the satellite's teeth alone is asked once ([`SatelliteForm`]), what depends
-//! on the motor alone once ([`Room`]), and of a motor in a form flanks are cut one by one. The answers are
-//! those of [`Profile`](super::Profile) and its limits, the flanks on one side of the spaces alone, as those
-//! on the other are mirror images; the tests compare them.
+//! Results that depend only on the form and the satellite's teeth are computed once ([`SatelliteForm`]),
+//! those that depend only on the motor once ([`Room`]). For a motor in a form flanks are cut one by one. The
+//! results are those of [`Profile`](super::Profile) and its limits, from the flanks on one side of the spaces
+//! alone, as those on the other are mirror images. The tests compare them.
 
 use super::Part;
 use super::cut::Cut;
@@ -18,7 +18,7 @@ use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
 use std::f64::consts::PI;
 
-/// Why a motor has no teeth of a form.
+/// Reason why a motor has no teeth of a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Failure {
     /// The form leaves no teeth, or a flank has no tip.
@@ -38,7 +38,7 @@ pub(crate) struct SatelliteForm {
 }
 
 impl SatelliteForm {
-    /// With the limits of the satellite kept.
+    /// Form on satellites of this number of teeth, if the limits of the satellite are kept.
     pub(crate) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Failure> {
         let offsets = phases(form.crest, satellite_teeth);
         let teeth = Teeth::new(form, satellite_teeth).map_err(|_| Failure::NoTeeth)?;
@@ -57,7 +57,7 @@ impl SatelliteForm {
         Ok(formed)
     }
 
-    /// What the contact ratio cannot exceed on any motor: the whole involute of the satellite.
+    /// Upper bound of the contact ratio on any motor: the whole involute of the satellite.
     pub(crate) fn greatest_contact_ratio(&self) -> f64 {
         let mesh = Mesh { teeth: &self.teeth, satellite: &self.satellite };
         (mesh.satellite_path() + mesh.satellite_tip()) / (PI * self.teeth.cos)
@@ -84,7 +84,7 @@ pub(crate) struct Room {
 }
 
 impl Room {
-    /// With the curvature extremes known.
+    /// Room of a motor whose curvature extremes are known.
     pub(crate) fn of(motor: &Motor, curvatures: [f64; 4]) -> Self {
         Self {
             bulges: [curvatures[0].recip(), curvatures[2].recip()],
@@ -109,8 +109,8 @@ impl Room {
     }
 }
 
-/// The contact ratio of a motor in a form, its shortest path of contact over the base pitch, or what fails
-/// first; none as soon as it is known to be at most one that is not `wanted`.
+/// Contact ratio of a motor in a form, its shortest path of contact over the base pitch, or the first
+/// failure. `None` as soon as it is known to be at most one that is not `wanted`.
 pub(crate) fn contact_ratio(
     motor: &Motor,
     room: &Room,
@@ -160,7 +160,7 @@ pub(crate) fn contact_ratio(
                 return Err(Failure::Limit(kind));
             }
             after[i as usize] = Some(flank);
-            // The shortest path of all is no longer than the shortest of some.
+            // The shortest of all paths is no longer than the shortest of some.
             let so_far = worsts.contact_path().map_or(shortest, |path| shortest.min(path));
             if !wanted(so_far / base_pitch) {
                 return Ok(None);
@@ -188,7 +188,7 @@ pub(crate) fn contact_ratio(
     Ok(Some(shortest / base_pitch))
 }
 
-/// All places of a lobe from one on, to both sides in turn.
+/// Places of a lobe from one on, to both sides in turn.
 fn outward(first: u32, count: u32) -> impl Iterator<Item = u32> {
     (0..count).map(move |k| {
         let away = k.div_ceil(2);
@@ -210,7 +210,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(160))]
 
-        /// The short way answers as the profile with all its limits does, and tells its contact ratio.
+        /// The fast test agrees with the profile and all its limits, and returns its contact ratio.
         #[test]
         fn a_form_is_kept_where_the_profile_keeps_every_limit(
             motor in any_motor(), degrees in 20.0..30.0, heights in (0.5..0.9, 0.15..0.3, 0.0..0.4), tooth in any::<bool>(),
@@ -234,7 +234,7 @@ mod tests {
                 let paths = profile.limits().into_iter().filter(|limit| limit.kind == LimitKind::ContactPath);
                 let least = paths.map(|limit| (limit.value / limit.bound).value).fold(f64::INFINITY, f64::min);
                 prop_assert!((ratio / least - 1.0).abs() < 1e-9 && ratio <= form.greatest_contact_ratio() * (1.0 + 1e-12));
-                // What is not wanted ends the trial.
+                // A contact ratio that is not wanted ends the trial.
                 prop_assert_eq!(contact_ratio(&motor, &room, &form, |most| most > ratio * 1.001), Ok(None));
             }
         }

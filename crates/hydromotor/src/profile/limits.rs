@@ -1,31 +1,35 @@
-//! The limits of the teeth: what a tooth form must keep on every place of the centrodes.
+//! Limits of the teeth: the conditions on a tooth form at every place of the centrodes.
 //!
 //! Paths run along the line of action from the pitch point; `κ` is the centrode's curvature towards the
 //! satellite.
 //!
-//! | kind | wheel | value | bound |
-//! |---|---|---|---|
-//! | undercut | stator, rotor | path of contact with the cutter where the flank begins | at most `sin α/\|κ\|`, where the flank would have a cusp |
-//! | undercut | satellite | the same path with its rack | at most `r·sin α`, the base circle |
-//! | cusp at the tip | stator, rotor | path of contact at the tip, where the centrode is hollow | at most `sin α/κ` |
-//! | foreign root | stator, rotor | path of contact at the wheel's tip, or reach into the fillet | at most that at which the satellite's involute begins |
-//! | own root | stator, rotor | path of contact at the satellite's tip | at most that at which the wheel's flank begins |
-//! | tip | all | thickness of the thinnest tip | at least 0.2 modules |
-//! | contact | stator, rotor | shortest path of contact | at least a base pitch, `p·cos α` |
-//! | root curve | stator, rotor | the cutter's addendum | at most the radius of the centrode's sharpest bulge towards the satellite |
-//! | tip curve | stator, rotor | the wheel's addendum | at most the radius of its sharpest hollow |
-//! | neighbours | satellite | least distance of satellites' centres | at least the tip circle's diameter |
-//! | wheels | rotor | stator's least radius less rotor's greatest | at least both addenda |
+//! Limits of stator and rotor, unless another wheel is named:
+//! - *Undercut*: the path of contact with the cutter where the flank begins is at most `sin α/|κ|`, where the
+//!   flank would have a cusp. For the satellite the same path with its rack is at most `r·sin α`, the base
+//!   circle.
+//! - *Cusp at the tip*: where the centrode is hollow, the path of contact at the tip is at most `sin α/κ`.
+//! - *Foreign root*: the path of contact at the wheel's tip, or its reach into the fillet, is at most that at
+//!   which the satellite's involute begins.
+//! - *Own root*: the path of contact at the satellite's tip is at most that at which the wheel's flank
+//!   begins.
+//! - *Tip*, of all wheels: the thickness of the thinnest tip is at least 0.2 modules.
+//! - *Contact*: the shortest path of contact is at least a base pitch, `p·cos α`.
+//! - *Root curve*: the cutter's addendum is at most the radius of the centrode's sharpest bulge towards the
+//!   satellite.
+//! - *Tip curve*: the wheel's addendum is at most the radius of its sharpest hollow.
+//! - *Neighbours*, of the satellite: the least distance of satellites' centres is at least the tip circle's
+//!   diameter.
+//! - *Wheels*, of the rotor: the stator's least radius less the rotor's greatest is at least both addenda.
 //!
-//! A wheel's tip that keeps the *foreign root* may still run into the satellite's fillet: its corner goes on
-//! from the involute's beginning on a path of its own, and where that is bent less than the fillet it leaves
-//! less than the `½·j·cos α` between flanks. The value of *foreign root* is then the bound and what is
-//! missing of that distance.
+//! A wheel's tip that keeps the *foreign root* may still run into the satellite's fillet. Its corner goes on
+//! from the involute's beginning on a path of its own; if that is bent less than the fillet, it leaves less
+//! than the `½·j·cos α` between flanks. The value of *foreign root* is then the bound plus the missing part
+//! of that distance.
 //!
-//! Of a flank that ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path and what
-//! is missing to the tip.
+//! If a flank ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path plus the
+//! missing height to the tip.
 //!
-//! Values and bounds are lengths; of each kind and wheel the place is returned where value and bound are
+//! Values and bounds are lengths. For each kind and wheel the place is returned where value and bound are
 //! nearest or the bound is most exceeded.
 
 use uom::si::f64::Length;
@@ -41,7 +45,7 @@ use crate::modules::modules;
 use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 
-/// What is limited.
+/// Kind of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LimitKind {
     /// The cutter's tip removes a part of the flank.
@@ -66,34 +70,34 @@ pub enum LimitKind {
     Wheels,
 }
 
-/// On which side of its bound a value lies.
+/// Side of its bound on which a value is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Bound {
-    /// Not below it.
+    /// The value is not below the bound.
     AtLeast,
-    /// Not above it.
+    /// The value is not above the bound.
     AtMost,
 }
 
 /// A limit of a wheel's teeth where it is nearest to failing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
-    /// What is limited.
+    /// Kind of the limit.
     pub kind: LimitKind,
     /// Whose teeth.
     pub wheel: Wheel,
-    /// Its value.
+    /// Value that is limited.
     pub value: Length,
     /// Side of the bound.
     pub sense: Bound,
     /// The bound.
     pub bound: Length,
-    /// Where: arc length on the centrode from the middle of a crest; of a satellite none.
+    /// Arc length on the centrode from the middle of a crest; `None` for a satellite.
     pub at: Option<Length>,
 }
 
 impl Limit {
-    /// How far the value is on the allowed side of the bound; negative if the limit fails.
+    /// Distance of the value from the bound on the allowed side; negative if the limit fails.
     #[must_use]
     pub fn margin(&self) -> Length {
         match self.sense {
@@ -115,7 +119,7 @@ impl Limit {
 /// The least thickness of a tip in modules.
 pub const LEAST_TIP: f64 = 0.2;
 
-/// Places of a flank at which it is looked at, besides its ends.
+/// Number of places of a flank that are evaluated, besides its ends.
 const PLACES: u32 = 24;
 
 /// A limit in modules, with its place.
@@ -140,7 +144,7 @@ impl Worst {
 }
 
 impl Profile {
-    /// Every limit that applies; of a centrode that is nowhere hollow there is none of its hollow.
+    /// Every limit that applies; a centrode that is nowhere hollow has no limit of its hollow.
     ///
     /// # Example
     /// ```
@@ -211,7 +215,7 @@ impl Profile {
     }
 }
 
-/// Limits of a wheel, in the order in which they are told.
+/// Limits of a wheel, in the order in which they are listed.
 const KINDS: [(LimitKind, Bound); 8] = [
     (LimitKind::Undercut, Bound::AtMost),
     (LimitKind::TipCusp, Bound::AtMost),
@@ -242,7 +246,7 @@ impl Mesh<'_> {
     }
 }
 
-/// The worst of each of [`KINDS`] among the flanks and tips looked at.
+/// The worst of each of [`KINDS`] among the flanks and tips evaluated.
 #[derive(Default)]
 pub(super) struct Worsts([Option<Worst>; KINDS.len()]);
 
@@ -268,13 +272,13 @@ impl Worsts {
         KINDS.into_iter().zip(&self.0).find_map(fails)
     }
 
-    /// The shortest path of contact of the flanks looked at.
+    /// Shortest path of contact of the flanks evaluated.
     pub(super) fn contact_path(&self) -> Option<f64> {
         let of = KINDS.iter().position(|(kind, _)| *kind == LimitKind::ContactPath)?;
         self.0[of].as_ref().map(|worst| worst.value)
     }
 
-    /// What a flank tells, but for the satellite's fillet.
+    /// Adds the limits of a flank, without that of the satellite's fillet.
     pub(super) fn flank(&mut self, mesh: Mesh<'_>, track: &Track<'_>, flank: &Flank) {
         let teeth = mesh.teeth;
         let at = flank.pitch;
@@ -305,7 +309,7 @@ impl Worsts {
         self.keep(LimitKind::ContactPath, path, PI * teeth.cos, at);
     }
 
-    /// How the corner of the wheel's tip, beyond a flank, keeps from the satellite's fillet.
+    /// Adds the limit of the corner of the wheel's tip, beyond a flank, against the satellite's fillet.
     pub(super) fn fillet(&mut self, mesh: Mesh<'_>, track: &Track<'_>, flank: &Flank) {
         // The flanks on the other side of the spaces are mirror images.
         let intrusion = if flank.sign > 0.0 { intrusion(mesh, track, flank) } else { 0.0 };
@@ -315,7 +319,7 @@ impl Worsts {
         }
     }
 
-    /// What the land at a tip tells.
+    /// Adds the limit of the land at a tip.
     pub(super) fn tip(&mut self, mesh: Mesh<'_>, track: &Track<'_>, piece: &Piece) {
         let frames: Vec<Frame> = track.frames(piece.from, piece.to, 8).chain([track.at(piece.to)]).collect();
         let point = |frame: &Frame| frame.point(0.0, mesh.teeth.wheel_addendum);
@@ -330,8 +334,8 @@ impl Worsts {
     }
 }
 
-/// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact
-/// goes on from the tip to the corner's foot; 0 if it does not.
+/// Amount by which the corner of a wheel's tip comes nearer to the satellite's fillet than the flanks do, as
+/// contact goes on from the tip to the corner's foot; 0 if it does not.
 fn intrusion(Mesh { teeth, satellite }: Mesh<'_>, track: &Track<'_>, flank: &Flank) -> f64 {
     let corner = track.at(flank.foot).point(0.0, teeth.wheel_addendum);
     let middle = flank.pitch - flank.sign * teeth.half_space;

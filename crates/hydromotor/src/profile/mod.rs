@@ -4,40 +4,45 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`form`] | what is chosen: pressure angle, heights, shift, backlash, fillet |
+//! | [`form`] | the tooth form: pressure angle, heights, shift, backlash, fillet |
 //! | `track` | a centrode as the track that the satellite rolls along |
 //! | `cut` | the teeth of stator and rotor in closed form |
 //! | `satellite` | the satellite's teeth, and how far a point is from them |
-//! | [`limits`] | undercut, pointed tips, reach of the flanks: which limit fails, where, what it allows |
+//! | [`limits`] | undercut, pointed tips, reach of the flanks: the failing limit, its place, the bound |
 //! | `kept` | whether a motor keeps all limits in a form, for searches |
 //! | `paths` | the path of contact of every flank |
 //! | `tooth` | single teeth in their own frame: sections, points of load |
 //! | [`clearance`] | how near the teeth come over a revolution |
 //!
 //! # In phase
-//! A satellite's contact runs round it by `s₃/r` towards the stator and by `π + s₁/r` towards the rotor. With
-//! a pitch of `p = π·m` a satellite tooth at the stator's crest therefore meets a stator space there, and on
-//! the rotor's crest, `Z_s/2` pitches away, a space for an even and a tooth for an odd `Z_s`; mirrored in the
-//! crest either way. Since a lobe of either wheel is `Z₃/N = Z₁/n` whole pitches, both wheels look the same
-//! after a lobe, so every satellite finds the teeth as the one before it did: all `N + n` mesh at once, for
-//! every admissible set. A fraction of a pitch in `Z₃/N` would be what is left over between neighbours; it is
-//! refused by [`crate::MotorNumbers`].
+//! A satellite's contact runs round it by `s₃/r` towards the stator and by `π + s₁/r` towards the rotor, with
+//! a pitch of `p = π·m`. A satellite tooth at the stator's crest therefore meets a stator space there. On the
+//! rotor's crest, `Z_s/2` pitches away, it meets a space for an even and a tooth for an odd `Z_s`; mirrored
+//! in the crest either way. A lobe of either wheel is `Z₃/N = Z₁/n` whole pitches, so both wheels look the
+//! same after a lobe. Every satellite finds the teeth as the previous one did: all `N + n` mesh at once, for
+//! every admissible set. A fraction of a pitch in `Z₃/N` would remain between neighbours;
+//! [`crate::MotorNumbers`] refuses it.
 //!
 //! # Why these defaults
 //! A satellite of 10 teeth is the smaller wheel of every mesh, and decides. In the standard form of 20° and
-//! full depth its rack undercuts it (`h_f − ρ·(1 − sin α) = 1.151` modules where `r·sin² α = 0.585` are
-//! allowed) and the wheels' tips reach below its base circle. Of the forms on a grid of 20° to 30° in steps
-//! of 1°, and in steps of 0.05 `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from
-//! 0.1 to 0.25, 453 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of
-//! their families. The lower the teeth, the wider the margins, but the shorter the path of contact, down to
-//! one base pitch: the default trades them, with a path of 1.12 base pitches, tips of half a module, and 0.12
-//! modules left to undercut and roots. Towards the ends of a family the centrodes bend more sharply and the
-//! default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`,
-//! a smaller one lower teeth.
+//! full depth its rack undercuts it: `h_f − ρ·(1 − sin α) = 1.151` modules where `r·sin² α = 0.585` are
+//! allowed. The wheels' tips also reach below its base circle.
+//!
+//! The default is chosen from a grid of forms:
+//! - pressure angles from 20° to 30° in steps of 1°;
+//! - in steps of 0.05 `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from 0.1 to
+//!   0.25.
+//!
+//! Of these forms 453 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle
+//! of their families. The lower the teeth, the wider the margins, but the shorter the path of contact, down
+//! to one base pitch. The default is a compromise: a path of 1.12 base pitches, tips of half a module, and a
+//! margin of 0.12 modules to undercut and roots. Towards the ends of a family the centrodes bend more sharply
+//! and the default is undercut, at first by the cutter's clearance alone. A satellite of 9 teeth needs
+//! `ρ* ≤ 0.0698`, a smaller one lower teeth.
 //!
 //! # Known wrong
-//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of what the cutter removes, where
-//! a loop of its flank and the fillet cut the flank almost in one place.
+//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of the part that the cutter
+//! removes. This occurs if a loop of its flank and the fillet cut the flank almost in one place.
 //!
 //! # Left out
 //! Loads, which are in [`crate::flanks`]; modifications of the flank; the thickness across the face.
@@ -82,7 +87,7 @@ pub const MOST_POINTS: u32 = 10_000_000;
 pub enum Part {
     /// The land at the tip.
     Tip,
-    /// What meshes.
+    /// The part that meshes.
     Flank,
     /// The curve from the flank to the root.
     Fillet,
@@ -90,10 +95,10 @@ pub enum Part {
     Root,
 }
 
-/// Where a part begins in an outline.
+/// Beginning of a part in an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Segment {
-    /// Which part it is.
+    /// Part of the tooth.
     pub part: Part,
     /// Index of its first point; it goes on to the first point of the next segment.
     pub start: usize,
@@ -102,9 +107,9 @@ pub struct Segment {
 /// A closed outline, counter-clockwise; the last point is joined to the first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Its points.
+    /// Points of the outline.
     pub points: Vec<Point>,
-    /// Its parts in order, the first from point 0.
+    /// Parts of the outline in order, the first from point 0.
     pub segments: Vec<Segment>,
 }
 
@@ -115,18 +120,18 @@ pub struct Profile {
     form: ToothForm,
     teeth: Teeth,
     pub(crate) satellite: SatelliteTooth,
-    /// Of stator and rotor.
+    /// Teeth of stator and rotor.
     cuts: [Cut; 2],
 }
 
 impl Profile {
-    /// The teeth of a motor in a form.
+    /// Generates the teeth of a motor in a form.
     ///
     /// Undercut and other limits that leave an outline are no errors; they are in [`Profile::limits`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] and [`Error::NotFinite`] for a number of the form, [`Error::PointedTip`] and
-    /// [`Error::FilletTooLarge`] for one that leaves no tooth, [`Error::NoTip`] and [`Error::NoFlank`] where
+    /// [`Error::OutOfRange`] and [`Error::NotFinite`] for a number of the form; [`Error::PointedTip`] and
+    /// [`Error::FilletTooLarge`] for one that leaves no tooth; [`Error::NoTip`] and [`Error::NoFlank`] if
     /// flanks end before they are of use.
     ///
     /// # Example
@@ -182,8 +187,8 @@ impl Profile {
         [self.teeth.tip, self.teeth.root].map(|radius| self.motor.length(radius))
     }
 
-    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at
-    /// least 6, and a few more where an undercut flank has a loop removed.
+    /// Outline of a wheel in its own frame, with at least this number of points: equally many of each tooth,
+    /// at least 6, and a few more where an undercut flank has a loop removed.
     ///
     /// The frames are those of [`crate::centrode`]. In place, a satellite's is turned by its
     /// [`rotation`](crate::satellites::Satellite::rotation) and moved to its centre, the rotor's is turned by
@@ -281,7 +286,7 @@ fn phases(crest: Crest, satellite_teeth: u32) -> [f64; 2] {
     [stator, rotor % PI]
 }
 
-/// How a tooth's points are shared among its parts.
+/// Numbers of a tooth's points on its parts.
 #[derive(Debug, Clone, Copy)]
 struct Share {
     flank: u32,
@@ -291,7 +296,7 @@ struct Share {
 }
 
 impl Share {
-    /// Of at least 6 points.
+    /// Distribution of at least 6 points.
     fn of(points: u32) -> Self {
         let (flank, fillet) = ((points / 4).max(1), (points * 3 / 16).max(1));
         let rest = points - 2 * (flank + fillet);

@@ -11,9 +11,9 @@ use super::track::Side;
 pub(crate) struct FlankPath {
     /// Arc length at which the contact is in the pitch point.
     pub(crate) pitch: f64,
-    /// Where contact is at the satellite's tip, or the wheel's flank begins; negative.
+    /// Path at which contact is at the satellite's tip, or the wheel's flank begins; negative.
     pub(crate) from: f64,
-    /// Where contact is at the wheel's tip, or the satellite's involute begins.
+    /// Path at which contact is at the wheel's tip, or the satellite's involute begins.
     pub(crate) to: f64,
 }
 

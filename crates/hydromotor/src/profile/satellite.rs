@@ -1,8 +1,8 @@
 //! The satellite's teeth: involutes, and the root that a rack with rounded tips cuts.
 //!
-//! Half a tooth about its middle, the other half mirrored. The rack is the one that the involutes belong to,
-//! with the addendum `h_a + c − x` and tips rounded by `ρ`; as its pitch line has rolled by `v` from the
-//! middle of the space,
+//! The outline is half a tooth about its middle, the other half mirrored. The rack is the one that the
+//! involutes belong to, with the addendum `h_a + c − x` and tips rounded by `ρ`. As its pitch line has rolled
+//! by `v` from the middle of the space:
 //!
 //! ```text
 //! X = r·e_r + (1 + ρ/D)·[(v_F − v)·e_t − h_F·e_r]        D² = (v_F − v)² + h_F²
@@ -12,9 +12,9 @@
 //! rack's tooth. The involute begins at the roll angle `t = tan α − (h_F + ρ·sin α)/(r·sin α·cos α)`; below 0
 //! the rack undercuts the tooth, and the involute begins where the rack's rounding leaves it.
 //!
-//! Distances from the outline are exact. Of the fillet a chain of chords tells the nearest place, and the
-//! foot near there follows from its normal: with the rack at `v` it passes through the pitch point, so that
-//! `P − C` and `F − C` have one direction.
+//! Distances from the outline are exact. For the fillet a chain of chords gives the nearest place, and the
+//! foot near there follows from its normal. With the rack at `v` the normal passes through the pitch point,
+//! so that `P − C` and `F − C` have one direction.
 
 use super::Part;
 use super::form::{Teeth, involute};
@@ -23,7 +23,7 @@ use crate::quantity::WheelKind;
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::PI;
 
-/// Chords of a fillet among which its nearest place is sought.
+/// Number of chords of a fillet in the search for its nearest place.
 const CHORDS: u32 = 64;
 
 /// A satellite's tooth in modules.
@@ -50,7 +50,7 @@ pub(crate) struct SatelliteTooth {
 }
 
 impl SatelliteTooth {
-    /// With the middle of a tooth at an angle.
+    /// Tooth with its middle at the angle `offset`.
     pub(super) fn new(teeth: &Teeth, satellite_teeth: u32, offset: f64) -> Result<Self, Error> {
         let from = teeth.tan + teeth.rack_roll / teeth.r;
         let rack_pitch = 0.5 * PI - teeth.half_tooth;
@@ -139,7 +139,7 @@ impl SatelliteTooth {
         }
     }
 
-    /// The outline, counter-clockwise, with so many points of each part.
+    /// The outline, counter-clockwise, with `count` points of each part.
     pub(super) fn outline(&self, count: impl Fn(Part) -> u32, mut add: impl FnMut(Part, [f64; 2], bool)) {
         let parts = [Part::Fillet, Part::Flank, Part::Tip, Part::Flank, Part::Fillet, Part::Root];
         let tooth: Vec<(Part, [f64; 2], bool)> = parts

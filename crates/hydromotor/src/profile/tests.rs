@@ -293,9 +293,8 @@ fn an_undercut_flank_ends_where_the_fillet_leaves_it() {
     outline_holds_together(&profile);
 }
 
-/// Parts end where the next begin, the outline goes round once, and its last point is near the first. There
-/// the path along the flank is the curvature radius of the centrode times `tan α`, and the point stands over
-/// its foot as high as the addendum less what is missing.
+/// A flank that ends before its tip ends in a cusp. There the point is over its foot at the height of the
+/// addendum less the missing height.
 #[test]
 fn a_flank_that_ends_before_its_tip_ends_in_a_cusp() {
     use super::cut::{Curve, point, regularity};
@@ -475,7 +474,7 @@ fn any_form() -> impl Strategy<Value = ToothForm> {
     )
 }
 
-/// Forms of which most keep their limits on most motors.
+/// Forms that mostly keep their limits on most motors.
 fn moderate_form() -> impl Strategy<Value = ToothForm> {
     (any_form(), 23.0..28.0, 0.5..0.85, 0.2..0.3, 0.05..0.25, 0.0..0.12).prop_map(
         |(form, alpha, addendum, clearance, shift, fillet)| ToothForm {
@@ -559,7 +558,7 @@ proptest! {
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
                 let excess = nearest.clearance.si() - expected;
-                // What the module says is known wrong: up to 1e-4 modules of what the cutter removes may
+                // The known error of the module: up to 1e-4 modules of the part that the cutter removes may
                 // remain.
                 prop_assert!(excess > -1e-3, "{nearest:?} {excess:e}");
             }

@@ -23,7 +23,7 @@ pub(crate) struct Section {
 /// A tooth in modules.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tooth {
-    /// From the tip to the root.
+    /// Sections from the tip to the root.
     pub(crate) sections: Vec<Section>,
     /// `6/s²` of each section, by which a moment of 1 bends it on a width of 1, and that times its `x` and
     /// `y`.
@@ -36,10 +36,10 @@ pub(crate) struct Tooth {
 pub(crate) type Loading = ([f64; 2], [f64; 2]);
 
 impl Tooth {
-    /// From the two sides of its outline, both from tip to root, in the wheel's frame.
+    /// Tooth from the two sides of its outline, both from tip to root, in the wheel's frame.
     fn new(origin: [f64; 2], axis: [f64; 2], sides: [Vec<[f64; 2]>; 2]) -> Self {
         let mut tooth = Self { sections: Vec::new(), moduli: [const { Vec::new() }; 3], origin, axis };
-        // Only what goes down: at its end the fillet lies along the root.
+        // Points that do not go down are dropped: at its end the fillet lies along the root.
         let falling = |side: Vec<[f64; 2]>| {
             let mut chain: Vec<[f64; 2]> = Vec::with_capacity(side.len());
             for at in side {
@@ -73,7 +73,7 @@ impl Tooth {
         tooth
     }
 
-    /// Its mirror image in the x axis of the wheel's frame, turned.
+    /// Mirror image of the tooth in the x axis of the wheel's frame, turned.
     fn mirrored(&self, by: f64) -> Self {
         let (sin, cos) = libm::sincos(by);
         let image = |[x, y]: [f64; 2]| [x * cos + y * sin, x * sin - y * cos];
@@ -121,7 +121,7 @@ impl Tooth {
         self.sections[below..].iter().max_by(|a, b| stress(a).total_cmp(&stress(b)))
     }
 
-    /// How far the frame is from another.
+    /// Distance of the frame from another.
     #[cfg(test)]
     pub(crate) fn apart(&self, other: &Self) -> f64 {
         let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| libm::hypot(ax - bx, ay - by);
@@ -140,7 +140,7 @@ impl Tooth {
 }
 
 impl Profile {
-    /// The teeth of a lobe of stator or rotor, each after the space of its index, with so many points a
+    /// The teeth of a lobe of stator or rotor, each after the space of its index, with `points` points per
     /// fillet.
     ///
     /// About half of them are the mirror images, in the lobe's middle, of others.
@@ -226,7 +226,8 @@ impl Profile {
         self.loading(tooth, sign, pitch, self.track(side).at(s))
     }
 
-    /// The same of a flank at `pitch` in a lobe that begins at the arc length `lobe`, by the contact.
+    /// Point and direction of the force on a flank at `pitch` in a lobe that begins at the arc length `lobe`,
+    /// by the contact.
     pub(crate) fn wheel_loading_at(
         &self,
         side: Side,
@@ -248,7 +249,7 @@ impl Profile {
         (tooth.place(at), tooth.turned(from.point(sign * teeth.cos, -teeth.sin)))
     }
 
-    /// The satellite's tooth, with so many points a fillet.
+    /// The satellite's tooth, with `points` points per fillet.
     pub(crate) fn satellite_tooth(&self, points: u32) -> Tooth {
         let (flank, fillet) = (points.div_ceil(2), points);
         let mut side: Vec<[f64; 2]> = Vec::new();

@@ -1,8 +1,8 @@
 //! A wheel's centrode as the track that the satellite rolls along.
 //!
-//! It runs the way that contact goes as the rotor turns, counter-clockwise along the stator and clockwise
-//! along the rotor, so that on either the satellite is to the left and the teeth's roots to the right; each
-//! in its wheel's own frame.
+//! The track runs the way that contact goes as the rotor turns, counter-clockwise along the stator and
+//! clockwise along the rotor. So on either wheel the satellite is to the left and the teeth's roots to the
+//! right. Each track is in its wheel's own frame.
 
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate, Contact};

@@ -8,13 +8,13 @@ use super::front::{Cover, Value};
 use super::objective::Objective;
 use super::point::{Point, Yardstick};
 
-/// How often a cell is halved at most.
+/// Largest number of times that a cell is halved.
 const MOST_HALVINGS: i32 = 10;
 
-/// What is known of the stretch between two neighbouring points.
+/// State of the stretch between two neighbouring points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cell {
-    /// Not looked at, or halved just now.
+    /// Not evaluated, or halved just now.
     Open,
     /// By estimate no motor in it is admissible.
     Refused,
@@ -33,7 +33,7 @@ pub(super) struct Branch {
 }
 
 impl Branch {
-    /// With so many evenly spaced points.
+    /// Branch with this number of evenly spaced points.
     pub(super) fn new(yardstick: &Yardstick, family: Family, interval: Interval, points: u32) -> Self {
         let last = points - 1;
         let part = |i: u32| (f64::from(i) / f64::from(last)).clamp(EDGE, 1.0 - EDGE);
@@ -99,15 +99,15 @@ impl Branch {
             }
         }
         let numbers = self.family.numbers();
-        // The neighbours too, so that an estimate does not depend on what was looked at before.
+        // The neighbours too, so that an estimate does not depend on the points evaluated before.
         let near = i.saturating_sub(1)..(i + 3).min(self.points.len());
         for point in &mut self.points[near] {
             point.work(yardstick, numbers);
         }
         let mut best = Value::default();
         for &objective in &yardstick.objectives {
-            // Displacement, radius and torque as they are, since a radius may vanish at an end; a ripple by
-            // its logarithm.
+            // Displacement, radius and torque are estimated directly, since a radius may vanish at an end; a
+            // ripple by its logarithm.
             let bound = match objective {
                 Objective::DisplacementByVolume => {
                     self.bound(i, |point| Some(point.working?.by_volume())).map(libm::log)
@@ -122,16 +122,16 @@ impl Branch {
                     .bound_where_teeth(i, |point| Some(point.at_flanks?.least_over_mean))
                     .map(|least| libm::log(least.min(1.0))),
             };
-            // None where an end is no motor at all; it lies a rounding off the interval's own. Or without
-            // teeth at either end.
+            // No bound if an end is not a motor, being a rounding off the interval's own end, or if neither
+            // end has teeth.
             let Some(bound) = bound.filter(|bound| !bound.is_nan()) else { return Prospect::Refused };
             best[objective as usize] = bound;
         }
         Prospect::Values(best)
     }
 
-    /// The same where an end may have no teeth: then the line through the other end and its neighbour, on to
-    /// the end without, either way.
+    /// Estimate as by `bound`, if an end may have no teeth. It is then the line through the other end and its
+    /// neighbour, extended to the end without teeth.
     fn bound_where_teeth(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
         let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
         let (here, there, beyond) = match (at(i), at(i + 1)) {
@@ -144,11 +144,12 @@ impl Branch {
         Some(here.1 + rise)
     }
 
-    /// An estimate of the most that a quantity reaches in a cell: the greater end, and what the quantity
-    /// differs by at one end from the line through its values beyond the other.
+    /// Estimate of the most that a quantity reaches in a cell: the greater end, and the difference at one end
+    /// from the line through the values beyond the other.
     ///
-    /// No less than what a concave function reaches, also one with a kink; of a smooth one eight times its
-    /// rise above the chord. Without a neighbour on either side the difference of the ends is added.
+    /// The estimate is no less than the maximum of a concave function, also one with a kink; for a smooth one
+    /// it is eight times its rise above the chord. Without a neighbour on either side the difference of the
+    /// ends is added.
     fn bound(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
         let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
         let (from, to) = (at(i)?, at(i + 1)?);

@@ -1,4 +1,4 @@
-//! What a search finds: designs with everything a table needs, and how many motors fell where.
+//! Result of a search: designs with all figures of a table, and counts of the motors by their results.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
@@ -22,17 +22,17 @@ use super::{MotorSearch, Reason};
 pub struct Found {
     /// The front, by falling displacement by volume.
     pub designs: Vec<Design>,
-    /// How many motors fell where.
+    /// Counts of the motors by their results.
     pub funnel: Funnel,
     /// The greatest spacing error of the designs; see [`crate::search`].
     pub spacing_error: SpacingError,
-    /// By how much the front, before thinning, has motors better than the nearest at an evenly spaced place,
-    /// at most.
+    /// Largest amount by which the front, before thinning, has motors better than the nearest at an evenly
+    /// spaced place.
     pub refinement_gain: SpacingError,
 }
 
-/// By how much an admissible motor between the places tried may be better, relative, by estimate, in each of
-/// the [objectives](MotorSearch::objectives); 0 of what is none. See [`crate::search`].
+/// Estimate of the amount by which an admissible motor between the places tried may be better, relative, in
+/// each of the [objectives](MotorSearch::objectives); 0 for those that are none. See [`crate::search`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpacingError {
     /// Displacement by volume: 0.01 where it may be 1.01 times as great.
@@ -48,7 +48,7 @@ pub struct SpacingError {
 }
 
 impl SpacingError {
-    /// From differences of logarithms.
+    /// Error from differences of logarithms.
     pub(super) fn of(excess: Value) -> Self {
         let [displacement_by_volume, ripple, least_radius, flank_ripple, least_torque] =
             excess.map(libm::expm1);
@@ -56,14 +56,14 @@ impl SpacingError {
     }
 }
 
-/// How many motors fell where.
+/// Counts of the motors by their results.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Funnel {
     /// Sets of numbers within the bounds that fulfil the conditions on them.
     pub sets: usize,
-    /// Of these, outside the limits of rotor lobes, rotor teeth or the common divisor.
+    /// Sets outside the limits of rotor lobes, rotor teeth or the common divisor.
     pub outside_limits: usize,
-    /// Of the rest, those with which no motor of two arcs closes.
+    /// Sets within these limits with which no motor of two arcs closes.
     pub without_family: usize,
     /// Motors at the evenly spaced places.
     pub points: usize,
@@ -71,13 +71,13 @@ pub struct Funnel {
     pub refined: usize,
     /// Motors that passed every check and limit.
     pub accepted: usize,
-    /// Of these, those that no other dominates.
+    /// Accepted motors that no other dominates.
     pub front: usize,
     refused: [usize; Reason::ALL.len()],
 }
 
 impl Funnel {
-    /// Motors refused for a reason, each counted once, by what fails first.
+    /// Motors refused for a reason, each counted once, by the first failure.
     #[must_use]
     pub fn refused(&self, reason: Reason) -> usize {
         let place = Reason::ALL.iter().position(|other| *other == reason);
@@ -110,9 +110,9 @@ pub struct Design {
     pub least_radius_of: Subject,
     /// The check nearest its limit.
     pub nearest_check: Subject,
-    /// By how much it exceeds the limit, relative.
+    /// Margin of the nearest check over its limit, relative.
     pub nearest_margin: f64,
-    /// How much better motors between the places tried may be, by estimate.
+    /// Estimate of the amount by which motors between the places tried may be better.
     pub spacing_error: SpacingError,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub dimensions: Vec<Dimensions>,
@@ -211,6 +211,7 @@ impl MotorSearch {
         let (module, width) = (Length::from_si(module), Length::from_si(width));
         let arcs = StatorArcs { module, ..*arcs };
         let radian = |flow: f64| volume(flow, module, width);
+        // In units of the module, as the diameter is; `volume` converts with module and width.
         let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
         let (mean, least) = (radian(mean_flow(working.displacement)), radian(working.flow[0]));
         let mean_torque = self.requirements.pressure_drop.map(|drop| Torque::from(mean * drop));

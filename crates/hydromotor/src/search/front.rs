@@ -2,14 +2,14 @@
 
 use super::objective::Objective;
 
-/// How many objectives there are.
+/// Number of objectives.
 const COUNT: usize = Objective::ALL.len();
 
-/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 of what
-/// is not asked for.
+/// The objectives as logarithms, each the greater the better, in the order of [`Objective::ALL`]; 0 for those
+/// not requested.
 pub(super) type Value = [f64; COUNT];
 
-/// Indices of the values that no other dominates, ascending; equal ones stand together.
+/// Indices of the values that no other dominates, ascending; equal values are together.
 pub(super) fn front(values: &[Value]) -> Vec<usize> {
     let costs: Vec<Value> = values.iter().map(|value| value.map(|part| -part)).collect();
     epicyclic_numerics::front::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
@@ -37,8 +37,8 @@ impl Cover {
         self.values[..end].iter().any(|member| excess(value, *member) <= slack)
     }
 
-    /// The member that a value exceeds least, its index in falling order, and by how much in each objective;
-    /// nothing where a member is nowhere worse.
+    /// The member that a value exceeds least, its index in falling order, and the excess in each objective;
+    /// `None` if a member is nowhere worse.
     pub(super) fn nearest(&self, value: Value) -> Option<(usize, Value)> {
         if self.covers(value, 0.0) {
             return None;
@@ -50,17 +50,18 @@ impl Cover {
     }
 }
 
-/// By how much a value exceeds a member in the objective where it does so most.
+/// Largest amount by which a value exceeds a member in an objective.
 fn excess(value: Value, member: Value) -> f64 {
     (0..COUNT).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling
-/// first objective; each left out lies within `resolution` of one kept. The best in every objective are kept.
+/// Selects members of one set of numbers that differ by more than `resolution` in some objective, by falling
+/// first objective. Each one left out is within `resolution` of one kept. The best in every objective are
+/// kept.
 pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
     let best =
         |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });
-    // Of an objective in which all are equal there is no best.
+    // An objective in which all are equal has no best.
     let differ = |i: &usize| values.iter().any(|value| value[*i].total_cmp(&values[0][*i]).is_ne());
     let mut kept: Vec<usize> = (0..COUNT).filter(differ).filter_map(best).collect();
     for k in 0..values.len() {

@@ -1,71 +1,74 @@
-//! Search for designs: for a wanted displacement or torque every admissible set of numbers, along each its
-//! family, and of all these motors the Pareto front.
+//! Search for designs for a displacement or torque. It tries every admissible set of numbers, along each set
+//! its family, and returns the Pareto front of all these motors.
 //!
 //! # Objectives
 //!
-//! | objective | better | unit | why so |
-//! |---|---|---|---|
-//! | displacement by volume `q/V` | more | 1 | `V` is the cylinder about the stator's centrode, [`Envelope`](crate::checks::Envelope); with `V` = area · width it depends on neither module nor width, and `V = q/(q/V)` is what the motor takes |
-//! | ripple `δ` | less | 1 | of flow and torque, satellites sealing at the pitch points, [`Ripple`](crate::flow::Ripple) |
-//! | least curvature radius over the module | more | 1 | of both centrodes, hollow and convex: what is held against roots and satellites, whose measure is the module, [`Check`](crate::checks::Check) |
+//! Objectives, with the better direction:
+//! - Displacement by volume `q/V`, more: `V` is the cylinder about the stator's centrode,
+//!   [`Envelope`](crate::checks::Envelope). With `V` = area · width it depends on neither module nor width,
+//!   and `V = q/(q/V)` is the volume of the motor.
+//! - Ripple `δ`, less: of flow and torque, satellites sealing at the pitch points,
+//!   [`Ripple`](crate::flow::Ripple).
+//! - Least curvature radius over the module, more: of both centrodes, hollow and convex. It is compared with
+//!   roots and satellites, whose measure is the module, [`Check`](crate::checks::Check).
 //!
 //! These three are [usual](Objective::USUAL). Ripple and least torque over the mean with satellites that seal
-//! at the flanks ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) beside them or in their place;
-//! they depend on a tooth form ([`FlankTerms`]). Every motor that passes the checks is then looked at for its
-//! teeth, which takes about twelve times as long.
+//! at the flanks ([`AtFlanks`]) can be [objectives](MotorSearch::objectives) in addition or in their place;
+//! they depend on a tooth form ([`FlankTerms`]). Every motor that passes the checks is then evaluated with
+//! its teeth, which takes about twelve times as long.
 //!
-//! None depends on module or width, so that the shape is sought first and every size that serves it is listed
-//! with it ([`Dimensions`]). Limits of the size do tell shapes apart.
+//! No objective depends on module or width, so that the shape is found first and every size that serves it is
+//! listed with it ([`Dimensions`]). Limits of the size do distinguish shapes.
 //!
 //! # What is tried
 //! 1. Every set `(N, n, Z_3, Z_s)` within the [`Bounds`], by default 3061.
 //! 2. Of each the whole [`Family`]: 16 places `l` of each of its intervals (nearly always one), even in
 //!    `1/l`, the first and the last a millionth within the ends, which are no motors.
-//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts what the first to
-//!    fail refuses.
-//! 4. *Refinement.* The 15 *cells* between neighbouring places are halved where something better than the
-//!    front may lie: see below.
+//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts the motors refused
+//!    by the first that fails.
+//! 4. *Refinement.* The 15 *cells* between neighbouring places are halved if something better than the front
+//!    may be in them: see below.
 //!
 //! # The error of the spacing
-//! Sets are exhausted; `l` is continuous. For each cell it is estimated how good a motor in it can be: in
-//! each objective the better of its ends, and beyond that by as much as the lines through the neighbours on
-//! either side miss the ends. For a concave quantity, kinked or not, this is a bound; for a smooth one it is
-//! eight times the rise above the chord, to second order. It is an *estimate*: a spike within a cell that
-//! shows at neither end nor neighbour escapes it, as does a window of admissible motors so narrow that the
-//! margin at its neighbours does not point to it.
+//! Sets are exhausted; `l` is continuous. For each cell the search estimates how good a motor in it can be.
+//! In each objective the estimate is the better of its ends, and beyond that the amount by which the lines
+//! through the neighbours on either side miss the ends. For a concave quantity, kinked or not, this is a
+//! bound; for a smooth one it is eight times the rise above the chord, to second order. It is an *estimate*:
+//! it misses a spike within a cell that shows at neither end nor neighbour. It also misses a window of
+//! admissible motors so narrow that the margin at its neighbours does not point to it.
 //!
-//! A cell is left when its estimate exceeds some motor of the front by at most half the
-//! [resolution](MotorSearch::resolution) in every objective, or when by the same estimate no motor in it is
-//! admissible; others are halved, up to ten times. Then of motors of one set that differ by less than the
+//! A cell is left in two cases: its estimate exceeds some motor of the front by at most half the
+//! [resolution](MotorSearch::resolution) in every objective, or by the same estimate no motor in it is
+//! admissible. Others are halved, up to ten times. Then of motors of one set that differ by less than the
 //! other half in every objective one stays; the best of the set in each objective do.
 //!
 //! # Which motors can be made
 //! A motor whose rotor reaches into the stator, or whose least chamber has no area, is refused. Unless
 //! [`MotorSearch::made`] is false, every motor of the front keeps every limit of the teeth of the form
 //! ([`crate::profile::limits`]), and ideal ports can be made for it
-//! ([`crate::ports::PortPlate::of_ideal_holes`]). This is asked of motors on the front alone, before and
-//! after every refinement: one that fails is refused, and those that it surpassed come to the front and are
-//! asked in turn, until all that are left pass. So the front is that of all motors that can be made, though
-//! most others are never asked; [`Funnel::accepted`] counts these too.
+//! ([`crate::ports::PortPlate::of_ideal_holes`]). Only motors on the front are tested for this, before and
+//! after every refinement. One that fails is refused, and those that it surpassed come to the front and are
+//! tested in turn, until all that are left pass. So the front is that of all motors that can be made, though
+//! most others are never tested; [`Funnel::accepted`] counts these too.
 //!
 //! Bounds of figures at the flanks act as that of the ripple at the pitch points: a motor beyond them is
-//! refused, last of all, and how far it is beyond tells cells that may have motors within them. A motor to
-//! which the form gives no teeth is refused where such a figure is bounded or an objective. Of a cell with
-//! such an end the estimate is that of the line through the other end and its neighbour.
+//! refused, last of all. Its distance beyond shows which cells may have motors within them. A motor to which
+//! the form gives no teeth is refused if such a figure is bounded or an objective. The estimate of a cell
+//! with such an end is that of the line through the other end and its neighbour.
 //!
-//! What remains is stated. The estimate of each cell is laid to the motor that it exceeds least, and
-//! [`Design::spacing_error`] is the most that is laid to a motor: *by estimate, every admissible motor within
-//! the bounds, tried or not, is better than some listed one by at most the latter's spacing error in each
-//! objective*, relative. [`Found::spacing_error`] is the greatest of all. The tests hold it against 256
-//! places. [`Found::refinement_gain`] is no estimate: by how much the front has motors better than any at the
-//! evenly spaced places.
+//! The remaining error is stated. The estimate of each cell is assigned to the motor that it exceeds least,
+//! and [`Design::spacing_error`] is the largest assigned to a motor. *By estimate, every admissible motor
+//! within the bounds, tried or not, is better than some listed one by at most the latter's spacing error in
+//! each objective*, relative. [`Found::spacing_error`] is the greatest of all. The tests compare it with 256
+//! places. [`Found::refinement_gain`] is no estimate: it is the amount by which the front has motors better
+//! than any at the evenly spaced places.
 //!
 //! # Cost and threads
-//! With the default bounds some 6·10⁴ motors, three to eight seconds of one core (`hydromotor/search`), of
-//! which the judgement of teeth and ports takes some three quarters. Results do not depend on the number of
-//! threads: each set is worked by itself, and rounds of refinement see the same front. With the feature
-//! `parallel`, on by default, run it within a `rayon::ThreadPool` of your own to choose their number; without
-//! it there is one.
+//! With the default bounds some 6·10⁴ motors take three to eight seconds of one core (`hydromotor/search`);
+//! the judgement of teeth and ports is some three quarters of it. Results do not depend on the number of
+//! threads: each set is evaluated independently, and rounds of refinement see the same front. With the
+//! feature `parallel`, on by default, run it within a `rayon::ThreadPool` of your own to choose the number of
+//! threads; without the feature it uses one.
 //!
 //! # Example
 //! ```
@@ -75,7 +78,8 @@
 //! use uom::si::{pressure::megapascal, torque::newton_meter};
 //!
 //! # fn main() -> Result<(), epicyclic_hydromotor::Error> {
-//! let requirements = Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+//! let torque = Torque::new::<newton_meter>(900.0);
+//! let requirements = Requirements::of_torque(torque, Pressure::new::<megapascal>(20.0))?;
 //! let mut search = MotorSearch::new(requirements);
 //! search.bounds = Bounds { stator_lobes: 5..=6, stator_teeth: 50..=66, satellite_teeth: 8..=60 };
 //! search.limits.ripple = Some(0.1);
@@ -126,20 +130,20 @@ pub const MOST_POINTS: u32 = 1024;
 /// A search for designs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSearch {
-    /// What is wanted.
+    /// Required displacement or torque, and size.
     pub requirements: Requirements,
     /// Numbers of lobes and teeth.
     pub bounds: Bounds,
     /// Heights of the teeth, for the checks.
     pub heights: ToothHeights,
-    /// What a design may not exceed.
+    /// Limits of a design.
     pub limits: Limits,
-    /// The teeth for figures at the flanks, and what is asked of these.
+    /// The teeth for figures at the flanks, and the limits of these.
     pub flanks: FlankTerms,
     /// Whether motors alone are listed that can be made: on which the teeth of the [form](FlankTerms::form)
     /// keep every limit, and for which ideal ports can be made. True by default.
     pub made: bool,
-    /// What motors are held against each other by, [`Objective::USUAL`] by default.
+    /// Objectives by which motors are compared, [`Objective::USUAL`] by default.
     pub objectives: Vec<Objective>,
     /// Evenly spaced places in each interval of a family, 16 by default.
     pub points: u32,
@@ -149,14 +153,14 @@ pub struct MotorSearch {
     pub resolution: Option<f64>,
 }
 
-/// What a design may not exceed.
+/// Limits of a design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
-    /// Of the size.
+    /// Limits of the size.
     pub size: SizeLimits,
     /// Greatest ripple.
     pub ripple: Option<f64>,
-    /// Least curvature radius over the module, beyond what the checks ask.
+    /// Least curvature radius over the module, in addition to the checks.
     pub least_radius: Option<f64>,
     /// Lobes of the rotor, `n`.
     pub rotor_lobes: RangeInclusive<u32>,
@@ -167,7 +171,7 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// None but those of [`SizeLimits`].
+    /// Limits of [`SizeLimits`] alone.
     fn default() -> Self {
         Self {
             size: SizeLimits::default(),
@@ -180,21 +184,22 @@ impl Default for Limits {
     }
 }
 
-/// What is asked of the greatest common divisor of `N` and `n`.
+/// Condition on the greatest common divisor of `N` and `n`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LobeDivisor {
     /// Nothing.
     #[default]
     Any,
-    /// It is 1: every chamber is in another state, the ripple is small.
+    /// The divisor is 1: every chamber is in another state, the ripple is small.
     One,
-    /// It is above 1: the pressures repeat around the axis and load no bearing of the central wheels.
+    /// The divisor is above 1: the pressures repeat around the axis and load no bearing of the central
+    /// wheels.
     Common,
 }
 
 impl Limits {
-    /// Ranges the right way round, and a least radius that is a number; sizes and ripple are looked at with
-    /// the requirements.
+    /// Checks that ranges are the right way round, and that a least radius is a number; sizes and ripple are
+    /// checked with the requirements.
     fn checked(&self) -> Result<(), Error> {
         if let Some(least_radius) = self.least_radius
             && !(least_radius.is_finite() && least_radius >= 0.0)
@@ -230,10 +235,10 @@ impl Limits {
     }
 }
 
-/// Why a motor is refused: what fails first, in this order.
+/// Reason why a motor is refused: the first condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// A rounding from the end of its family no arcs close, or what the motor does is no number.
+    /// By rounding at the end of its family no arcs close, or a result for the motor is not a number.
     NotClosed,
     /// A check; the curvatures, the rotor's least radius, the neighbours.
     Check(Subject),
@@ -247,8 +252,8 @@ pub enum Reason {
     Size,
     /// [`Limits::ripple`].
     Ripple,
-    /// It cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports; looked at
-    /// last of all, where [`MotorSearch::made`] is asked for or figures at the flanks are.
+    /// The motor cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports.
+    /// This is tested last of all, if [`MotorSearch::made`] is set or figures at the flanks are needed.
     Made(FormRefusal),
     /// [`FlankTerms::ripple`].
     FlankRipple,
@@ -257,7 +262,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// All of them, in their order.
+    /// Reasons in their order.
     pub const ALL: [Self; 29] = [
         Self::NotClosed,
         Self::Check(Subject::StatorBulge),
@@ -291,14 +296,14 @@ impl Reason {
     ];
 }
 
-/// Where a motor of the search is.
+/// Place of a motor in the search.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     branch: usize,
     point: usize,
 }
 
-/// How far a search has come.
+/// Progress of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added; of
@@ -306,7 +311,7 @@ pub struct Progress {
     pub pass: u32,
     /// Sets of lobes and teeth, after pass 0 intervals of families or motors, that are done in this pass.
     pub done: usize,
-    /// Of so many.
+    /// Number of all of these.
     pub of: usize,
 }
 
@@ -315,7 +320,7 @@ pub struct Progress {
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 impl MotorSearch {
-    /// With default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
+    /// Search with default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
     #[must_use]
     pub fn new(requirements: Requirements) -> Self {
         Self {
@@ -331,20 +336,22 @@ impl MotorSearch {
         }
     }
 
-    /// The Pareto front. None of the designs is an answer too: the [`Funnel`] tells what refused them.
+    /// Finds the Pareto front. The result may hold no design: the [`Funnel`] then shows what refused them.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
-    /// limits, heights or search, [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for
-    /// bounds the wrong way round, [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
+    /// - [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
+    ///   limits, heights or search;
+    /// - [`Error::NoModules`];
+    /// - [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round;
+    /// - [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
     pub fn front(&self) -> Result<Found, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched.
+    /// Finds the Pareto front under a watch.
     ///
     /// # Errors
-    /// As [`front`](Self::front), and [`Error::Cancelled`].
+    /// Errors of [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let yardstick = self.yardstick()?;
         let sets = self.bounds.count()?;
@@ -496,7 +503,7 @@ impl<'a> Pass<'a> {
         Some(result)
     }
 
-    /// All parts, unless the watch broke.
+    /// Returns all parts, unless the watch broke.
     fn all<T>(&self, parts: Vec<Option<T>>) -> Result<Vec<T>, Error> {
         if self.cancelled.load(Ordering::Relaxed) {
             return Err(Error::Cancelled);
@@ -512,7 +519,7 @@ fn branches(yardstick: &Yardstick, numbers: MotorNumbers, points: u32) -> Vec<Br
     family.intervals().iter().map(branch).collect()
 }
 
-/// All accepted points by their sets and `l`, and their values.
+/// Accepted points by their sets and `l`, and their values.
 fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<Value>) {
     let mut places = Vec::new();
     let mut values = Vec::new();
@@ -527,8 +534,8 @@ fn accepted(branches: &[Branch], objectives: &[Objective]) -> (Vec<Place>, Vec<V
     (places, values)
 }
 
-/// The values of the front of all accepted points. Whether its motors can be made is asked until all that are
-/// left can: those that others surpass need not be asked.
+/// Values of the front of all accepted points. Its motors are tested whether they can be made, until all that
+/// are left can: those that others surpass need not be tested.
 fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     loop {
         let (places, values) = accepted(branches, &yardstick.objectives);
@@ -551,8 +558,8 @@ fn judged_front(yardstick: &Yardstick, branches: &mut [Branch]) -> Vec<Value> {
     }
 }
 
-/// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member
-/// by.
+/// The greatest spacing error, and those of each member: the excess of the cells' estimates over the nearest
+/// member.
 fn spacing_errors(
     yardstick: &Yardstick,
     branches: &mut [Branch],

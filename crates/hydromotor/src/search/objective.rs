@@ -1,4 +1,4 @@
-//! What motors are held against each other by, and what some of it needs of the teeth.
+//! Objectives by which motors are compared, and the teeth that some of them need.
 
 use crate::Error;
 use crate::flanks::SealingContact;
@@ -7,7 +7,7 @@ use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
 use crate::ranges::positive;
 
-/// What a design is good for.
+/// Objective of a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Objective {
     /// The most displacement over the volume of the cylinder about the stator's centrode.
@@ -23,12 +23,11 @@ pub enum Objective {
 }
 
 impl Objective {
-    /// All of them.
+    /// Objectives in their order.
     pub const ALL: [Self; 5] =
         [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius, Self::FlankRipple, Self::LeastTorque];
 
-    /// Those by which motors are held against each other unless others are asked for: what does not depend on
-    /// the teeth.
+    /// Objectives by default: those that do not depend on the teeth.
     pub const USUAL: [Self; 3] = [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius];
 
     /// Whether it needs teeth.
@@ -38,7 +37,7 @@ impl Objective {
     }
 }
 
-/// The tooth form with which figures at the flanks are calculated, and what is asked of them.
+/// The tooth form with which figures at the flanks are calculated, and the limits of these.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlankTerms {
     /// The form of the teeth. Its limits are those of [`MotorSearch::made`](super::MotorSearch::made).
@@ -68,7 +67,7 @@ impl FlankTerms {
         of_flow(self.ripple, self.least_torque)
     }
 
-    /// Whether every motor is looked at for its teeth: with these objectives, or for a bound.
+    /// Whether every motor is evaluated with its teeth: with these objectives, or for a bound.
     pub(super) fn are_needed(&self, objectives: &[Objective]) -> bool {
         let is_bound = self.ripple.is_some() || self.least_torque.is_some();
         is_bound || objectives.iter().any(|objective| objective.is_of_flanks())
@@ -85,13 +84,13 @@ pub struct AtFlanks {
 }
 
 impl AtFlanks {
-    /// Of a motor in a form; none where the form gives no teeth, or no number.
+    /// Flow at the flanks of a motor in a form; `None` if the form gives no teeth, or no number.
     #[must_use]
     pub fn of(motor: &Motor, form: ToothForm) -> Option<Self> {
         Self::of_profile(&Profile::new(motor, form).ok()?)
     }
 
-    /// The same of teeth that are there; none where they give no number.
+    /// Flow at the flanks of given teeth; `None` if they give no number.
     #[must_use]
     pub fn of_profile(profile: &Profile) -> Option<Self> {
         let ripple = profile.flank_ripple(SealingContact::default());

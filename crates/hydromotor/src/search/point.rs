@@ -1,4 +1,4 @@
-//! One motor of the search: what it is worth, and which check or limit refuses it.
+//! One motor of the search: its objectives, and the check or limit that refuses it.
 
 use crate::arcs::StatorArcs;
 use crate::checks::{Subject, ToothHeights};
@@ -16,7 +16,7 @@ use super::front::Value;
 use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};
 
-/// What a point is held against.
+/// Measures by which a point is judged.
 #[derive(Debug, Clone)]
 pub(super) struct Yardstick {
     pub(super) heights: ToothHeights,
@@ -24,9 +24,9 @@ pub(super) struct Yardstick {
     pub(super) ripple: f64,
     pub(super) least_radius: f64,
     pub(super) objectives: Vec<Objective>,
-    /// Where an objective or a bound needs them of every motor.
+    /// Inputs for the flanks, if an objective or a bound needs them of every motor.
     pub(super) flanks: Option<FlankTerms>,
-    /// The teeth that every motor of the front must have, where this is asked.
+    /// The teeth that every motor of the front must have, if required.
     pub(super) made: Option<ToothForm>,
 }
 
@@ -36,24 +36,24 @@ pub(super) struct Point {
     /// Part of the interval, even in `1/l`.
     pub(super) part: f64,
     pub(super) arcs: Option<StatorArcs>,
-    /// The least curvature radius, and of which curve.
+    /// The least curvature radius, and the curve that has it.
     pub(super) radius: f64,
     pub(super) radius_of: Subject,
-    /// The check nearest its limit, among those looked at, and how far it keeps off, relative.
+    /// The check nearest its limit, among those evaluated, and its relative margin.
     pub(super) nearest: (Subject, f64),
-    /// How far checks and limits are kept, the least, relative; of a refused point at most that.
+    /// Least relative margin of checks and limits; for a refused point an upper bound of it.
     pub(super) margin: f64,
-    /// Why it is refused.
+    /// Reason of the refusal.
     pub(super) refused: Option<Reason>,
-    /// What it does, of an accepted point and where asked for.
+    /// Working data, for an accepted point and if they are needed.
     pub(super) working: Option<Working>,
-    /// The same at the flanks where every motor is looked at for them; none of one without teeth.
+    /// Working data at the flanks, if every motor is evaluated for them; `None` for one without teeth.
     pub(super) at_flanks: Option<AtFlanks>,
     /// Whether it was asked if it can be made.
     pub(super) judged: bool,
 }
 
-/// What a motor does.
+/// Working data of a motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Working {
     /// `q̂`, displacement over width and `m²`.
@@ -108,7 +108,7 @@ impl Point {
         self.arcs.map(|arcs| Motor::of_closed_arcs(numbers, arcs))
     }
 
-    /// The cheap checks first; what a refused motor does is left open.
+    /// Judges the motor, the cheap checks first; the working data of a refused motor are left out.
     fn judge(&mut self, yardstick: &Yardstick, motor: &Motor) {
         let r = motor.shape.satellite_radius();
         let ToothHeights { addendum, dedendum } = yardstick.heights;
@@ -157,7 +157,8 @@ impl Point {
         }
     }
 
-    /// The dearest last. A torque that vanishes at some angle is refused where the least is looked at.
+    /// Judges the flanks, the most expensive limits last. A torque that vanishes at some angle is refused if
+    /// the least torque is evaluated.
     fn judge_flanks(&mut self, terms: &FlankTerms, is_by_torque: bool) {
         let Some(at) = self.at_flanks else {
             (self.margin, self.refused) = (-1.0, Some(Reason::Made(FormRefusal::NoTeeth)));
@@ -184,7 +185,7 @@ impl Point {
     }
 
     /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else
-    /// what fails first.
+    /// the first failure.
     pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), FormRefusal> {
         let motor = self.motor(numbers).ok_or(FormRefusal::NoTeeth)?;
         let formed = SatelliteForm::new(form, numbers.satellite_teeth()).map_err(FormRefusal::of)?;
@@ -219,7 +220,7 @@ impl Point {
         }
     }
 
-    /// What a motor does, whether or not it is refused.
+    /// Computes the working data of a motor, whether or not it is refused.
     pub(super) fn work(&mut self, yardstick: &Yardstick, numbers: MotorNumbers) {
         if self.working.is_some()
             && (self.at_flanks.is_some() || yardstick.flanks.is_none() || self.accepted())
@@ -235,7 +236,7 @@ impl Point {
         }
     }
 
-    /// Logarithms of the objectives, each the greater the better; none where a point was not worked.
+    /// Logarithms of the objectives, each the greater the better; `None` for a point without working data.
     pub(super) fn value(&self, objectives: &[Objective]) -> Option<Value> {
         let working = self.working?;
         let mut value = Value::default();
@@ -258,12 +259,12 @@ impl Point {
 
 /// Whether ideal ports can be made for a motor.
 pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
-    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests ask for
+    // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests check
     // every timing.
     PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
 }
 
-/// How far a value keeps above a limit, relative to it.
+/// Margin of a value above a limit, relative to the limit.
 pub(super) fn at_least(value: f64, limit: f64) -> f64 {
     if limit > 0.0 { value / limit - 1.0 } else { f64::INFINITY }
 }

@@ -1,4 +1,4 @@
-//! What is wanted of a motor: displacement or torque, and what is given of its size.
+//! Requirements for a motor: displacement or torque, and the given part of its size.
 
 use crate::quantity::Quantity;
 use std::f64::consts::{PI, TAU};
@@ -16,7 +16,7 @@ use crate::tolerance::SLACK;
 pub const PREFERRED_MODULES_MM: [f64; 18] =
     [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0];
 
-/// What is wanted.
+/// Requirements for a motor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirements {
     /// Displacement a revolution of the rotor, `q`.
@@ -25,7 +25,7 @@ pub struct Requirements {
     pub pressure_drop: Option<Pressure>,
     /// Speed of the rotor: with it the answer has the flow, and with the pressure the power.
     pub speed: Option<AngularVelocity>,
-    /// What is given of the size.
+    /// Given part of the size.
     pub size: Size,
 }
 
@@ -47,7 +47,8 @@ impl Requirements {
     /// use uom::si::f64::{Pressure, Torque};
     /// use uom::si::{pressure::megapascal, torque::newton_meter, volume::cubic_centimeter};
     ///
-    /// let requirements = Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+    /// let torque = Torque::new::<newton_meter>(900.0);
+    /// let requirements = Requirements::of_torque(torque, Pressure::new::<megapascal>(20.0))?;
     /// assert!((requirements.displacement.get::<cubic_centimeter>() - 282.743).abs() < 1e-3); // 2π·900/20
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
@@ -68,7 +69,7 @@ impl Requirements {
     }
 }
 
-/// What is given of the size; the rest follows from `q = q̂·m²·b`, with `q̂` the displacement of module 1 and
+/// Given part of the size; the rest follows from `q = q̂·m²·b`, with `q̂` the displacement of module 1 and
 /// width 1.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Size {
@@ -76,13 +77,13 @@ pub enum Size {
     Modules(Vec<Length>),
     /// The width; the module follows, `m = √(q/(q̂·b))`, rarely a preferred one.
     Width(Length),
-    /// Modules to choose from and the width: the displacement is what they give.
+    /// Modules to choose from and the width: the displacement follows from them.
     ModulesAndWidth {
         /// The modules.
         modules: Vec<Length>,
         /// The width.
         width: Length,
-        /// How far the displacement may lie from the wanted one, relative.
+        /// Tolerance of the displacement, relative.
         tolerance: f64,
     },
     /// Width over outer diameter; both follow, `m = ∛(q/(q̂·λ·D̂))`.
@@ -195,11 +196,11 @@ impl Sizing {
         })
     }
 
-    /// How far a size keeps within the limits, relative to them; 0 and above is within.
+    /// Margin of a size within the limits, relative to them; 0 and above is within.
     fn keeping(&self, [module, width]: [f64; 2], displacement: f64, diameter: f64) -> f64 {
         let ratio = width / diameter;
         let mut least = f64::INFINITY;
-        // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
+        // A little slack, so that a size requested to the last digit is not refused by rounding.
         let mut keep = |margin: f64| least = least.min(margin + SLACK);
         keep(self.diameter / diameter - 1.0);
         let [modules, widths] = [MODULE_MM, WIDTH_MM].map(|range| range.map(|mm| mm / 1e3));
@@ -216,7 +217,7 @@ impl Sizing {
         if sound { least } else { -1.0 }
     }
 
-    /// How far the best choice keeps within the limits.
+    /// Margin of the best choice within the limits.
     pub(super) fn margin(&self, displacement: f64, diameter: f64) -> f64 {
         self.choices(displacement, diameter).map(|(_, margin)| margin).fold(-1.0, f64::max)
     }

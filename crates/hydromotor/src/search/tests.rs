@@ -24,7 +24,7 @@ fn small(stator_lobes: RangeInclusive<u32>, stator_teeth: RangeInclusive<u32>) -
     let mut search = MotorSearch::new(Requirements::of_displacement(cm3(300.0)));
     search.requirements.size = Size::WidthOverDiameter(0.5);
     search.bounds = Bounds { stator_lobes, stator_teeth, satellite_teeth: 8..=60 };
-    // What trial by centrodes alone finds; of teeth and ports there are tests of their own.
+    // The trial uses centrodes alone; teeth and ports have tests of their own.
     search.made = false;
     search
 }
@@ -67,7 +67,7 @@ fn tried(search: &MotorSearch, numbers: MotorNumbers, interval: &Interval, part:
     }
 }
 
-/// All motors of the bounds at so many places, by loops the other way round.
+/// Motors of the bounds at this number of places, by loops in the opposite order.
 fn trial(search: &MotorSearch, places: u32) -> (Vec<Tried>, usize) {
     let mut all = Vec::new();
     let mut without = 0;
@@ -152,8 +152,8 @@ fn finer_places_are_better_by_no_more_than_the_error_says() {
     }
 }
 
-/// The same with figures at the flanks as objectives, beside and in place of those at the pitch points; and
-/// every figure that of the motor.
+/// Figures at the flanks as objectives, in addition to those at the pitch points and in their place, keep the
+/// errors too; every figure is that of the motor.
 #[test]
 fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
     let mut search = small(5..=6, 55..=60);
@@ -201,7 +201,7 @@ fn figures_at_the_flanks_as_objectives_are_complete_within_the_error_too() {
     assert!(tried > 100, "{tried}");
 }
 
-/// What is asked of the flanks refuses, and without it every motor is as before.
+/// Bounds at the flanks refuse motors; without bounds every motor is as before.
 #[test]
 fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
     let usual = small(5..=6, 55..=60).front().unwrap();
@@ -218,8 +218,8 @@ fn bounds_at_the_flanks_refuse_and_figures_alone_do_not() {
     assert!(bound.designs.iter().all(|design| design.at_flanks.unwrap().least_over_mean >= 0.95));
 }
 
-/// Where every motor of the front must have teeth and ports, the front is that of all motors that have, asked
-/// one by one the long way: every limit of the profile, every port.
+/// If every motor of the front must have teeth and ports, the front is that of all motors that have. Each
+/// motor is tested in full: every limit of the profile, every port.
 #[test]
 fn the_front_of_what_can_be_made_is_that_of_trial() {
     let mut search = small(4..=6, 48..=54);
@@ -249,7 +249,7 @@ fn the_front_of_what_can_be_made_is_that_of_trial() {
         let (numbers, l) = of(design);
         assert!(numbers == tried.numbers && (l / tried.l - 1.0).abs() < 1e-12, "{numbers:?} {l}");
     }
-    // Fewer are asked than there are, and each refusal is counted.
+    // Fewer motors are tested than there are, and each refusal is counted.
     let refused: usize = Reason::ALL
         .into_iter()
         .filter(|reason| matches!(reason, Reason::Made(_)))
@@ -529,7 +529,7 @@ proptest! {
         let _ = Requirements::of_torque(Torque::from_si(displacement), Pressure::from_mpa(pressure));
     }
 
-    /// What is asked for to the last digit is not refused by rounding.
+    /// A size that is requested to the last digit is not refused by rounding.
     #[test]
     fn the_size_of_a_design_asked_for_again_is_found(module in 0.5..20.0, width in 5.0..300.0) {
         let numbers = MotorNumbers::new(5, 3, 55, 10).unwrap();

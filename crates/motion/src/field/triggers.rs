@@ -1,4 +1,4 @@
-//! What may end a pattern, and how far it is from there.
+//! Events that may end a pattern, and the margins to them.
 
 use super::Field;
 use crate::model::Kind;
@@ -8,12 +8,12 @@ use crate::tolerance::{HOLD, RANK, TORQUE};
 use epicyclic_numerics::linear::independent;
 use epicyclic_numerics::values::dot;
 
-/// What may end a pattern.
+/// Event that may end a pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trigger {
     /// An element slips no more.
     SlipEnds(usize),
-    /// What an element holds exceeds its static capacity.
+    /// The torque that an element holds exceeds its static capacity.
     Exceeds(usize),
     /// A one-way clutch would have to push.
     LetsGo(usize),
@@ -40,7 +40,7 @@ pub(crate) enum Trigger {
 }
 
 impl Field<'_> {
-    /// Which triggers there are under the pattern.
+    /// Finds the triggers under the pattern.
     pub(crate) fn find_triggers(&mut self) {
         self.find_yielding();
         self.triggers.clear();

@@ -1,4 +1,4 @@
-//! Which node speeds are the coordinates, and how the others follow from them.
+//! Choice of the coordinates among the node speeds; the other speeds follow from them.
 
 use super::{Mechanism, sets::Asked};
 use crate::Error;

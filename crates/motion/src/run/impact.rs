@@ -155,7 +155,7 @@ impl Runner<'_> {
         self.impacts += before - mechanism.kinetic_energy(&self.stepper.y[..n]);
     }
 
-    /// Where speeds jumped: segments, flanks and converters as the speeds are now, and the thresholds that
+    /// Updates the field after a jump of speeds: segments, flanks and converters, and the thresholds that
     /// were passed.
     pub(super) fn follow_jump(&mut self, changes: &mut Vec<Change>) {
         self.field.place(&self.stepper.y);

@@ -1,4 +1,4 @@
-//! Where in a step the first event is, and samples within a step.
+//! Location of the first event in a step, and samples within a step.
 
 use super::Runner;
 use crate::decide::Moment;
@@ -11,22 +11,23 @@ const PARTS: usize = 8;
 /// Places in the step of the stages at which margins are known, in the order of
 /// [`Field::stages`](crate::field::Field).
 const PLACES: [f64; 12] = crate::step::PLACES;
-/// These stages along the step, the last of which stands for the two at its end.
+/// Order of the stages along the step; the last one represents the two at its end.
 const IN_ORDER: [usize; 11] = [0, 1, 2, 5, 3, 6, 4, 8, 7, 9, 11];
-/// How far outside of the step the vertex of a parabola through stages may seem to be.
+/// Distance outside of the step at which the vertex of a parabola through stages may seem to be.
 const BEYOND: f64 = 0.02;
 /// A margin this low over its range may touch 0 between two stages.
 const TOUCH: f64 = 0.1;
-/// How often the place of a dip is narrowed by a third: to the square root of rounding, where a minimum is as
-/// low as it gets.
+/// Number of times that the place of a dip is narrowed by a third: to the square root of rounding, where a
+/// minimum is as low as it gets.
 const NARROWINGS: usize = 36;
-/// How often the distance to the start is halved to find where a margin was positive.
+/// Number of times that the distance to the start is halved to find where a margin was positive.
 const HALVINGS: usize = 44;
 /// Half the distance over which the slope of a margin is taken, over the step.
 const SLOPE: f64 = 1e-4;
 
 impl Runner<'_> {
-    /// What fires first in the step tried, which is then repeated up to there; none if nothing fires.
+    /// Finds the triggers that fire first in the step tried, which is then repeated up to there; `None` if
+    /// nothing fires.
     pub(super) fn locate(&mut self) -> Option<Vec<Trigger>> {
         let has_start = self.field.triggers.contains(&Trigger::Starts);
         let touching = self.touching();
@@ -63,12 +64,14 @@ impl Runner<'_> {
 
     /// Triggers whose margins come so near to 0 at a stage that they may be below it between two.
     ///
-    /// A step is short enough for its error to be `1e-11`, and over it a margin has the shape of a parabola,
-    /// or of a polynomial that bends little more. The stages are at most 0.27 of the step apart. A parabola
-    /// that touches 0 between two of them is at the nearer one at most `0.134²/0.6² = 0.05` of its range over
-    /// the stages; looked at is what is below 0 at a stage before the last, and what is below twice that, and
-    /// of these the ones whose parabola through the lowest stage and its neighbours has its vertex in the
-    /// step, not far above 0.
+    /// A step is short enough for its error to be `1e-11`. Over it a margin has the shape of a parabola, or
+    /// of a polynomial that bends little more. The stages are at most 0.27 of the step apart. A parabola that
+    /// touches 0 between two of them is at the nearer one at most `0.134²/0.6² = 0.05` of its range over the
+    /// stages.
+    ///
+    /// So two kinds of margins are checked: those below 0 at a stage before the last, and those below twice
+    /// the value above. Of the latter only those count whose parabola through the lowest stage and its
+    /// neighbours has its vertex in the step, not far above 0.
     fn touching(&self) -> Vec<usize> {
         let triggers = self.field.triggers.len();
         let near = |&trigger: &usize| {
@@ -98,7 +101,7 @@ impl Runner<'_> {
         if self.field.stages.is_empty() { vec![] } else { (0..triggers).filter(near).collect() }
     }
 
-    /// Where in the step a margin is lowest, if it is below 0 there.
+    /// Place in the step at which a margin is lowest, if it is below 0 there.
     fn dip(&mut self, trigger: usize, state: &mut [f64]) -> Option<f64> {
         let mut margin = |place: f64| self.margin_at(trigger, place, state);
         let parts = 2 * PARTS;
@@ -186,14 +189,15 @@ impl Runner<'_> {
         }
     }
 
-    /// One of these.
+    /// Margin of one trigger at a part of the step.
     fn margin_at(&mut self, trigger: usize, place: f64, state: &mut [f64]) -> f64 {
         self.margins_at(place, state);
         self.field.margins[trigger]
     }
 
-    /// Where a margin ends between two parts of the step, the second negative: regula falsi that halves where
-    /// it is slow. The first is positive, or the start of a stretch, where a margin begins with 0.
+    /// Place at which a margin ends between two parts of the step, the second negative, by regula falsi that
+    /// halves if it is slow. The first margin is positive, or at the start of a stretch, where a margin
+    /// begins with 0.
     fn root(
         &mut self,
         trigger: usize,

@@ -39,7 +39,7 @@ fn train() -> impl Strategy<Value = Train> {
 }
 
 impl Train {
-    /// With links and sets renamed, and sets in the other order, or as they are.
+    /// Gearbox with links and sets renamed, and sets in the other order, or as they are.
     fn gearbox(&self, is_other: bool) -> Gearbox {
         let name = |link: &str| named(link, is_other);
         let loss = self.efficiency.map_or(MeshLoss::IDEAL, |one| MeshLoss::Set(eta(one)));
@@ -87,8 +87,8 @@ impl Train {
     }
 }
 
-/// Where each element that changed came from and where it is then, in the order of their names; all else as
-/// it is.
+/// Net changes of the elements: each one's first and last state, in the order of their names; all other
+/// changes as they are.
 fn net(changes: &[Change]) -> Vec<String> {
     let mut elements: std::collections::BTreeMap<&str, [State; 2]> = std::collections::BTreeMap::new();
     let mut told = vec![];
@@ -107,7 +107,7 @@ fn named(link: &str, is_other: bool) -> String {
     if is_other { format!("{link} of the other") } else { link.to_owned() }
 }
 
-/// What a train is driven with.
+/// Torques and elements that drive a train.
 #[derive(Debug, Clone)]
 struct Drive {
     capacities: [[f64; 2]; 3],
@@ -567,9 +567,9 @@ fn a_drag_that_shares_at_rest_leaves_mesh_losses_as_they_are() {
     assert!(run.audit.residual().abs() < 1e-9);
 }
 
-/// All stands still for a moment, in a block by a clutch that holds 1.2 times what it carries slipping: the
-/// load turns, and the clutch need not let go. That the load sticks and the clutch slips would agree with all
-/// torques, too, but nothing makes it let go.
+/// At one moment everything is at rest, in a block by a clutch that holds 1.2 times the torque that it
+/// carries slipping. The load turns, and the clutch need not release. A sticking load and a slipping clutch
+/// would agree with all torques, too, but nothing makes the clutch release.
 #[test]
 fn what_is_stuck_lets_go_only_where_it_must() {
     let train = Train {

@@ -87,8 +87,8 @@ struct Bodies {
     damping: f64,
 }
 
-/// What joins the same links: capacities before and after a time, and one-way clutches by whether they are
-/// turned round.
+/// Elements between the same links: capacities before and after a time, and one-way clutches by whether they
+/// are turned round.
 #[derive(Debug, Clone)]
 struct Group {
     capacities: Vec<[f64; 2]>,
@@ -307,7 +307,7 @@ fn clutches_between_links_that_the_sets_lock_carry_nothing() {
     assert!((0..2).all(|element| torque_of(run.end(), element).abs() < 1e-9));
 }
 
-/// What has no inertia is named, and giving it one helps.
+/// Links without inertia are named, and giving one of them an inertia helps.
 #[test]
 fn links_without_inertia_are_named() {
     let gearbox = Gearbox::builder("two sets")

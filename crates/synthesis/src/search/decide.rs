@@ -12,19 +12,19 @@ use crate::ternary::Word;
 use crate::watch::Watch;
 use crate::wish::forward;
 
-/// What a candidate comes to.
+/// Decision on a candidate.
 enum Verdict {
-    /// It has all gears.
+    /// The candidate has all gears.
     Solution(Solution),
-    /// It has all gears, but not with the demand of this number.
+    /// The candidate has all gears, but does not meet the demand of this number.
     Misses(usize),
-    /// Neither a point nor the proof that there is none.
+    /// Neither a point nor the proof that no point exists.
     Undecided,
-    /// There is no point.
+    /// No point exists.
     None,
 }
 
-/// What functions together have to keep.
+/// Condition that the functions have to meet together.
 type Demand<'a> = &'a dyn Fn(&[usize]) -> bool;
 
 impl<W: Word> Search<W> {
@@ -49,8 +49,8 @@ impl<W: Word> Search<W> {
             let (equal, on_it) = self.equals[place];
             let mut choices = choices.clone();
             if equal != Equal::NONE {
-                // Where input or output stand still wherever these k are equal, there is no ratio, whatever
-                // is left of the formula.
+                // If input or output are at rest wherever these k are equal, no ratio exists, whatever
+                // formula remains.
                 let motion = &mut self.motion;
                 let mut drives = |choice: &u64| {
                     let speeds = motion.gear(&places(*choice).collect::<Vec<_>>());
@@ -76,7 +76,8 @@ impl<W: Word> Search<W> {
         self.best(found)
     }
 
-    /// Of solutions that differ in which `k` are equal the one with the least deviation at its best.
+    /// Returns the solution with the least deviation at its best point, of those that differ in which `k` are
+    /// equal.
     fn best(&self, mut found: Vec<Solution>) -> Option<Solution> {
         if found.len() <= 1 {
             return found.pop();
@@ -90,9 +91,9 @@ impl<W: Word> Search<W> {
         Some(found.swap_remove(best))
     }
 
-    /// A point and functions of which those of gears side by side fall at the best `k`, too, if some exchange
-    /// of them does: the best `k` of all exchanges are one, since any ratio of these gears is as good. Else
-    /// the same as given.
+    /// Returns a point and functions with which gears side by side fall at the best `k` too, if some exchange
+    /// of their functions gives one. The best `k` of all exchanges are the same, since any ratio of these
+    /// gears is as good. Otherwise the point and functions are returned as given.
     fn falling_at_best(
         &self,
         k: Vec<f64>,
@@ -118,8 +119,8 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// What a candidate comes to in some parts with some `k` equal, by its functions and, for each, the
-    /// choices that have it.
+    /// Decides a candidate in some parts with some `k` equal, by its functions and, for each, the choices
+    /// that have it.
     fn decide_with(
         &self,
         chosen: u64,
@@ -150,7 +151,7 @@ impl<W: Word> Search<W> {
                 forward.iter().map(|gear| choices[assigned[*gear]].as_slice()).collect();
             fewest(&choices, rules.shifts).is_some()
         };
-        // What functions have to keep, in the order in which a set that misses it is counted.
+        // Demands on the functions, in the order in which a set that misses one is counted.
         let demands: [Demand<'_>; 4] =
             [&engages_all, &moves_all, &|assigned| !rules.direct || is_direct(assigned), &|assigned| {
                 !rules.shifts.bind() || shifts(assigned)
@@ -165,7 +166,8 @@ impl<W: Word> Search<W> {
         };
         let mut undecided = false;
         let mut missed = [false; 4];
-        // The first so many demands kept: a point with functions, and which demand others missed first.
+        // Searches with the first `kept` demands: a point with functions, and the demands that others missed
+        // first.
         let mut seek = |kept: usize| {
             let mut accept =
                 |assigned: &[usize]| match demands[..kept].iter().position(|keep| !keep(assigned)) {

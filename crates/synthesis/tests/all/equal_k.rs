@@ -34,8 +34,8 @@ fn all(class: Class, wish: &Wish) -> Answer {
     search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap()
 }
 
-/// A solution by the solver: its ratios are within their bounds at `k` of which so many are one number, and
-/// so are their ranges.
+/// Judges a solution by the solver: its ratios are within their bounds at `k` with the requested number of
+/// equal values, and their ranges are equal too.
 fn confirmed(found: &Found, wish: &Wish) -> Judged {
     let judged = judge(found, wish, MeshEfficiency::IDEAL).unwrap();
     assert!(judged.ratios.iter().zip(&wish.gears).all(|(ratio, gear)| gear.contain(*ratio)));
@@ -55,7 +55,7 @@ fn wide(speed: Ternary<u8>) -> Polynomial {
 }
 
 /// The ratios of each pair of three elements at a common `k`, by the speeds before anything is cancelled;
-/// nothing where one stands still.
+/// ratios with a speed at rest are left out.
 fn ratios_at(speeds: &[[Polynomial; 2]], k: f64) -> Vec<f64> {
     let values = speeds.iter().map(|[input, output]| [input.value(&[k; 2]), output.value(&[k; 2])]);
     values.filter(|[input, output]| input.abs() > 1e-9 && output.abs() > 1e-9).map(|[p, q]| p / q).collect()

@@ -22,7 +22,7 @@ fn wish(ratios: &[f64], tolerance: f64, sets: usize, elements: usize) -> Wish {
     Wish::new(ratios.iter().map(around).collect(), elements, vec![1.4..=4.5; sets])
 }
 
-/// All orders of some sets, by choosing each place in turn.
+/// Orders of some sets, by choosing each place in turn.
 fn orders(sets: usize) -> Vec<Vec<usize>> {
     (0..sets).fold(vec![vec![]], |orders, _| {
         orders
@@ -54,8 +54,8 @@ fn are_alike(one: &Found, other: &Found, wish: &Wish, points: &[Vec<f64>]) -> bo
     })
 }
 
-/// How many solutions and families a search has, each pair compared by random points; members judged as of
-/// one function.
+/// Numbers of solutions and families of a search. Each pair is compared by random points, and members are
+/// judged as of one function.
 fn families(class: Class, wish: &Wish) -> [usize; 2] {
     let found = search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap().found;
     let gears: Vec<usize> = (0..wish.gears.len()).collect();

@@ -25,12 +25,12 @@ fn all(class: Class, wish: &Wish) -> Answer {
     every(1, class, wish)
 }
 
-/// Of a class one of so many shares.
+/// Searches one of this number of shares of a class.
 fn every(of: usize, class: Class, wish: &Wish) -> Answer {
     search(class, wish, Share { number: 0, of }, &|_| ControlFlow::Continue(())).unwrap()
 }
 
-/// Structure and elements of each, whatever pair of an element stands first.
+/// Structure and elements of each solution, whatever pair of an element comes first.
 fn names(found: &[Found]) -> Vec<String> {
     let name = |found: &Found| {
         let mut elements = found.solution.elements.clone();

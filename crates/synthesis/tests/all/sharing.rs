@@ -217,7 +217,7 @@ fn sets_that_leave_no_room_or_need_steps_are_apart() {
     assert_eq!(none, Sharing::default());
 }
 
-/// What goes together by its tooth numbers is no pair of sets apart.
+/// Sets that fit together by their tooth numbers are not reported as apart.
 #[test]
 fn every_ravigneaux_set_that_fits_by_trial_is_one_set() {
     let structure: Structure = "1-2-a b-2-a*".parse().unwrap();

@@ -25,7 +25,7 @@ fn two_free() -> Wish {
     two_free_within(0.05)
 }
 
-/// The same with this tolerance of the two others.
+/// Gears of 3 and 0.7 with this tolerance, and two free ones between them.
 fn two_free_within(tolerance: f64) -> Wish {
     let around = |ratio: f64| Bounds { least: (1.0 - tolerance) * ratio, most: (1.0 + tolerance) * ratio };
     let [first, last] = [3.0, 0.7].map(around);

@@ -19,7 +19,7 @@ fn any_k(random: &mut Random) -> f64 {
     1.4 + 3.1 * random.below(1_000_003) as f64 / 1_000_003.0
 }
 
-/// How many of `count` random gears of a class are driven, each agreeing with the solver.
+/// Number of driven gears among `count` random gears of a class, each agreeing with the solver.
 fn agreeing<W: Word>(class: Class, count: usize) -> usize {
     let structures = enumerate::all(class);
     let mut random = Random(0x9e37_79b9_7f4a_7c15);

@@ -25,7 +25,7 @@ fn wish(ratios: &[f64], elements: usize, k: Vec<RangeInclusive<f64>>) -> Wish {
     Wish { double_planets: 1, ..Wish::new(ratios.iter().map(around).collect(), elements, k) }
 }
 
-/// All solutions of the structures with one double-planet set among these sets.
+/// Solutions of the structures with one double-planet set among these sets.
 fn solutions(class: Class, sets: &str, wish: &Wish) -> Vec<Found> {
     let simple: Structure = sets.parse().unwrap();
     let tagged = simple.with_double_planets(1);
@@ -100,8 +100,8 @@ fn ratios_with_a_double_planet_set_are_those_of_the_solver_and_nothing_is_lost()
     assert_eq!(teeth, tried);
 }
 
-/// Its own 38 and 85 teeth of the second set leave 23.5 for a planet, which needs shifted profiles: others
-/// do.
+/// The 6HP's own 38 and 85 teeth of the second set leave 23.5 for a planet, which needs shifted profiles.
+/// Other tooth numbers need none.
 #[test]
 fn a_6hp_has_tooth_numbers() {
     let class = Class::new(Kind::AllSparse, 3, 6).unwrap();

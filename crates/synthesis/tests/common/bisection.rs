@@ -6,10 +6,10 @@ use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::refine::Refined;
 use epicyclic_synthesis::solve::{Function, Outcome, Solver};
 
-/// How close deviation and ranges come to the outermost.
+/// Tolerance of deviation and ranges to the outermost.
 pub(crate) const CLOSE: f64 = 1e-4;
 
-/// A point in a range of `k` where each function has its gear, or the proof that there is none.
+/// A point in a range of `k` at which each function has its gear, or `None` if no point was found.
 fn seek(functions: &[&Function], gears: &[Bounds], cuboid: &Cuboid) -> Option<Vec<f64>> {
     let mut own = |assigned: &[usize]| assigned.iter().enumerate().all(|(gear, function)| gear == *function);
     match Solver::new(functions, gears, &mut own).search(cuboid) {

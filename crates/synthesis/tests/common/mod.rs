@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Parts shared by the tests.
 
 /// A plain random sequence.
 pub(crate) struct Random(pub(crate) u64);

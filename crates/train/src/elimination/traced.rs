@@ -130,10 +130,10 @@ mod tests {
         let closed = of(third, 0).times(&Traced::certain(&Fraction::new(13, 10))).unwrap();
         assert!(closed.minus(&of(product, 1)).unwrap().is_zero());
         assert!(!closed.minus(&of(product * (1.0 + 1e-13), 1)).unwrap().is_zero());
-        // The least difference from 1 is a thousandfold what rounding leaves of it.
+        // The least difference from 1 is a thousandfold its rounding.
         let near = of(1.0 + 1e-12, 0).minus(&Traced::one()).unwrap();
         assert!((near.number() / 1e-12 - 1.0).abs() < 1e-3);
-        // Equal numbers leave exactly what stands beside them, however small.
+        // Equal numbers cancel exactly and leave the other terms, however small.
         let large = of(1e9 / 3.0, 0);
         let beside =
             large.times(&large).unwrap().minus(&Traced::certain(&Fraction::new(1, 1_000_000_000))).unwrap();

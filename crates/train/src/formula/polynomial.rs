@@ -34,8 +34,8 @@ impl Polynomial {
         }
     }
 
-    /// Coefficients and symbols of the terms as they are written: products of fewer symbols first, then by
-    /// symbol, but a positive term at the head where there is one.
+    /// Coefficients and symbols of the terms in the order of writing: products of fewer symbols first, then
+    /// by symbol. The first positive term, if any, goes to the head.
     #[must_use]
     pub fn terms(&self) -> Vec<(i64, Vec<usize>)> {
         let mut products: Vec<Product> = self.terms.keys().copied().collect();
@@ -76,7 +76,8 @@ impl Polynomial {
         self
     }
 
-    /// Its factors over the symbols `within` and over the others up to numbers, if it is such a product.
+    /// Factors of the polynomial over the symbols `within` and over the others, up to numbers, if it is such
+    /// a product.
     fn split(&self, within: Product) -> Option<[Self; 2]> {
         let (base, scale) = self.terms.first_key_value()?;
         let part = |mask: Product| {
@@ -125,7 +126,7 @@ impl Polynomial {
         (number, factors)
     }
 
-    /// Its value where each symbol has one.
+    /// Value of the polynomial for these values of the symbols.
     #[must_use]
     pub fn value(&self, symbol: &dyn Fn(usize) -> f64) -> f64 {
         let term = |(product, coefficient): (&Product, &i64)| {
@@ -134,11 +135,11 @@ impl Polynomial {
         self.terms.iter().map(term).sum()
     }
 
-    /// Its exact value where each symbol has one; `None` where an integer overflows.
+    /// Exact value of the polynomial for these values of the symbols; `None` if an integer overflows.
     pub(super) fn exact_value(&self, symbols_are: &[Fraction]) -> Option<Fraction> {
         let mut sum = <Fraction as Scalar>::zero();
         for (product, coefficient) in &self.terms {
-            // Subtracted with the other sign, since that is what there is.
+            // Subtracted with the other sign, since `Scalar` has no addition.
             let mut term = Fraction::from_integer(-i128::from(*coefficient));
             for symbol in symbols(*product) {
                 term = Scalar::times(&term, symbols_are.get(symbol)?)?;
@@ -148,7 +149,7 @@ impl Polynomial {
         Some(sum)
     }
 
-    /// How many terms it has.
+    /// Number of terms of the polynomial.
     pub(super) fn len(&self) -> usize {
         self.terms.len()
     }
@@ -187,7 +188,7 @@ fn symbols(product: Product) -> impl Iterator<Item = usize> {
     (0..Product::BITS as usize).filter(move |symbol| product >> symbol & 1 == 1)
 }
 
-/// All sets of some symbols.
+/// Subsets of a set of symbols.
 fn subsets(of: Product) -> impl Iterator<Item = Product> {
     let mut next = Some(0);
     std::iter::from_fn(move || {

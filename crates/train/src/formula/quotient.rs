@@ -62,7 +62,7 @@ impl Quotient {
         self.factors.iter().flatten().fold(0, |all, factor| all | factor.variables())
     }
 
-    /// Its value where each symbol has one.
+    /// Value of the quotient for these values of the symbols.
     #[must_use]
     pub fn value(&self, symbol: &dyn Fn(usize) -> f64) -> f64 {
         let of = |side: usize| {
@@ -72,7 +72,7 @@ impl Quotient {
         of(0) / of(1)
     }
 
-    /// Its exact value where each symbol has one; `None` where an integer overflows.
+    /// Exact value of the quotient for these values of the symbols; `None` if an integer overflows.
     pub(super) fn exact_value(&self, symbols: &[Fraction]) -> Option<Fraction> {
         let of = |side: usize| {
             let number = Fraction::from_integer(i128::from(self.number[side]));

@@ -1,9 +1,8 @@
 //! The way to a ratio: equations with their numbers, conditions, substitutions.
 //!
-//! The same equations as those of the formula, with numbers in place of the symbols, are solved one after the
-//! other: of those that are left the one with the fewest unknown speeds comes next, what is known is put in,
-//! and one unknown speed is expressed by the others. The output's speed comes last. Numbers are fractions
-//! where all teeth are known.
+//! The equations of the formula, with numbers in place of the symbols, are solved one after the other. The
+//! next one is the one with the fewest unknown speeds: known speeds are put in, and one unknown speed is
+//! expressed by the others. The output's speed comes last. Numbers are fractions if all teeth are known.
 
 use super::Formula;
 use super::symbol::Symbol;
@@ -15,14 +14,14 @@ use std::collections::BTreeMap;
 /// A number of an equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Factor {
-    /// Of tooth counts.
+    /// Fraction of tooth counts.
     Exact(Fraction),
-    /// Where teeth are not known.
+    /// Decimal number, if teeth are not known.
     Decimal(f64),
 }
 
 impl Factor {
-    /// As a number.
+    /// Value of the factor as a number.
     #[must_use]
     pub fn value(self) -> f64 {
         match self {
@@ -32,7 +31,7 @@ impl Factor {
     }
 }
 
-/// Speeds of links, each with its factor; a link stands for all that turn as one with it.
+/// Speeds of links, each with its factor; a link represents all links that turn as one with it.
 pub type Sum = Vec<(LinkId, Factor)>;
 
 /// Why links turn as one, or a link rests.
@@ -44,7 +43,7 @@ pub enum Condition {
     Permanent(usize),
     /// A set ties two links.
     Set {
-        /// Its place in the gearbox.
+        /// Place of the set in the gearbox.
         set: usize,
         /// The links.
         links: [LinkId; 2],
@@ -66,7 +65,7 @@ pub struct Substitution {
     pub sum: Sum,
     /// The speed that it is solved for.
     pub unknown: LinkId,
-    /// What that is: 0 where empty.
+    /// Right-hand side for the unknown speed; 0 if empty.
     pub equals: Sum,
 }
 
@@ -75,7 +74,7 @@ pub struct Substitution {
 pub struct Steps {
     /// `1, −i₀, i₀ − 1` of each symbol's equation, at its three links.
     pub equations: Vec<[Factor; 3]>,
-    /// What makes links one.
+    /// Conditions that make links turn as one or rest.
     pub conditions: Vec<Condition>,
     /// The equations, solved one after the other. The last one gives the output's speed.
     pub substitutions: Vec<Substitution>,
@@ -105,7 +104,7 @@ impl Steps {
     }
 }
 
-/// What ties links or holds them: all engaged elements, and of the rest what the equations need.
+/// Conditions that tie or hold links: all engaged elements, and of the rest those that the equations need.
 fn conditions(gearbox: &Gearbox, gear: &Gear, formula: &Formula) -> Vec<Condition> {
     let permanent = gearbox.permanent().iter().enumerate();
     let permanent = permanent.map(|(place, links)| (Condition::Permanent(place), *links, None));
@@ -147,7 +146,7 @@ fn signed(symbol: &Symbol, k: Fraction) -> Fraction {
 
 type Speeds<S> = BTreeMap<usize, S>;
 
-/// Adds a multiple of speeds; what vanishes goes.
+/// Adds a multiple of speeds; terms that vanish are removed.
 fn subtract<S: Scalar>(from: &mut Speeds<S>, factor: &S, speeds: &Speeds<S>) -> Option<()> {
     for (node, share) in speeds {
         let before = from.remove(node).unwrap_or_else(S::zero);

@@ -1,4 +1,4 @@
-//! What the symbols of a formula stand for.
+//! Symbols of a formula and their meaning.
 
 use super::subscript;
 use crate::compound::CentralKind;
@@ -21,7 +21,7 @@ pub struct Symbol {
 }
 
 impl Symbol {
-    /// Of an equation of a gearbox.
+    /// Makes the symbol of an equation of a gearbox.
     pub(super) fn of(gearbox: &Gearbox, equation: usize) -> Self {
         let one = &gearbox.equations[equation];
         let set = &gearbox.sets[one.set];
@@ -67,7 +67,7 @@ impl Symbol {
         subscript(if self.is_pair { 'u' } else { 'k' }, self.number)
     }
 
-    /// Its place among the equations of the gearbox.
+    /// Place of the symbol's equation among those of the gearbox.
     #[must_use]
     pub fn equation(&self) -> usize {
         self.number - 1
@@ -104,13 +104,13 @@ impl Symbol {
         [above, below]
     }
 
-    /// Its value.
+    /// Value of the symbol.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.value
     }
 
-    /// Its value as a fraction of tooth counts, where they are known.
+    /// Value of the symbol as a fraction of tooth counts, if they are known.
     #[must_use]
     pub fn exact(&self) -> Option<Fraction> {
         self.exact

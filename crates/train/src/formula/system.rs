@@ -37,7 +37,8 @@ pub(crate) struct System {
 }
 
 impl System {
-    /// Of a gear that has a ratio; `None` where speeds that nothing gives cancel at these ratios alone.
+    /// Makes the system of a gear that has a ratio; `None` if speeds that nothing gives cancel at these
+    /// ratios alone.
     pub(super) fn new(gearbox: &Gearbox, gear: &Gear) -> Option<Self> {
         let (topology, tied) = joined(gearbox, Topology::new(gearbox, gear));
         let (pivots, free) = relations(gearbox, &topology);

@@ -27,15 +27,15 @@ fn at(degrees_of: &[f64]) -> Spacing {
     Spacing::At(degrees_of.iter().map(|angle| Angle::from_degrees(*angle)).collect())
 }
 
-/// Phase of the teeth of a planet of a simple set, in teeth, that the sun's and the ring's teeth ask for at
-/// an angle in turns, where a planet at 0 has phase 0 in both. The second way: teeth along the pitch circles,
-/// without any divisor.
+/// Phase, in teeth, that the teeth of the sun and of the ring require of a planet of a simple set at an angle
+/// in turns. A planet at 0 has phase 0 in both. Independent of the code under test: it counts teeth along the
+/// pitch circles, without any divisor.
 fn phases([sun, ring]: [f64; 2], turn: f64) -> [f64; 2] {
     [-sun * turn, ring * turn]
 }
 
 proptest! {
-    /// A planet fits where both meshes ask it for the same phase, up to whole teeth, and nowhere else.
+    /// A planet fits if both meshes require the same phase of it, up to whole teeth, and only then.
     #[test]
     fn planets_fit_where_both_meshes_ask_for_one_phase(sun in 12..60_u32, planet in 12..60_u32, steps in 1..400_u32, beside in 0.1..0.9_f64) {
         let ring = sun + 2 * planet;
@@ -97,8 +97,8 @@ proptest! {
     }
 }
 
-/// The positions of a double planet, which is not told by one planet's phase: every angle of a fine grid
-/// tried on both rows of teeth.
+/// Assembly positions of a double planet, which do not follow from the phase of one planet: every angle of a
+/// fine grid is tried on both rows of teeth.
 #[test]
 fn a_pair_of_planets_fits_at_the_difference_of_the_teeth() {
     let set = built(double(24, 16, 17, 84).planet_count(3)).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::tolerance::POWER;
 
-/// How the power of a set runs through its meshes, a tree of central gears and planets.
+/// Path of a set's power through its meshes, a tree of central gears and planets.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Flows {
     /// Speed of each central gear relative to the carrier, over that of the first.
@@ -13,15 +13,15 @@ pub(super) struct Flows {
     pub(super) meshes: Vec<([usize; 2], f64)>,
 }
 
-/// What of the torques on the central gears a mesh brings.
+/// Part of the torques on the central gears that a mesh transmits to a planet.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Part {
-    /// All of that on one central gear, its only mesh.
+    /// The whole torque of one central gear, whose only mesh it is.
     Whole(usize),
-    /// Of a central gear in several meshes: each with 1 where the gear is the one nearer to the root, else
-    /// −1. What losses leave open is shared alike.
+    /// Part of a central gear in several meshes. `all` holds the meshes of the gear, each with 1 if the gear
+    /// is the one nearer to the root, else −1. A share that losses leave open is divided equally.
     Shared { central: usize, mesh: usize, all: Vec<(usize, f64)> },
-    /// Between two planets: the power through it by this factor.
+    /// Mesh between two planets: the power through it times this factor.
     Between { mesh: usize, factor: f64 },
 }
 
@@ -39,19 +39,19 @@ impl Flows {
         }
     }
 
-    /// Power that a mesh carries from its first gear's side, over a speed relative to the carrier of 1 of the
-    /// first central gear: the mean of what enters the mesh and of what leaves it.
+    /// Power that a mesh carries from its first gear's side, for a speed of 1 of the first central gear
+    /// relative to the carrier: the mean of the powers that enter and leave the mesh.
     pub(super) fn through(&self, mesh: usize, torques: &[f64]) -> f64 {
         let powers = || self.speeds.iter().zip(torques).map(|(speed, torque)| speed * torque);
         let (sum, largest) = (powers().sum::<f64>(), powers().map(f64::abs).fold(0.0, f64::max));
-        // What enters is more than what leaves: so the sum has the sense in which the set turns. Where it is
-        // nothing, nothing is lost.
+        // More power enters than leaves, so the sum has the sign of the set's rotation. If it is 0, nothing
+        // is lost.
         let sense = if sum.abs() <= POWER * largest { 0.0 } else { sum.signum() };
         let [first, second] = self.meshes[mesh].0;
         (self.out_of(first, mesh, torques, sense) - self.out_of(second, mesh, torques, sense)) / 2.0
     }
 
-    /// Power that a body hands into one of its meshes: its own, and what its other meshes bring it.
+    /// Power that a body passes into one of its meshes: its own power, and that from its other meshes.
     fn out_of(&self, body: usize, into: usize, torques: &[f64], sense: f64) -> f64 {
         let own = (0..self.bodies.len()).filter(|&central| self.bodies[central] == body);
         let own: f64 = own.map(|central| self.speeds[central] * torques[central]).sum();

@@ -13,7 +13,7 @@ use epicyclic_numerics::values::largest_absolute;
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Time, Torque};
 
-/// What is missing for a force, or why none follows.
+/// Missing data for a force, or the reason why none follows.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Lack {
     /// The number of planets.
@@ -34,7 +34,7 @@ pub enum Lack {
         /// The other planet, by its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
         other: usize,
     },
-    /// Two planets in mesh that cannot stand at their radii.
+    /// Two planets in mesh that do not fit at their radii.
     Triangle {
         /// The other planet, by its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
         other: usize,
@@ -52,7 +52,7 @@ pub enum Lack {
 /// A mesh of a planet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Its place in [`PlanetSet::meshes`](crate::PlanetSet::meshes).
+    /// Place of the mesh in [`PlanetSet::meshes`](crate::PlanetSet::meshes).
     pub mesh: usize,
     /// The gear on the other side.
     pub with: GearOf,
@@ -64,7 +64,7 @@ pub struct Contact {
     pub pressure_angle: Option<Angle>,
     /// Towards another planet: unit vector outwards and along the positive direction of rotation.
     pub direction: Option<[f64; 2]>,
-    /// What of the torques on the central gears it brings.
+    /// Part of the torques on the central gears that the mesh transmits.
     pub(super) part: Option<Part>,
 }
 
@@ -73,23 +73,23 @@ pub struct Contact {
 pub struct PlanetBearing {
     /// Place of its set in [`Gearbox::sets`](crate::Gearbox::sets).
     pub set: usize,
-    /// Its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
+    /// Place of the planet in [`PlanetSet::planets`](crate::PlanetSet::planets).
     pub planet: usize,
-    /// Its name: `planet` where the set has only one, else `planet long` or `planet 2`.
+    /// Name of the planet: `planet` if the set has only one, else `planet long` or `planet 2`.
     pub name: String,
-    /// How many of it share the load, all alike.
+    /// Number of these planets, which share the load equally.
     pub planets: Option<u32>,
     /// Radius `R` of their centres.
     pub radius: Option<Length>,
-    /// Its meshes.
+    /// Meshes of the planet.
     pub contacts: Vec<Contact>,
     /// Mass of one planet.
     pub mass: Option<Mass>,
-    /// Basic dynamic load rating of its bearings together, and what rolls in them.
+    /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub load_rating: Option<(Force, Rolling)>,
     /// Working pressure angle.
     pub pressure_angle: Angle,
-    /// What is missing.
+    /// Missing data.
     pub lacks: Vec<Lack>,
     pub(super) carrier: LinkId,
     /// Members that turn with it.
@@ -110,7 +110,7 @@ pub struct BearingForces {
     pub radial: Option<Force>,
     /// Centrifugal.
     pub centrifugal: Option<Force>,
-    /// All together; `None` unless each is known.
+    /// Resultant of the tangential, radial and centrifugal force; `None` unless each is known.
     pub total: Option<Force>,
 }
 
@@ -120,8 +120,8 @@ impl Contact {
         planet_of(self.with).is_some() && self.part.is_none()
     }
 
-    /// Its torque for these on the central gears: about the main axis, with a central gear; `τ_q·N`, with
-    /// another planet.
+    /// Torque of the mesh for these torques on the central gears: about the main axis, if with a central
+    /// gear; `τ_q·N`, if with another planet.
     pub(super) fn weighed(&self, flows: &Flows, torques_n_m: &[f64]) -> Option<f64> {
         Some(flows.torque(self.part.as_ref()?, torques_n_m))
     }
@@ -250,7 +250,7 @@ impl PlanetBearing {
         Ok(forces)
     }
 
-    /// What other planets in mesh do to it: force outwards, N, and moment about the main axis, N·m.
+    /// Forces of other planets in mesh on this one: force outwards, N, and moment about the main axis, N·m.
     fn between(&self, torques_n_m: &[f64], planets: u32, radius: Length) -> Option<[f64; 2]> {
         let (count, tan_alpha) = (f64::from(planets), libm::tan(self.pressure_angle.si()));
         let meshing = self.contacts.iter().filter(|contact| planet_of(contact.with).is_some());

@@ -1,4 +1,4 @@
-//! What is known of the size of a set, as far as its planet bearings ask for it.
+//! Known dimensions of a set, as far as its planet bearings need them.
 
 use crate::planet_set::PlanetSet;
 use epicyclic_gears::life::{self, Rolling};
@@ -7,60 +7,59 @@ use epicyclic_gears::{Error, Quantity};
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
 
-/// What is known of the size of a set. What is said of all planets or meshes stands for each that says
-/// nothing itself.
+/// Known dimensions of a set. A value for all planets or meshes applies to each that has none of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetSize {
     /// Module `m` of the meshes, of helical teeth the transverse one.
     pub module: Option<Length>,
-    /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth.
-    /// Where planets differ, each has its own: [`PlanetSize::carrier_radius`].
+    /// Radius `R` of the planets' centres, for a set with one planet; takes precedence over that of module
+    /// and teeth. If planets differ, each has its own: [`PlanetSize::carrier_radius`].
     pub carrier_radius: Option<Length>,
     /// Face width of a planet with one gear.
     pub face_width: Option<Length>,
     /// Bore of a planet; a solid planet where it is left out.
     pub planet_bore: Option<Length>,
-    /// Mass of a planet with what turns about its planet pin; goes before that of its shape.
+    /// Mass of a planet with the parts that turn about its planet pin; takes precedence over that of its
+    /// shape.
     pub planet_mass: Option<Mass>,
-    /// Basic dynamic load rating of the bearings of one planet together, and what rolls in them.
+    /// Basic dynamic load rating of the bearings of one planet together, and the kind of their rolling
+    /// elements.
     pub bearing: Option<(Force, Rolling)>,
     /// Density of the planets.
     pub density: MassDensity,
     /// Working pressure angle `α`.
     pub pressure_angle: Angle,
-    /// What single planets have of their own, in the order of [`PlanetSet::planets`]; those at the end may be
-    /// left out.
+    /// Values of single planets, in the order of [`PlanetSet::planets`]; those at the end may be left out.
     pub planets: Vec<PlanetSize>,
-    /// What single meshes have of their own, in the order of [`PlanetSet::meshes`]; those at the end may be
-    /// left out.
+    /// Values of single meshes, in the order of [`PlanetSet::meshes`]; those at the end may be left out.
     pub meshes: Vec<MeshSize>,
 }
 
-/// What is known of one planet.
+/// Known dimensions of one planet.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanetSize {
-    /// Radius `R` of its centre; goes before that of module and teeth.
+    /// Radius `R` of the planet's centre; takes precedence over that of module and teeth.
     pub carrier_radius: Option<Length>,
     /// Face width of each of its gears, in the order of [`Planet::gears`](crate::planet_set::Planet::gears).
     pub face_widths: Vec<Option<Length>>,
-    /// Its bore.
+    /// Bore of the planet.
     pub bore: Option<Length>,
-    /// Its mass with what turns about its planet pin.
+    /// Mass of the planet with the parts that turn about its planet pin.
     pub mass: Option<Mass>,
-    /// Basic dynamic load rating of its bearings together, and what rolls in them.
+    /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub bearing: Option<(Force, Rolling)>,
 }
 
-/// What is known of one mesh.
+/// Known dimensions of one mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MeshSize {
-    /// Its module, which the other meshes of its two gears have too.
+    /// Module of the mesh; the other meshes of its two gears have the same.
     pub module: Option<Length>,
-    /// Its working pressure angle, if not that of the set: of a mesh with a central gear, where profiles are
-    /// shifted.
+    /// Working pressure angle of a mesh with a central gear, if it differs from that of the set because
+    /// profiles are shifted.
     pub pressure_angle: Option<Angle>,
-    /// Of a mesh of two planets: the one described later stands behind the other, not ahead in the positive
-    /// direction of rotation.
+    /// Whether, in a mesh of two planets, the one described later is behind the other. By default it is ahead
+    /// in the positive direction of rotation.
     pub is_behind: bool,
 }
 

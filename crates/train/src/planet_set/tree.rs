@@ -15,15 +15,15 @@ pub(crate) struct Tree {
     pub(crate) order: Vec<usize>,
     /// `i_c` of each equation.
     pub(crate) ratios: Vec<f64>,
-    /// The same as a fraction, of tooth counts or of decimals.
+    /// `i_c` of each equation as a fraction, of tooth counts or of decimals.
     pub(crate) rationals: Vec<Option<Fraction>>,
-    /// The same of tooth counts alone.
+    /// `i_c` of each equation as a fraction of tooth counts alone.
     pub(crate) exact: Vec<Option<Fraction>>,
     /// Meshes that carry power in the same direction.
     pub(crate) segments: Vec<Segment>,
     /// Equations behind each mesh, as seen from the root.
     pub(crate) behind: Vec<Behind>,
-    /// Of each mesh its segment, and its place there; none where nothing is behind.
+    /// Segment of each mesh, and the mesh's place in it; `None` if nothing is behind the mesh.
     pub(crate) in_segment: Vec<Option<(usize, usize)>>,
 }
 

@@ -26,7 +26,7 @@ struct Entry {
     factor: i8,
 }
 
-/// Up to three entries of each equation; the last column is the right side.
+/// Equations with up to three entries each; the last column is the right side.
 #[derive(Debug, Clone)]
 pub(super) struct Proof {
     equations: Vec<([Entry; 3], u8)>,
@@ -44,8 +44,8 @@ struct Known {
 const NOTHING: Known = Known { value: 0.0, error: 0.0 };
 
 impl Proof {
-    /// Of a gear with one more node than equations, all of which can turn; `None` where there are too many,
-    /// or an equation says nothing.
+    /// Proof for a gear with one more node than equations, all nodes free to turn. `None` if there are too
+    /// many equations, or if an equation has no effect.
     pub(super) fn new(topology: &Topology, input: usize) -> Option<Self> {
         let count = topology.equations.len();
         let output = topology.output?;
@@ -68,7 +68,7 @@ impl Proof {
             let entries = if r == c && c == h {
                 return None;
             } else if r == c {
-                // (1 − i)·(ω_r − ω_H): nothing where i = 1, which the general way tells.
+                // (1 − i)·(ω_r − ω_H): nothing if i = 1, which the general method detects.
                 [(r, 1, -1), (h, -1, 1), (None, 0, 0)]
             } else if r == h || c == h {
                 [(r, 1, 0), (c, -1, 0), (None, 0, 0)]

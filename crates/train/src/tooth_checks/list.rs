@@ -1,4 +1,4 @@
-//! The checks of the teeth of each set as a list: what was checked, what could not be, what does not hold.
+//! The checks of the teeth of each set as a list: checks made, checks not possible, checks that fail.
 
 use super::{Checks, ToothWarning};
 use crate::Gearbox;
@@ -15,7 +15,7 @@ use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
 use std::fmt;
 
-/// What a check of a set is of.
+/// Object of a check in a set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Subject {
     /// The set itself.
@@ -26,7 +26,7 @@ pub enum Subject {
     Mesh(String, String),
     /// The tips of the first gear in the mesh with the second.
     Tips(String, String),
-    /// So many planets beside each other.
+    /// Planets side by side, in this number.
     Planets(u32),
 }
 
@@ -47,7 +47,7 @@ impl fmt::Display for Subject {
 pub struct SetCheck {
     /// The set.
     pub set: String,
-    /// Of what.
+    /// Object of the check.
     pub subject: Subject,
     /// Name of the rule.
     pub rule: &'static str,
@@ -57,15 +57,15 @@ pub struct SetCheck {
     pub limit: f64,
     /// Unit of both; empty of a plain number.
     pub unit: &'static str,
-    /// How grave a miss is.
+    /// Severity of a failure.
     pub severity: Severity,
-    /// What is missed, with its figures; `None` where the check holds.
+    /// Description of the failure, with its figures; `None` if the check holds.
     pub miss: Option<String>,
-    /// What helps.
+    /// Remedy for a failure.
     pub remedy: &'static str,
 }
 
-/// A set of which checks are left out.
+/// A set for which some checks are left out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotChecked {
     /// The set.
@@ -77,9 +77,9 @@ pub struct NotChecked {
 /// The checks of all sets.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SetChecks {
-    /// Each check, set by set.
+    /// Checks, set by set.
     pub checks: Vec<SetCheck>,
-    /// What could not be checked.
+    /// Checks left out for lack of data.
     pub not_checked: Vec<NotChecked>,
 }
 
@@ -108,7 +108,7 @@ impl Gearbox {
 }
 
 impl SetChecks {
-    /// Those that do not hold but for remarks, in words.
+    /// Failed checks, without remarks, in words.
     pub fn warnings(&self) -> impl Iterator<Item = String> {
         let missed = self.checks.iter().filter(|check| check.severity > Severity::Remark);
         missed.filter_map(|check| Some(format!("set `{}`: {}", check.set, check.miss.as_ref()?)))
@@ -238,8 +238,8 @@ impl Checks<'_> {
         (2..planets).rev().find(|&fewer| self.clears(&neighbours, &super::equal_steps(fewer)))
     }
 
-    /// By how much the tips of the ring of a simple set are shorter than its basic rack has them, where the
-    /// file says nothing of tips.
+    /// Check of the shortening of the ring's tips in a simple set against its basic rack, if the file states
+    /// no tips.
     fn ring_tips(&self, set: &InvoluteSet) -> Option<SetCheck> {
         let spec = self.set.short()?;
         if spec.shifts.is_some_and(|shifts| shifts.tips.is_some()) {
@@ -318,8 +318,8 @@ impl Checks<'_> {
         all
     }
 
-    /// What does not fit of the numbers of teeth and planets; `is_toothed` of a simple set whose teeth share
-    /// a centre distance.
+    /// Misfits in the numbers of teeth and planets; `is_toothed` for a simple set whose teeth share a centre
+    /// distance.
     pub(super) fn structure(&self, is_toothed: bool) -> Vec<ToothWarning> {
         let mut found = vec![];
         found.extend(self.small_rings());

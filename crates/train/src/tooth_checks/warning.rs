@@ -1,4 +1,4 @@
-//! What does not fit in the teeth of a set, and how it is said.
+//! Misfits in the teeth of a set, and their wording.
 
 use crate::planet_angles::Misplaced;
 use epicyclic_gears::involute::check::Severity;
@@ -9,14 +9,14 @@ use uom::si::f64::Angle;
 /// A gear with its teeth, by name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct NamedGear {
-    /// What it is called: `sun`, `planet long.2`.
+    /// Name of the gear: `sun`, `planet long.2`.
     pub(super) name: String,
-    /// Its teeth.
+    /// Number of teeth.
     pub(super) teeth: u32,
 }
 
-/// What profile shifts of both meshes of a planet make up at the most, in modules: sums of `x` from about
-/// −0.5 to 1.5.
+/// Largest difference of centre distances that profile shifts of both meshes of a planet can make up, in
+/// modules: sums of `x` from about −0.5 to 1.5.
 const MOST_SHIFT: f64 = 2.0;
 
 /// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
@@ -45,7 +45,7 @@ pub(super) enum ToothWarning {
         /// Centre distance to each, `R/m`, in modules.
         distances: [f64; 2],
     },
-    /// Two planets in mesh that cannot stand at their radii.
+    /// Two planets in mesh that do not fit at their radii.
     NoTriangle {
         /// The planets.
         planets: [String; 2],
@@ -58,9 +58,9 @@ pub(super) enum ToothWarning {
     PlanetsOverlap {
         /// The gears that overlap: of one kind of planet, or of two.
         gears: [String; 2],
-        /// How many of each there are.
+        /// Number of planets of each kind.
         planets: u32,
-        /// By how much the tip circles overlap, in modules; 0 where they touch.
+        /// Overlap of the tip circles, in modules; 0 if they touch.
         overlap: f64,
         /// The largest number of each that clears at equal angles; `None` where not even two do, and of
         /// planets at other angles.
@@ -70,9 +70,9 @@ pub(super) enum ToothWarning {
     },
     /// Planets at equal angles that cannot be assembled.
     Assembly {
-        /// How many of each there are.
+        /// Number of planets of each kind.
         planets: u32,
-        /// What their number must divide, `G`.
+        /// Number of assembly positions `G`, which the number of planets must divide.
         slots: u64,
         /// The next smaller number that assembles, from 2 on.
         fewer: Option<u32>,
@@ -86,10 +86,10 @@ pub(super) enum ToothWarning {
     },
     /// Shifts that leave a set no teeth or no mesh.
     ShiftsRefused {
-        /// What is wrong.
+        /// Error from the shifts.
         error: epicyclic_gears::Error,
     },
-    /// Steps of one planet whose meshes ask for different radii with their modules.
+    /// Steps of one planet whose meshes require different radii with their modules.
     StepsApart {
         /// The central gears in mesh with them.
         centrals: [NamedGear; 2],
@@ -111,7 +111,7 @@ pub(super) enum ToothWarning {
     AcrossAxis {
         /// The gear.
         gear: String,
-        /// By how much, in modules.
+        /// Distance across the axis, in modules.
         by: f64,
     },
     /// Two gears not in mesh whose tip circles overlap: they cannot lie in one plane.
@@ -122,12 +122,13 @@ pub(super) enum ToothWarning {
 }
 
 impl ToothWarning {
-    /// How grave it is: gears that only must be arranged so, and steps whose modules are not stated, are a
-    /// remark.
+    /// Severity of the warning. Gears that only must be arranged side by side, and steps whose modules are
+    /// not stated, are a remark.
     pub(super) const fn severity(&self) -> Severity {
         match self {
             Self::DifferentPlanes { .. } | Self::StepModule { is_stated: false, .. } => Severity::Remark,
             Self::StepModule { .. } | Self::HalfTooth { .. } => Severity::Warning,
+            // Profile shift makes up a small difference of centre distances; for more only other teeth help.
             Self::UnequalCentreDistances { distances: [one, other], .. }
             | Self::StepsApart { distances: [one, other], .. } => {
                 if (*one - *other).abs() <= MOST_SHIFT {
@@ -140,7 +141,7 @@ impl ToothWarning {
         }
     }
 
-    /// Name of the rule, value, limit, their unit, and what helps.
+    /// Name of the rule, value, limit, their unit, and the remedy.
     pub(super) fn figures(&self) -> (&'static str, f64, f64, &'static str, &'static str) {
         let apart = |[one, other]: &[f64; 2]| (one - other).abs();
         match self {
@@ -174,6 +175,7 @@ impl ToothWarning {
                 "take other teeth of the planets",
             ),
             Self::PlanetsOverlap { overlap, .. } => {
+                // The value is the gap, the negative overlap, so that it must be at least its limit.
                 ("planet-gap", -overlap, 0.0, "modules", "take fewer planets")
             }
             Self::Assembly { planets, slots, .. } => {

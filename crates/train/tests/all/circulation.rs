@@ -116,8 +116,8 @@ fn what_circulates_is_the_least_cut() {
     assert!(compared > 1000 && round > 200 && without > 500 && entwined > 50);
 }
 
-/// A set with more than two central gears is drawn as several; what enters at a central gear or at the
-/// carrier enters at their members of that name together, and each by itself obeys the balance of powers.
+/// A set with more than two central gears is drawn as several. The power at a central gear or the carrier is
+/// the sum over their drawn members of that name, and each drawn set obeys the balance of powers.
 #[test]
 fn drawn_sets_have_the_powers_of_their_set_together() {
     let mut dice = Dice(0xd7a);

@@ -244,7 +244,7 @@ fn last_share(steps: &Steps) -> Option<f64> {
     }
 }
 
-/// The same gearbox with other teeth on every gear.
+/// Returns the gearbox with other teeth on every gear.
 fn other_teeth(plan: &BoxPlan, dice: &mut Dice) -> BoxPlan {
     let mut plan = plan.clone();
     for set in &mut plan.sets {

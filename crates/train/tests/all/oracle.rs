@@ -7,7 +7,7 @@ use crate::common;
 use common::oracle::{self, BoxPlan, Dice, Loads, SetPlan, Speeds};
 use epicyclic_train::{Analysis, Direction, Gearbox, LoadCase, State};
 
-/// What was met on the way.
+/// Counts of the cases met on the way.
 #[derive(Debug, Default)]
 struct Met {
     built: usize,
@@ -27,7 +27,7 @@ fn close(name: &str, one: f64, other: f64, scale: f64) {
     assert!((one - other).abs() <= 1e-10 * scale, "{name}: {one} {other}, scale {scale}");
 }
 
-/// Which way power runs through each mesh according to the solver, in the plan's senses.
+/// Direction of power through each mesh according to the solver, in the plan's senses.
 fn senses(plan: &BoxPlan, gearbox: &Gearbox, case: &LoadCase) -> Vec<i8> {
     let mut signs = vec![];
     for (place, (set, built)) in plan.sets.iter().zip(gearbox.sets()).enumerate() {
@@ -168,7 +168,7 @@ fn examine(plan: &BoxPlan, met: &mut Met, dice: &mut Dice) {
     reordered(plan, &gearbox, &found, dice);
 }
 
-/// The same gearbox described in another order says the same.
+/// Checks that the gearbox described in another order gives equal results.
 fn reordered(plan: &BoxPlan, gearbox: &Gearbox, found: &Analysis, dice: &mut Dice) {
     let other = plan.build(Some(dice)).unwrap();
     let again = other.analyze("g").unwrap();
@@ -222,7 +222,8 @@ fn random_gearboxes_agree_with_the_oracle() {
     assert!(met.enumerated > 800 && met.several_patterns > 5, "{met:?}");
 }
 
-/// Each usual kind, and each compound form, alone under every pair of terminals with every third member held.
+/// Every usual kind and every compound form is tested alone under every pair of terminals with every third
+/// member held.
 #[test]
 fn every_kind_of_set_agrees_with_the_oracle() {
     let (mut dice, mut met) = (Dice(7), Met::default());

@@ -37,7 +37,7 @@ fn alone(set: CompoundSpec) -> Gearbox {
         .unwrap()
 }
 
-/// What a set is made of: central gears with the planet gear they mesh with, planets, meshes of planets.
+/// Parts of a set: central gears with the planet gear they mesh with, planets, meshes of planets.
 struct Parts<'a> {
     centrals: &'a [(CentralKind, u32, &'a str)],
     planets: &'a [(&'a str, &'a [u32])],
@@ -62,7 +62,7 @@ fn set_of(parts: &Parts<'_>, planets: u32) -> CompoundSpec {
     set
 }
 
-/// How many forms [`form`] knows.
+/// Number of forms that [`form`] has.
 const FORMS: usize = 9;
 
 /// A set of one of the forms, with these teeth on suns, planets and above them on rings.
@@ -233,7 +233,7 @@ fn teeth() -> impl Strategy<Value = Drawn> {
     (0..FORMS, suns, planets, prop::array::uniform2(rings), 1..6_u32)
 }
 
-/// The same with few teeth.
+/// Drawn sets with few teeth.
 fn small() -> impl Strategy<Value = Drawn> {
     let (suns, planets) = (prop::array::uniform2(2..9_u32), prop::array::uniform3(1..5_u32));
     (0..FORMS, suns, planets, prop::array::uniform2(1..9_u32), 1..7_u32)
@@ -253,8 +253,8 @@ fn assembly(gearbox: &Gearbox) -> Option<(Option<u32>, Option<u32>)> {
     Some((numbers.next(), numbers.next()))
 }
 
-/// Each central gear beside the one of reference, the first unless a mesh says otherwise, with the planets on
-/// the way.
+/// Every central gear is drawn with the gear of reference and the planets between them. The gear of reference
+/// is the first unless a mesh gives another.
 #[test]
 fn sets_of_every_form_are_drawn_as_kinds_of_three_members() {
     use epicyclic_train::set::SetKind::{DoublePlanet, Simple, SteppedRings, SteppedSunRing, SteppedSuns};
@@ -315,8 +315,8 @@ fn a_planet_without_teeth_has_no_speed_of_its_own() {
     }
 }
 
-/// Between the first two central gears: sun, planets and ring, whatever else is in mesh; of a set in short
-/// the set's own.
+/// Efficiency between the first two central gears: sun, planets and ring, whatever else is in mesh; for a set
+/// in short form the set's own.
 #[test]
 fn the_efficiency_of_a_set_is_that_of_the_meshes_between_its_first_gears() {
     let eta = |value: f64| MeshEfficiency::new(value).unwrap();
@@ -427,8 +427,7 @@ proptest! {
         prop_assert!((sum - torques[last].abs()).abs() < 1e-9 * largest, "{} {}", sum, torques[last]);
     }
 
-    /// Where no position of the teeth lets a second planet in, the number of planets is warned of, and only
-    /// there.
+    /// The number of planets is warned of if no position of the teeth allows a second planet, and only then.
     #[test]
     fn planets_assemble_where_some_position_of_the_teeth_lets_them(small in small()) {
         let gearbox = of(small);
@@ -480,7 +479,7 @@ fn errors(set: SetSpec, rack: &BasicRack) -> Vec<String> {
 proptest! {
     #![proptest_config(Config::with_cases(24))]
 
-    /// What searches for tooth numbers offer can be cut and turned, also with few teeth.
+    /// Tooth numbers offered by the searches can be cut and turned, also with few teeth.
     #[test]
     fn tooth_numbers_offered_have_no_errors(
         sun in 5..30_u32, planet in 4..16_u32, ring in 16..70_u32, ratio in 2.5..7.0_f64, addendum in prop_oneof![Just(1.0), 0.7..1.2_f64],

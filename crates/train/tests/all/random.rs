@@ -152,8 +152,8 @@ fn numbers_are_finite(found: &Analysis<'_>) -> bool {
         && found.sets().iter().flat_map(|set| set.planets.iter().flatten()).all(|p| p.relative.is_finite())
 }
 
-/// What circulates through an arc is a part of its power, in its sense, and none of all circulates more than
-/// the gear.
+/// Power that circulates through an arc is a part of the arc's power, in its direction. The largest over all
+/// arcs is that of the gear.
 fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
     let power = &case.power;
     let tolerance = 1e-9 * power.largest;
@@ -212,7 +212,7 @@ fn laws(gearbox: &Gearbox, found: &Analysis<'_>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// What a state says of the speeds.
+/// Motion according to a state.
 fn motion_of(found: &Analysis<'_>) -> Motion {
     match found.state() {
         State::InputBlocked { .. } => Motion::InputBlocked,
@@ -371,8 +371,8 @@ proptest! {
     }
 }
 
-/// How often the special paths are met, over a fixed stream of random gearboxes: the tests above
-/// would prove little if nearly none were driven.
+/// Frequency of the special paths over a fixed stream of random gearboxes: the tests above would prove little
+/// if nearly none were driven.
 #[test]
 fn random_gearboxes_meet_every_state_and_branch() {
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);

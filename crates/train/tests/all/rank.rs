@@ -237,7 +237,7 @@ fn rows(sets: &[Exact], links: usize) -> Vec<Vec<BigRational>> {
     sets.iter().map(row).collect()
 }
 
-/// What exact ranks say: the state's name where ranks of the speeds settle it, and the ratio.
+/// Expected result from exact ranks: the state's name, if the ranks of the speeds settle it, and the ratio.
 fn expected(
     sets: &[Exact],
     links: usize,
@@ -256,7 +256,7 @@ fn expected(
     if factor.is_zero() { ("output at rest", None) } else { ("follows", Some(factor.recip())) }
 }
 
-/// How a ratio is written in a description.
+/// Form in which a description gives a ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Written {
     Teeth,

@@ -201,7 +201,7 @@ fn central_gears_that_turn_alike_leave_their_carrier_alone() {
     assert_eq!(loose.ratio(), Some(1.0));
 }
 
-/// With its central gears tied a set turns as a block, unless they turn alike anyway: then nothing ties the
+/// A set with its central gears tied turns as a block, unless they turn alike anyway: then nothing ties the
 /// carrier.
 #[test]
 fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {

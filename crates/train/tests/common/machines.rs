@@ -11,7 +11,7 @@ use epicyclic_train::{GearSpec, Gearbox, GearboxBuilder};
 /// A gear with its published ratio.
 pub(crate) struct Published {
     pub(crate) gear: &'static str,
-    /// As printed.
+    /// Ratio as printed.
     pub(crate) ratio: &'static str,
     /// Published as output over input.
     pub(crate) inverted: bool,
@@ -105,7 +105,7 @@ pub(crate) fn ravigneaux_set(etas: [f64; 4]) -> GearboxBuilder {
     aod(Gearbox::builder("Ford AOD").links(["in", "Ss", "Sl", "C", "out"]).compound_set(set))
 }
 
-/// The same as two sets that do not know of each other.
+/// Ford AOD as two independent sets instead of a Ravigneaux set.
 pub(crate) fn ravigneaux_builder(losses: [MeshLoss; 2]) -> GearboxBuilder {
     let double = SetSpec::teeth("RAVb", SetKind::DoublePlanet, ["Ss", "out", "C"], 30, 72).unwrap();
     aod(Gearbox::builder("Ford AOD")
@@ -114,7 +114,7 @@ pub(crate) fn ravigneaux_builder(losses: [MeshLoss; 2]) -> GearboxBuilder {
         .set(simple("RAVa", ["Sl", "out", "C"], 36, 72).with_loss(losses[1])))
 }
 
-/// Its shift elements and gears.
+/// Adds shift elements and gears of the Ford AOD.
 fn aod(sets: GearboxBuilder) -> GearboxBuilder {
     sets.clutch("FWD", "in", "Ss")
         .clutch("REV", "in", "Sl")

@@ -4,7 +4,8 @@
 //!
 //! ```text
 //! mesh of a and b     z_a·ν_a ± z_b·ν_b = 0    ν = ω − ω_H             + outside, − inside a ring
-//! torques there       T_a = z_a·F·α_a          T_b = ±z_b·F·α_b        α = η on the side that takes the power, else 1
+//! torques there       T_a = z_a·F·α_a          T_b = ±z_b·F·α_b
+//!                     α = η on the side that takes the power, else 1
 //! body of a set       sum of the mesh torques on it + what its link gives it = 0
 //! whole set           what its members' links give it = 0
 //! link                what shift elements, ties and terminals give it − what it gives to members = 0
@@ -33,7 +34,7 @@ impl Dice {
         self.0.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 16
     }
 
-    /// One of `0..n`.
+    /// Random number of `0..n`.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
@@ -63,7 +64,7 @@ pub(crate) struct CentralPlan {
     pub(crate) link: usize,
     pub(crate) kind: CentralKind,
     pub(crate) teeth: u32,
-    /// Of a planet shaft.
+    /// Planet that a planet shaft turns with.
     pub(crate) planet: Option<usize>,
 }
 
@@ -436,9 +437,9 @@ pub(crate) struct Speeds {
 
 /// Torques and powers, per unit of power that enters.
 pub(crate) struct Loads {
-    /// On the members of each set, the carrier last.
+    /// Torques on the members of each set, the carrier last.
     pub(crate) members: Vec<Vec<f64>>,
-    /// On the first link of each shift element.
+    /// Torque on the first link of each shift element.
     pub(crate) elements: Vec<f64>,
     pub(crate) input: f64,
     pub(crate) output: f64,
@@ -449,7 +450,7 @@ pub(crate) struct Loads {
 }
 
 impl Loads {
-    /// Which way power runs through each mesh: 1 from its first gear to its second.
+    /// Direction of power through each mesh: 1 from its first gear to its second.
     pub(crate) fn signs(&self) -> Vec<i8> {
         let zero = 1e-11 * self.largest;
         let sign = |[first, _]: &[f64; 2]| i8::from(*first < -zero) - i8::from(*first > zero);

@@ -55,7 +55,7 @@ pub(crate) fn rank(matrix: &DMatrix<f64>) -> usize {
     if matrix.nrows() == 0 { 0 } else { matrix.clone().svd(false, false).rank(1e-9) }
 }
 
-/// What ranks alone tell of the speeds.
+/// Motion of a gear, from the ranks of the speeds alone.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Motion {
     InputBlocked,

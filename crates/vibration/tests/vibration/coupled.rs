@@ -150,8 +150,8 @@ fn neither_the_order_of_the_sets_nor_the_angle_between_them_matters() {
     same(&told(&solved(&model, &parts)), &wanted, 1e-9);
 }
 
-/// Two planets meet a centre with a stiffness of its own in each direction. One such set may stand anyhow
-/// among others; two may not.
+/// Two planets give a centre a different stiffness in each direction. One such set may have any angle to the
+/// others; two may not.
 #[test]
 fn the_angle_between_two_sets_of_two_planets_matters() {
     let with_two = |set: &PlanetarySet, by: f64| {

@@ -1,4 +1,4 @@
-//! The stiffness matrix against the energy of finite positions, which is written here by itself.
+//! Test of the stiffness matrix against the energy of finite positions, which is computed independently here.
 
 use crate::common::lin_parker;
 use epicyclic_vibration::PlanetarySet;

@@ -44,13 +44,13 @@ pub(crate) fn turning(
     (DMatrix::from_fn(size, size, |a, b| k[a][b]), DMatrix::from_diagonal(&m.into()), g, k_omega)
 }
 
-/// Of planets of 0.66 kg on bearings of 1e8 N/m.
+/// Load of planets of 0.66 kg on bearings of 1e8 N/m.
 pub(crate) fn load(planets: f64, speed: f64) -> f64 {
     planets * 0.66 / (1.0 - 0.66 * speed * speed / 1e8)
 }
 
 /// A disc on a round support whirls at `ω_0 ± Ω` in a frame that turns at `Ω`: the same motion, seen from the
-/// frame. The motion that goes round with the frame is the slower one there.
+/// frame. The motion in the direction of the frame is the slower one there.
 #[test]
 fn a_disc_on_a_support_is_seen_at_its_frequency_plus_and_minus_the_speed() {
     let mut model = Model::new();

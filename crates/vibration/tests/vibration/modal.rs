@@ -26,8 +26,8 @@ fn shares_of_energy_add_up_to_one() {
     }
 }
 
-/// In a planet mode nothing but planets moves, and the supports carry nothing; a rotational mode has no
-/// radial support at work.
+/// Only planets move in a planet mode, and the supports carry nothing; in a rotational mode no radial support
+/// has energy.
 #[test]
 fn energy_is_where_the_kind_of_the_mode_says() {
     let (_, model, parts, groups) = model();
@@ -128,7 +128,7 @@ fn sensitivities_to_inertia_are_the_slopes_of_the_frequencies() {
     );
 }
 
-/// A rotating and a translating disc of one frequency are one subspace, any basis of which mixes both.
+/// A rotating and a translating disc of one frequency are one subspace, and any of its bases mixes both.
 #[test]
 fn a_frequency_that_kinds_share_by_chance_is_split_into_them() {
     let mut model = Model::new();

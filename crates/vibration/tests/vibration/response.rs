@@ -79,7 +79,7 @@ fn direct(
     system.lu().solve(&drive).unwrap().iter().copied().collect()
 }
 
-/// By how much a coordinate bends a spring.
+/// Elongation of a spring per unit of a coordinate.
 fn gradient(model: &Model, spring: epicyclic_vibration::SpringId, place: usize) -> f64 {
     // Modes are a basis: b = Σ (bᵀ·φ)·M·φ.
     let modes = model.modes().unwrap().modes;
@@ -223,7 +223,7 @@ fn one_mass_follows_its_closed_form() {
     assert!(matches!(resonant, Error::OutOfRange { .. }), "{resonant}");
 }
 
-/// What the phases do not excite stays at rest at its own frequency, and what they excite does not.
+/// A kind of mode that the phases do not excite stays at rest at its own frequency; an excited one does not.
 #[test]
 fn phases_choose_what_resonates() {
     let (model, parts) = lin_parker(4).planar().unwrap();

@@ -21,7 +21,7 @@ fn held_ring([sun, planet, carrier]: [f64; 3], [k_s, k_r]: [f64; 2], planets: us
     HeldRing { sun: kg(sun), planet: kg(planet), carrier: kg(carrier), sun_mesh, ring_mesh, planets }
 }
 
-/// The set of which [`held_ring`] is the closed form; a planet weighs `mass`.
+/// Set with the closed form [`held_ring`]; a planet weighs `mass`.
 fn set(
     [sun, planet, carrier]: [f64; 3],
     [k_s, k_r]: [f64; 2],

@@ -85,7 +85,7 @@ fn one_set_on_its_own_links_is_its_torsional_model() {
     }
 }
 
-/// With rigid meshes the lowest frequency is that of two inertias on a shaft, `ω² = k·(1/J_1 + 1/J_2)`, each
+/// Rigid meshes make the lowest frequency that of two inertias on a shaft, `ω² = k·(1/J_1 + 1/J_2)`. Each is
 /// the inertia of a set with a held ring by its energy: at the carrier of the first and at the sun of the
 /// second. The error falls as the compliance of the meshes.
 #[test]

@@ -27,7 +27,7 @@ pub(in crate::flanks) fn alpha() -> Angle {
     Angle::from_degrees(25.0)
 }
 
-/// Of the motor of 6×4 lobes, 1 MPa on 1 mm: newtons are `N/(Δp·b·m)`.
+/// Values of the derivation, for a motor of 6×4 lobes with 1 MPa on 1 mm: newtons are `N/(Δp·b·m)`.
 #[test]
 fn the_forces_of_the_derivation_are_met() {
     let motor = motor((6, 4, 66, 10), 1.0, 40.0);
@@ -116,8 +116,7 @@ proptest! {
                 let ([ax, ay], [bx, by]) = (point(i), point(i + 1));
                 add([0.5 * (ax + bx), 0.5 * (ay + by)], [-pressure * (by - ay), pressure * (bx - ax)]);
             }
-            // On the rotor the flank acts at α to its tangent, against what presses: outwards of the
-            // satellite.
+            // On the rotor the flank acts at α to its tangent, against the push: outwards of the satellite.
             let place = motor.place(rotation, j as u32);
             if let Some(push) = flanks[j].push {
                 let [cx, cy] = [place.on_rotor[0] - place.centre[0], place.on_rotor[1] - place.centre[1]];
@@ -190,8 +189,8 @@ proptest! {
             let inside = one.rotation.si().clamp(from + 1e-9 * end, to - 1e-9 * end);
             let first = motor.flank_forces(alpha, Angle::from_si(inside), m(1.0), drop).unwrap()[0];
             prop_assert_eq!(first.push, Some(one.push));
-            // A hair beside it a nearly radial flank may already carry much less: held against its own
-            // contact, exactly there.
+            // Slightly off this place a nearly radial flank may already carry much less, so the force is
+            // compared with that of its own contact, exactly there.
             let sigma = if one.push == Push::Forward { 1.0 } else { -1.0 };
             let contact = motor.shape.at(By::Phase, one.rotation.si());
             let number = flank_number(motor.shape.satellite_radius(), alpha.si(), &contact, sigma).unwrap();

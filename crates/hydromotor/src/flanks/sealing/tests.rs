@@ -113,7 +113,7 @@ fn plain_extremes(flow: &Flow<'_>) -> Extremes {
         let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
         let hair = BESIDE_JUMP * (to - from);
         let within = |i: u32| place(i).clamp(from + hair, to - hair);
-        // The value at an end, the slope beside it.
+        // The value is taken at an end, the slope slightly within.
         let at = |i: u32| (piece.at(place(i)).0, piece.at(within(i)).1);
         let mut before = at(0);
         found.meet(from, before.0);

@@ -30,9 +30,8 @@ fn within(e: f64, pitch: f64) -> f64 {
     e - pitch * (e / pitch).round()
 }
 
-/// What friction takes over `μ_f`, by differences of the satellites' motion and the offsets of the
-/// derivation, of plain teeth with an even number on the satellite: spaces have their middles at whole
-/// pitches.
+/// Friction torque over `μ_f`, by differences of the satellites' motion and the offsets of the derivation. It
+/// holds for plain teeth with an even number on the satellite: spaces have their middles at whole pitches.
 fn lost_by_motion(motor: &Motor, rotation: f64, width: Length, drop: Pressure) -> f64 {
     let h = 1e-6;
     let alpha = plain().pressure_angle;
@@ -91,8 +90,8 @@ fn it_is_the_least_of_all_angles() {
     }
 }
 
-/// The integral over a period of what friction takes at each angle is the closed form with the mean arm
-/// `p_b/4`, but for the change of forces and radii within a pitch, which fades as teeth become many.
+/// The mean of the friction over a period is the closed form with the mean arm `p_b/4`, but for the change of
+/// forces and radii within a pitch. That change fades as teeth become many.
 #[test]
 fn its_mean_over_the_angle_is_that_with_the_mean_arm() {
     let mut offs = Vec::new();

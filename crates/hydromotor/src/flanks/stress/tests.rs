@@ -192,7 +192,7 @@ proptest! {
                 prop_assert!(fast.is_some() == wide.is_some() && wide.is_some() == narrow.is_some());
                 let (Some(fast), Some(wide), Some(narrow)) = (fast, wide, narrow) else { continue };
                 if fast.severity.is_finite() && narrow.is_finite() {
-                    // Twice the rise that a straight line would have on what is left of the way.
+                    // Twice the rise of a straight line on the rest of the way.
                     let end = narrow + 2.0 * (narrow - wide).max(0.0) * hairs[1] / hairs[0];
                     let within = wide * (1.0 - 1e-9)..=end * (1.0 + 1e-9);
                     prop_assert!(within.contains(&fast.severity), "{side:?} {fast:?} {within:?}");

@@ -139,7 +139,8 @@ fn moment(side: Side, sigma: f64) -> f64 {
     }
 }
 
-/// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`.
+/// `N₃`, `N₁`, and the force of the rotor's back flank, or with the sign changed of the stator's, over
+/// `Δp·b·m`.
 fn held(r: f64, alpha: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<([f64; 3], Side)> {
     let mu = contact.mu;
     let (sin, cos) = libm::sincos(mu);

@@ -45,7 +45,8 @@ fn is_in(stretches: &[Stretch], phase: f64, cycle: f64) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(16))]
 
-    /// What brute force sees at thousands of phases and the timing has not, lasts for less than is promised.
+    /// An opening that brute force finds at thousands of phases, and the timing does not, is shorter than
+    /// promised.
     #[test]
     fn nothing_that_lasts_is_missed(motor in any_motor(), high in any_shape(), low in any_shape(), offset in 0.0..1.0) {
         let heights = ToothHeights { addendum: 0.0, dedendum: 1.0 };
@@ -71,7 +72,7 @@ proptest! {
             let is_other = |phase: f64| (plate.opening(side, phase) > least) != is_in(&stretches, phase, cycle);
             for i in 0..COUNT {
                 let phase = cycle * ((f64::from(i) + offset) / f64::from(COUNT) - 0.5);
-                // What lasts for longer reaches half as far to one side at least.
+                // A state that lasts for longer reaches half as far to one side at least.
                 let lasts = is_other(phase) && [-0.5, 0.5].iter().any(|part| is_other(phase + part * SHORTEST));
                 prop_assert!(!lasts, "{side} {phase} {stretches:?}");
             }

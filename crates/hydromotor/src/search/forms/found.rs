@@ -1,4 +1,4 @@
-//! What a search with free tooth forms finds.
+//! Result of a search with free tooth forms.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
@@ -24,7 +24,7 @@ use crate::threads::map;
 pub struct FormFound {
     /// The front, by falling displacement by volume.
     pub designs: Vec<FormDesign>,
-    /// How many points fell where.
+    /// Counts of the points by their results.
     pub funnel: FormFunnel,
 }
 
@@ -45,8 +45,7 @@ pub struct FormDesign {
     pub least_radius: f64,
     /// Shortest path of contact of any flank over the base pitch.
     pub contact_ratio: f64,
-    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a
-    /// satellite.
+    /// Figures of the flanks under load, if requested; `None` if the flanks cannot hold a satellite.
     pub flanks: Option<FlankFigures>,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub sizes: Vec<FormSize>,
@@ -113,14 +112,14 @@ impl FormDesign {
     }
 }
 
-/// How many motors and points fell where.
+/// Counts of motors and points by their results.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FormFunnel {
     /// Sets of numbers within the bounds that fulfil the conditions on them.
     pub sets: usize,
-    /// Of these, outside the limits of rotor lobes, rotor teeth or the common divisor.
+    /// Sets outside the limits of rotor lobes, rotor teeth or the common divisor.
     pub outside_limits: usize,
-    /// Of the rest, those with which no motor of the families closes.
+    /// Sets within these limits with which no motor of the families closes.
     pub without_motors: usize,
     /// Motors at the places of their families.
     pub motors: usize,
@@ -149,7 +148,7 @@ impl FormFunnel {
         place.map_or(0, |place| self.shapes_refused[place])
     }
 
-    /// Points refused for a reason, each counted once, by what is found to fail first.
+    /// Points refused for a reason, each counted once, by the first failure found.
     #[must_use]
     pub fn refused(&self, refusal: FormRefusal) -> u64 {
         let place = FormRefusal::ALL.iter().position(|other| *other == refusal);

@@ -1,4 +1,4 @@
-//! Flanks under load in a search: what is asked of them, their figures, and a bound that needs no teeth.
+//! Flanks under load in a search: their limits, their figures, and a bound that needs no teeth.
 
 use epicyclic_units::Physical;
 use uom::si::f64::Pressure;
@@ -16,12 +16,13 @@ use crate::quantity::Quantity;
 use crate::ranges::positive_pressure;
 use std::f64::consts::PI;
 
-/// What flanks under load are calculated with, and what is asked of them.
+/// Inputs for the flanks under load, and their limits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlankOrder {
-    /// What the materials bear, with which the allowed pressure is calculated, and the effective modulus.
+    /// Allowed stresses of the materials, from which the allowed pressure is calculated, and the effective
+    /// modulus.
     pub materials: MaterialLimits,
-    /// Which of two contacts in mesh seals.
+    /// Rule that chooses the sealing contact of two in mesh.
     pub sealing: SealingContact,
     /// The part of the path on which stresses are taken.
     pub path: LoadedPath,
@@ -38,7 +39,7 @@ pub struct FlankOrder {
 }
 
 impl FlankOrder {
-    /// With these materials, the nearest contacts as seals, stresses on the whole path, and no limits.
+    /// Order with these materials, the nearest contacts as seals, stresses on the whole path, and no limits.
     #[must_use]
     pub fn of(materials: MaterialLimits) -> Self {
         Self {
@@ -89,7 +90,7 @@ pub struct FlankFigures {
 }
 
 impl FlankFigures {
-    /// Of a motor with a form, or why it has none or is refused.
+    /// Figures of a motor with a form, or the reason why it has none or is refused.
     pub(super) fn of(
         order: &FlankOrder,
         pressure_drop: Option<Pressure>,
@@ -104,7 +105,7 @@ impl FlankFigures {
         let contact_stress =
             pressure_drop.map(|drop| materials.contact * (drop / allowed.by_contact).value.sqrt());
         let root_stress = pressure_drop.map(|drop| materials.root * (drop / allowed.by_root).value);
-        // What is no number keeps no limit.
+        // A value that is not a number keeps no limit.
         let keeps = |value: Option<Pressure>, most: Option<Pressure>| {
             value.zip(most).is_none_or(|(value, most)| value <= most)
         };
@@ -141,7 +142,7 @@ impl FlankFigures {
         Some(match objective {
             Objective::FlankRipple => -log(self.ripple),
             Objective::LeastTorque => log(self.least_over_mean),
-            // Over Δp, whatever it is: p_H² and σ_F are inverse to what they allow.
+            // The drop Δp does not matter: p_H² and σ_F are inverse to the pressures that they allow.
             Objective::ContactStress => 0.5 * log(self.allowed.by_contact.si()),
             Objective::RootStress => log(self.allowed.by_root.si()),
             Objective::AllowedPressure => log(self.allowed.pressure.si()),
@@ -150,8 +151,8 @@ impl FlankFigures {
     }
 }
 
-/// What the pressures of Hertz at crest and trough leave at best, with contacts at the pitch points: the load
-/// there is `Δp·b·r/cos α`.
+/// Bound of the pressures of Hertz at crest and trough, with contacts at the pitch points: the load there is
+/// `Δp·b·r/cos α`.
 pub(super) struct PitchBound {
     /// The greatest `1 + r·κ`.
     bent: f64,
@@ -172,7 +173,7 @@ impl PitchBound {
         limit * limit / (modulus * severity)
     }
 
-    /// Why a form is refused whatever its teeth.
+    /// Reason why a form is refused whatever its teeth.
     pub(super) fn refusal(
         &self,
         order: &FlankOrder,
@@ -230,7 +231,7 @@ impl FormSearch {
         value
     }
 
-    /// The figures of a motor's flanks in a form, if they are asked for.
+    /// Figures of a motor's flanks in a form, if requested.
     pub(super) fn figures(
         &self,
         shape: &Shape,

@@ -1,14 +1,15 @@
-//! Search for designs with the tooth form free: for a wanted displacement, or a torque at a pressure, every
-//! set of numbers, of each the families of motors at their places, on each every tooth form within the steps.
+//! Search for designs with the tooth form free, for a displacement, or a torque at a pressure. The search
+//! covers every set of numbers, the families of motors of each set at their places, and on each motor every
+//! tooth form within the steps.
 //!
 //! # The space
 //! A *point* is a motor and a form:
 //!
 //! 1. every set `(N, n, Z_3, Z_s)` within the [`Bounds`] and the limits on numbers;
-//! 2. of each the families wanted ([`FamilyKind`]): of two arcs so many places `l` in each interval, even in
-//!    `1/l`, of the second harmonic so many `ε₂`, even in `4·ε₂/ε₁` from end to end of their range, in both
-//!    the first and the last a millionth within the ends, which are no motors; and the motor of the cosine
-//!    law;
+//! 2. of each the families wanted ([`FamilyKind`]). A family of two arcs has a number of places `l` in each
+//!    interval, even in `1/l`. The family of the second harmonic has as many `ε₂`, even in `4·ε₂/ε₁` from end
+//!    to end of their range. In both the first and the last place are a millionth within the ends, which are
+//!    no motors. The cosine law has one motor;
 //! 3. every [`ToothForm`](crate::profile::ToothForm) of the [`FormSpace`].
 //!
 //! A point is *admissible* if the motor keeps the [`Limits`], the form gives teeth
@@ -17,23 +18,24 @@
 //! and the cutter's `h_a* + c* + x`.
 //!
 //! # What is left out, and why nothing is lost
-//! A point is not tried where its motor is refused; where a limit fails that the form fails on every motor
-//! with such satellites; and where a design found before is *as good*: in no objective is the point's best
-//! possible value better than the design's by more than the [`resolution`](FormSearch::resolution). The best
-//! possible value is the motor's own where an objective does not depend on the form, and a bound where it
-//! does: the contact ratio cannot exceed that of the satellite's whole involute, nor that of the flanks
-//! looked at so far; the pressure of Hertz is no less than that at crests and troughs with contacts at the
-//! pitch points. Of other figures of the flanks there is no bound: with them as objectives every admissible
-//! point is tried. [`FormFunnel`] counts all, and its parts add up to the space. So:
+//! A point is not tried in three cases. Its motor is refused. A limit fails that the form fails on every
+//! motor with such satellites. Or a design found before is *as good*: in no objective is the point's best
+//! possible value better than the design's by more than the [`resolution`](FormSearch::resolution).
 //!
-//! - *without a resolution* the designs are the Pareto front of all admissible points, of points equal in
-//!   every objective one;
-//! - *with one* every admissible point, tried or not, is in no objective better than some design by more than
-//!   the resolution. The designs themselves are a front.
+//! The best possible value is the motor's own if an objective does not depend on the form, and a bound if it
+//! does. The contact ratio cannot exceed that of the satellite's whole involute, nor that of the flanks
+//! evaluated so far. The pressure of Hertz is no less than that at crests and troughs with contacts at the
+//! pitch points. Other figures of the flanks have no bound: with them as objectives every admissible point is
+//! tried. [`FormFunnel`] counts all, and its parts add up to the space. So:
 //!
-//! The tests hold both against a trial of every point. `l`, `ε₂` and the form are taken at their places and
-//! steps; motors between them are not tried, and no estimate is made of them: [`crate::search`] makes one for
-//! motors of two arcs.
+//! - *without a resolution* the designs are the Pareto front of all admissible points, with one of the points
+//!   that are equal in every objective;
+//! - *with a resolution* every admissible point, tried or not, is in no objective better than some design by
+//!   more than the resolution. The designs themselves are a front.
+//!
+//! The tests compare both with a trial of every point. `l`, `ε₂` and the form are taken at their places and
+//! steps. Motors between them are neither tried nor estimated: [`crate::search`] makes an estimate for motors
+//! of two arcs.
 //!
 //! # Cost and threads
 //! The default space takes some 15 s of one core (`hydromotor/forms/all`); objectives of flanks take several
@@ -49,7 +51,8 @@
 //! use uom::si::{length::millimeter, pressure::megapascal, torque::newton_meter};
 //!
 //! # fn main() -> Result<(), epicyclic_hydromotor::Error> {
-//! let requirements = Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+//! let torque = Torque::new::<newton_meter>(900.0);
+//! let requirements = Requirements::of_torque(torque, Pressure::new::<megapascal>(20.0))?;
 //! let mut search = FormSearch::new(requirements);
 //! search.bounds = Bounds { stator_lobes: 6..=6, stator_teeth: 66..=66, satellite_teeth: 10..=10 };
 //! let found = search.front()?;
@@ -88,7 +91,7 @@ pub use refusal::FormRefusal;
 pub use shape::{FamilyKind, ShapeReason};
 pub use space::{FormSpace, MOST_FORMS, Steps};
 
-/// What a design is good for.
+/// Objective of a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Objective {
     /// The most displacement over the volume of the cylinder about the stator's centrode.
@@ -112,7 +115,7 @@ pub enum Objective {
 }
 
 impl Objective {
-    /// All of them.
+    /// Objectives in their order.
     pub const ALL: [Self; 9] = [
         Self::DisplacementByVolume,
         Self::Ripple,
@@ -142,11 +145,11 @@ impl Objective {
 /// A search for designs with the tooth form free.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FormSearch {
-    /// What is wanted.
+    /// Required displacement or torque, and size.
     pub requirements: Requirements,
     /// Numbers of lobes and teeth.
     pub bounds: Bounds,
-    /// What a design may not exceed.
+    /// Limits of a design.
     pub limits: Limits,
     /// Families of motors, all three by default.
     pub families: Vec<FamilyKind>,
@@ -156,10 +159,10 @@ pub struct FormSearch {
     pub forms: FormSpace,
     /// Least contact ratio; 1 and below ask no more than the limits do.
     pub least_contact_ratio: f64,
-    /// What the flanks under load are calculated with, and their limits; without, designs have no figures of
-    /// them.
+    /// Inputs for the flanks under load, and their limits; without these inputs designs have no figures of
+    /// the flanks.
     pub flanks: Option<FlankOrder>,
-    /// What designs are held against each other by: by default all but [`Objective::LeastRadius`].
+    /// Objectives by which designs are compared: by default all but [`Objective::LeastRadius`].
     pub objectives: Vec<Objective>,
     /// Relative difference of the objectives up to which designs are as good, 2 % by default. With none the
     /// front is exact.
@@ -170,7 +173,7 @@ pub struct FormSearch {
 const BATCH: usize = 256;
 
 impl FormSearch {
-    /// With default bounds, limits, families and forms, 16 places and a resolution of 2 %.
+    /// Search with default bounds, limits, families and forms, 16 places and a resolution of 2 %.
     #[must_use]
     pub fn new(requirements: Requirements) -> Self {
         Self {
@@ -187,23 +190,25 @@ impl FormSearch {
         }
     }
 
-    /// The front. None of the designs is an answer too: the [`FormFunnel`] tells what refused them.
+    /// Finds the front. The result may hold no design: the [`FormFunnel`] then shows what refused them.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
-    /// limits, forms or search, [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`],
-    /// [`Error::EmptySteps`] for ranges the wrong way round, [`Error::NothingToChoose`] without families,
-    /// crests or objectives, [`Error::NoFlankOrder`] and [`Error::NoPressureDrop`] for objectives and limits
-    /// of flanks without what they need, [`Error::TooManyTeeth`], [`Error::TooManySets`] and
-    /// [`Error::TooManyForms`].
+    /// - [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements,
+    ///   limits, forms or search;
+    /// - [`Error::NoModules`];
+    /// - [`Error::EmptyLimits`], [`Error::EmptyRange`], [`Error::EmptySteps`] for ranges the wrong way round;
+    /// - [`Error::NothingToChoose`] without families, crests or objectives;
+    /// - [`Error::NoFlankOrder`] and [`Error::NoPressureDrop`] for objectives and limits of flanks without
+    ///   their inputs;
+    /// - [`Error::TooManyTeeth`], [`Error::TooManySets`] and [`Error::TooManyForms`].
     pub fn front(&self) -> Result<FormFound, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
-    /// The same, watched: pass 0 finds the motors of each set, pass 1 tries forms on them.
+    /// Finds the front under a watch: pass 0 finds the motors of each set, pass 1 tries forms on them.
     ///
     /// # Errors
-    /// As [`front`](Self::front), and [`Error::Cancelled`].
+    /// Errors of [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<FormFound, Error> {
         let yardstick = self.yardstick()?;
         let all_forms = self.forms.forms()?;

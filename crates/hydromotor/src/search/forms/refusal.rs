@@ -1,10 +1,10 @@
-//! Why points of a search are refused, and how many.
+//! Reasons for which points of a search are refused, and their counts.
 
 use crate::checks::Subject;
 use crate::profile::kept::Failure;
 use crate::profile::limits::LimitKind;
 
-/// Why a point is refused.
+/// Reason why a point is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FormRefusal {
     /// The form gives no teeth.
@@ -31,7 +31,7 @@ pub enum FormRefusal {
 }
 
 impl FormRefusal {
-    /// All of them.
+    /// Reasons in their order.
     pub const ALL: [Self; 22] = [
         Self::NoTeeth,
         Self::Check(Subject::StatorBulge),
@@ -66,7 +66,7 @@ impl FormRefusal {
     }
 }
 
-/// What became of some points.
+/// Counts of some points by their results.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct Counts {
     pub(super) refused: [u64; FormRefusal::ALL.len()],

@@ -1,4 +1,4 @@
-//! The motors of a search before their teeth: families at their places, and what limits leave of them.
+//! The motors of a search before their teeth: families at their places, reduced by the limits.
 
 use crate::arcs::StatorArcs;
 use crate::closure::Family;
@@ -25,14 +25,14 @@ pub enum FamilyKind {
 }
 
 impl FamilyKind {
-    /// All of them.
+    /// Families in their order.
     pub const ALL: [Self; 3] = [Self::TwoArcs, Self::CosineLaw, Self::SecondHarmonic];
 }
 
-/// Why a motor is refused before its teeth: what fails first, in this order.
+/// Reason why a motor is refused before its teeth: the first condition that fails, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeReason {
-    /// A rounding from the end of its family nothing closes, or what the motor does is no number.
+    /// By rounding at the end of its family nothing closes, or a result for the motor is not a number.
     NotClosed,
     /// The rotor reaches into the stator.
     RotorInStator,
@@ -47,7 +47,7 @@ pub enum ShapeReason {
 }
 
 impl ShapeReason {
-    /// All of them, in their order.
+    /// Reasons in their order.
     pub const ALL: [Self; 6] =
         [Self::NotClosed, Self::RotorInStator, Self::NoChamber, Self::LeastRadius, Self::Size, Self::Ripple];
 }

@@ -70,7 +70,7 @@ pub struct FormSpace {
     pub clearance: Steps<f64>,
     /// Radius `ρ*` of the rounded tips of the tools, from 0 to 1.
     pub fillet: Steps<f64>,
-    /// What may lie in the middle of the stator's crests.
+    /// Parts of a tooth that may be in the middle of the stator's crests.
     pub crests: Vec<Crest>,
     /// The rest of the form.
     pub base: ToothForm,

@@ -43,7 +43,7 @@ fn small() -> FormSearch {
 struct Point {
     motor: Motor,
     form: ToothForm,
-    /// Each the greater the better.
+    /// Values of the objectives, each the greater the better.
     objectives: [f64; 4],
 }
 
@@ -60,7 +60,7 @@ fn motors(search: &FormSearch) -> Vec<Motor> {
                 for i in 0..search.places {
                     let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
                     let l = metre() / (from + (to - from) * part);
-                    // None where the rotor reaches into the stator.
+                    // No motor if the rotor reaches into the stator.
                     all.extend(Motor::of_two_arcs(numbers, metre(), l));
                 }
             }
@@ -126,7 +126,7 @@ fn trial(search: &FormSearch) -> Vec<Point> {
     all
 }
 
-/// Those of [`small`], tried once.
+/// Points of [`small`], tried once.
 fn all_of_small() -> &'static [Point] {
     static ALL: std::sync::OnceLock<Vec<Point>> = std::sync::OnceLock::new();
     ALL.get_or_init(|| trial(&small()))
@@ -198,7 +198,7 @@ fn flanks_under_load_are_those_of_every_profile() {
         |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|i| one[i] >= other[i] - 1e-6 * other[i].abs());
     assert!(tried.iter().all(|point| listed.iter().any(|design| no_less(design, point))));
     assert!(listed.iter().all(|design| tried.iter().any(|point| (0..3).all(|i| near(design[i], point[i])))));
-    // Limits: what keeps them, as many as by trial, none that does not.
+    // Points that keep the limits are as many as by trial, and none fails.
     let middle = |i: usize| {
         let mut values: Vec<f64> = all.iter().map(|(_, values)| values[i]).collect();
         values.sort_by(f64::total_cmp);
@@ -240,7 +240,7 @@ fn the_exact_front_is_that_of_a_trial_of_every_point() {
         let pick = |values: [f64; 4]| -> Vec<f64> {
             chosen.iter().map(|&objective| values[objective as usize]).collect()
         };
-        // What differs by rounding is one.
+        // Values that differ only by rounding count as one.
         let no_less = |one: &[f64], other: &[f64]| one.iter().zip(other).all(|(a, b)| *a >= b * (1.0 - 1e-9));
         let more = |one: &[f64], other: &[f64]| one.iter().zip(other).any(|(a, b)| *a > b * (1.0 + 1e-9));
         let values: Vec<Vec<f64>> = all.iter().map(|point| pick(point.objectives)).collect();
@@ -307,7 +307,7 @@ fn every_design_keeps_all_limits_at_256_angles() {
     assert!(families.contains(&FamilyKind::TwoArcs) && families.contains(&FamilyKind::SecondHarmonic));
 }
 
-/// The same of the search as it is by default, of every seventh of its designs.
+/// Designs of the default search keep all limits too; every seventh is checked.
 #[test]
 fn designs_of_the_default_search_keep_all_limits_at_256_angles() {
     const STRIDE: usize = 7;

@@ -44,12 +44,12 @@ pub(super) struct Point {
     /// Place of the form.
     pub(super) form: usize,
     pub(super) contact_ratio: f64,
-    /// Where an objective or a limit needs them.
+    /// Figures of the flanks, if an objective or a limit needs them.
     pub(super) figures: Option<FlankFigures>,
     pub(super) value: Value,
 }
 
-/// What became of the forms on a motor.
+/// Results of the forms on a motor.
 pub(super) struct Tried {
     pub(super) counts: Counts,
     /// Admissible points that nothing found before is as good as.
