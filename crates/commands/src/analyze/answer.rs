@@ -2,24 +2,24 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`overview`] | all gears side by side, with the engagement table |
+//! | [`overview`] | overview of all gears, with the engagement table |
 //! | [`gear`] | everything about one gear |
-//! | [`formulas`] | the ratios as formulas, and the way to them |
+//! | [`formulas`] | the ratios as formulas, with the steps that lead to them |
 //! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
 //! | [`combinations`] | every combination of shift elements |
 //! | [`shifts`] | the shifts between gears |
 //! | [`progression`] | spread, steps and ideal progressions |
 //! | [`elements`] | shift elements in a gear and over all gears |
-//! | [`planets`] | the largest speeds of planets and forces on them over all gears |
-//! | [`records`] | records that these answers share |
+//! | [`planets`] | largest planet speeds and forces over all gears |
+//! | [`records`] | records shared by these answers |
 //! | [`planet_bearings`] | forces on the planet bearings |
 //! | [`sets`] | the planet sets: teeth, ratios, and whether their planets fit |
 //! | [`step_losses`] | torques and powers with losses down to the efficiency, as steps of a calculation |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
-//! | [`warnings`] | what the reader should know of a gearbox and of its gears |
+//! | [`warnings`] | warnings about a gearbox and its gears |
 //!
-//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless
-//! the key ends in a unit: then they follow from the speed and load that were given.
+//! Speeds are given relative to the input speed, torques relative to the input torque, powers relative to the
+//! entering power. Keys that end in a unit are absolute values at the given speed and load.
 
 pub mod combinations;
 pub mod elements;

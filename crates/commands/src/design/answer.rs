@@ -1,15 +1,12 @@
-//! A gearbox from speeds and power to sizes that hold: its scheme, its tooth numbers, its sizes with their
-//! strength.
+//! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
-//! | module | is |
-//! |---|---|
-//! | [`basis`] | assumed materials, factors, oil and life |
-//! | [`records`] | the steps, each with what it chose and what came next |
-//! | [`ways_out`] | limits that would have to give where no gearbox is left, with the gearbox behind each |
+//! - [`basis`]: assumed materials, factors, oil and life
+//! - [`records`]: steps, each with its choice and the next best
+//! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found
 //!
-//! Each step takes the best of the one before it, so that a person can follow it and choose otherwise;
-//! combinations are not searched. Where no tooth numbers of a scheme have sizes, the next scheme is taken.
-//! Another scheme, or other tooth numbers, may give a lighter gearbox.
+//! Each step keeps only the best result of the previous step, so that a person can follow it and choose
+//! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
+//! taken. Another scheme, or other tooth numbers, may give a lighter gearbox.
 
 mod attempt;
 pub mod basis;

@@ -1,4 +1,4 @@
-//! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
+//! Speeds of mining machines: those in service, those required, and ratios that give them.
 
 use crate::answer::Answer;
 use crate::error::Error;
@@ -14,16 +14,17 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
-/// How many speeds a range of speeds asks for.
+/// Number of speeds recommended for a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SpeedRange {
-    /// The greatest speed over the least.
+    /// Range of speeds: greatest over least.
     pub range: f64,
-    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range
-    /// is not above 1.
+    /// Number of speeds that the source recommends for a bucket wheel of this range; null if the range is not
+    /// above 1.
     pub recommended: Option<u32>,
-    /// Whether the source prints that number; otherwise it is this program's choice.
+    /// Whether the source prints this number; otherwise the program chose it. Null if there is no
+    /// recommendation.
     pub recommendation_is_printed: Option<bool>,
 }
 
@@ -38,40 +39,40 @@ impl SpeedRange {
     }
 }
 
-/// Machines in service beside the number of speeds recommended for their ranges.
+/// Machines in service, with the numbers of speeds recommended for their ranges.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machines {
-    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of
-    /// speeds for no others.
+    /// Number of these machines that are bucket wheels with a known number of steps. The source recommends
+    /// numbers of speeds only for these.
     pub bucket_wheels_with_steps: usize,
-    /// How many of those have the recommended number of speeds.
+    /// Number of these bucket wheels that have the recommended number of speeds.
     pub as_recommended: usize,
-    /// The machines, in the order of the tables.
+    /// Machines in the order of the tables.
     pub machines: Vec<Machine>,
 }
 
-/// A machine in service.
+/// Machine in service.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machine {
-    /// Its name, as printed.
+    /// Name of the machine as printed.
     pub machine: &'static str,
-    /// What is driven, as printed.
+    /// Driven part of the machine as printed.
     pub kind: &'static str,
-    /// Number of the source's table that lists it.
+    /// Number of the source's table that lists the machine.
     pub table: &'static str,
-    /// Its range of speeds, the fastest over the slowest.
+    /// Range of speeds: the fastest over the slowest.
     pub range: f64,
-    /// Number of speeds of the machine; `null` if the source prints none.
+    /// Number of speeds of the machine; null if the source prints none.
     pub speeds: Option<u32>,
-    /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
+    /// Number of speeds recommended for the range of a bucket wheel; null for other machines.
     pub recommended: Option<u32>,
-    /// Whether the machine has that number; `null` if the source prints no number of speeds or recommends
-    /// none.
+    /// Whether the machine has the recommended number of speeds; null if the source prints no number of
+    /// speeds or recommends none.
     pub as_recommended: Option<bool>,
-    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where
-    /// there is none.
+    /// Whether the source prints the recommendation; otherwise the program chose it. Null if there is no
+    /// recommendation.
     pub recommendation_is_printed: Option<bool>,
 }
 
@@ -79,10 +80,10 @@ impl Answer for Machines {
     const NAME: &'static str = "machines";
 }
 
-/// All machines, or the one of this name.
+/// Lists all machines, or the one with this name.
 ///
 /// # Errors
-/// [`Error::Design`] of a name that the tables lack.
+/// [`Error::Design`] for a name that is not in the tables.
 pub fn list(name: Option<&str>) -> Result<Machines, Error> {
     let machines: Vec<Machine> = match name {
         Some(name) => vec![Machine::of(tables::machine(name)?)],
@@ -112,27 +113,27 @@ impl Machine {
     }
 }
 
-/// Ratios of a gearbox for some speeds of a machine.
+/// Ratios of a gearbox for the required speeds of a machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MachineSpeeds {
-    /// The speeds wanted.
+    /// Required speeds.
     pub speeds: Speeds,
-    /// The range of these speeds.
+    /// Range of the required speeds.
     pub range: SpeedRange,
     /// Series of ratios, one for each place of direct drive.
     pub series: Vec<Series>,
 }
 
-/// The speeds wanted of a machine.
+/// Required speeds of a machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Speeds {
-    /// How many they are.
+    /// Number of speeds.
     pub speeds: usize,
-    /// The fastest over the next.
+    /// Step from the second fastest to the fastest speed.
     pub first_step: f64,
-    /// Step of a geometric series of as many speeds over the same range.
+    /// Step of a geometric series with this number of speeds over the same range.
     pub geometric_step: f64,
 }
 
@@ -142,35 +143,35 @@ pub struct Speeds {
 pub struct Series {
     /// Place of direct drive, from 1, the fastest speed.
     pub direct: usize,
-    /// Which speeds the gearbox gives by slowing down, which by speeding up.
+    /// Regime of the gearbox: reduction, overdrive or both.
     pub regime: Regime,
-    /// The ratios, the fastest speed first.
+    /// Ratios, the fastest speed first.
     pub ratios: Vec<f64>,
-    /// The series that the source prints for this place, if it does.
+    /// Series that the source prints for this place; null if there is none.
     pub printed: Option<Printed>,
 }
 
-/// Which speeds a gearbox gives by slowing down, which by speeding up.
+/// Regimes of a gearbox: reduction, overdrive or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Regime {
-    /// Direct drive is the fastest: all ratios at least 1.
+    /// Direct drive is the fastest speed: all ratios are at least 1.
     Reduction,
-    /// Direct drive is the slowest: all ratios at most 1.
+    /// Direct drive is the slowest speed: all ratios are at most 1.
     Overdrive,
-    /// Direct drive is between.
+    /// Direct drive lies between the other speeds.
     Combined,
 }
 
-/// A series of ratios as the source prints it, for speeds in geometric progression.
+/// Series of ratios as the source prints it, for speeds in geometric progression.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Printed {
-    /// Its number in the source.
+    /// Number of the series in the source.
     pub number: &'static str,
-    /// Its members for the speeds wanted, the fastest speed first.
+    /// Ratios of the series for the required speeds, the fastest speed first.
     pub ratios: Vec<f64>,
-    /// Whether it gives these speeds.
+    /// Whether the series gives the required speeds.
     pub serves: bool,
 }
 
@@ -178,10 +179,10 @@ impl Answer for MachineSpeeds {
     const NAME: &'static str = "machine-speeds";
 }
 
-/// Ratios for two to four speeds, the slowest first.
+/// Computes ratios for two to four speeds, the slowest first.
 ///
 /// # Errors
-/// [`Error::Design`] of speeds that are no series.
+/// [`Error::Design`] for speeds that form no series.
 pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let (count, range) = (speeds.len(), fastest_direct.speed_range());

@@ -98,7 +98,7 @@ pub struct Published {
     pub unverified: bool,
     /// Computed ratio in the published form; null if the gear has no ratio.
     pub computed: Option<f64>,
-    /// Whether the computed ratio rounds to the published digits; null if the gear has no ratio.
+    /// Whether the published digits, rounded or truncated, match the computed ratio; null if there is no ratio.
     pub agrees: Option<bool>,
 }
 
