@@ -231,9 +231,9 @@ impl Series {
 /// Mean cutting forces in the rock for which the feed is given, and in other rock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forces {
-    /// In this rock.
+    /// Force in the rock for which the feed is given.
     pub here: Force,
-    /// In other rock.
+    /// Forces in other rock.
     pub elsewhere: Vec<Force>,
 }
 
@@ -241,11 +241,11 @@ pub struct Forces {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ChainCutter {
-    /// In the rock for which the feed is given.
+    /// Cutting speed and feed in the rock for which the feed is given.
     pub cutting: Cutting,
-    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    /// Speeds in this rock and in others at equal power and chip; empty if no forces are given.
     pub rocks: Vec<Rock>,
-    /// The range of these speeds; `null` where they are all one.
+    /// Range of these speeds; null if they are all equal.
     pub range: Option<SpeedRange>,
 }
 
@@ -253,33 +253,33 @@ pub struct ChainCutter {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Drum {
-    /// In the rock for which the feed is given.
+    /// Cutting speed and feed in the rock for which the feed is given.
     pub cutting: Cutting,
-    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    /// Speeds in this rock and in others at equal power and chip; empty if no forces are given.
     pub rocks: Vec<Rock>,
-    /// The range of these speeds; `null` where they are all one.
+    /// Range of these speeds; null if they are all equal.
     pub range: Option<SpeedRange>,
 }
 
-/// How a cutter works.
+/// Cutting speed and feed of a cutter.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Cutting {
-    /// Cutting speed.
+    /// Cutting speed in m/s.
     pub speed_m_s: f64,
-    /// Feed of the machine.
+    /// Feed speed of the machine in m/s.
     pub feed_m_s: f64,
 }
 
-/// How a cutter works in some rock.
+/// Force and speeds of a cutter in a rock.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rock {
-    /// Mean cutting force.
+    /// Mean cutting force in N.
     pub force_n: f64,
-    /// Cutting speed at the power of the first rock.
+    /// Cutting speed in m/s at the power of the first rock.
     pub speed_m_s: f64,
-    /// Feed that keeps the chip.
+    /// Feed speed in m/s that keeps the chip thickness.
     pub feed_m_s: f64,
 }
 
@@ -291,10 +291,11 @@ impl Answer for Drum {
     const NAME: &'static str = "machine-drum";
 }
 
-/// Cutting speed of a chain cutter with this mean spacing of the picks in a line, this feed and mean chip.
+/// Computes the cutting speed of a chain cutter from the mean spacing of the picks in a line, the feed and
+/// the mean chip.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0.
+/// [`Error::Design`] for a quantity that is not above 0.
 pub fn chain_cutter(
     pick_spacing: Length,
     feed: Velocity,
@@ -306,10 +307,10 @@ pub fn chain_cutter(
     Ok(ChainCutter { cutting, rocks, range })
 }
 
-/// Cutting speed of a drum of this diameter, feed, greatest chip and number of picks in a line.
+/// Computes the cutting speed of a drum from its diameter, feed, greatest chip and number of picks in a line.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0.
+/// [`Error::Design`] for a quantity that is not above 0.
 pub fn drum(
     diameter: Length,
     feed: Velocity,
@@ -346,12 +347,12 @@ fn in_rocks(
     Ok((Cutting { speed_m_s: m_s(speed), feed_m_s: m_s(feed) }, rocks, range))
 }
 
-/// A bucket wheel whose speeds are wanted.
+/// Bucket wheel whose speeds are computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wheel {
     /// Cutting radius of the boom.
     pub boom_radius: Length,
-    /// Slewing speed with the boom in the machine's axis, the least.
+    /// Least slewing speed, with the boom in the machine's axis.
     pub slewing: AngularVelocity,
     /// Width of the chip.
     pub chip_width: Length,
@@ -361,22 +362,22 @@ pub struct Wheel {
     pub boom_angle: Angle,
     /// Radius of the wheel.
     pub radius: Length,
-    /// How it throws onto the chute.
+    /// Data of the throw onto the chute.
     pub throw: Throw,
 }
 
-/// How a bucket wheel throws onto its chute.
+/// Data of a bucket wheel's throw onto its chute.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Throw {
-    /// The discharge parameter `Ω = ω²R/g` itself.
+    /// Discharge parameter `Ω = ω²R/g`.
     Discharge(f64),
-    /// By flight from the buckets to the edge of the chute.
+    /// Flight of the material from the buckets to the edge of the chute.
     Flight {
         /// Angle at which a particle leaves its bucket.
         release: Angle,
-        /// Angles of the chute's edge, as with the boom raised and lowered; the smaller Ω counts.
+        /// Angles of the chute's edge, such as with the boom raised and lowered; the smallest Ω governs.
         chutes: Vec<Angle>,
-        /// Radius of the chute's edge over that of the wheel.
+        /// Radius of the chute's edge over the radius of the wheel.
         radius_ratio: f64,
     },
 }
@@ -385,12 +386,11 @@ pub enum Throw {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rotor {
-    /// Its speeds.
+    /// Optimal, greatest and least speed of the wheel.
     pub wheel: WheelSpeeds,
-    /// Discharge parameters, of which the smallest counts.
+    /// Discharge parameters; the smallest governs.
     pub discharges: Vec<Discharge>,
-    /// The range of its speeds; not above 1 where the wheel would have to turn faster to throw than it may to
-    /// empty.
+    /// Range of speeds; not above 1 if throwing requires a higher speed than emptying allows.
     pub range: SpeedRange,
 }
 
@@ -398,23 +398,23 @@ pub struct Rotor {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct WheelSpeeds {
-    /// A bucket passes while the boom advances by a chip.
+    /// Optimal speed in rad/s: one bucket passes while the boom advances by one chip.
     pub optimal_rad_s: f64,
-    /// The greatest speed at which the buckets empty.
+    /// Greatest speed at which the buckets empty, in rad/s.
     pub greatest_rad_s: f64,
-    /// The least speed that throws onto the chute.
+    /// Least speed that throws onto the chute, in rad/s.
     pub least_rad_s: f64,
 }
 
-/// A discharge parameter `Ω = ω²R/g`.
+/// Discharge parameter `Ω = ω²R/g`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Discharge {
-    /// Angle of the chute's edge from which it follows; `null` where the parameter is given.
+    /// Angle of the chute's edge from which the parameter follows, in rad; null if the parameter is given.
     pub chute_rad: Option<f64>,
-    /// The parameter.
+    /// Value of the parameter.
     pub discharge: f64,
-    /// Whether it is the one that counts: the smallest.
+    /// Whether the parameter governs, because it is the smallest.
     pub counts: bool,
 }
 
@@ -422,10 +422,10 @@ impl Answer for Rotor {
     const NAME: &'static str = "machine-rotor";
 }
 
-/// Greatest and least speed of a bucket wheel.
+/// Computes the greatest and least speed of a bucket wheel.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0, and of a throw that does not reach the chute;
+/// [`Error::Design`] for a quantity that is not above 0, and for a throw that does not reach the chute;
 /// [`Error::NoChute`].
 pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     let optimal =

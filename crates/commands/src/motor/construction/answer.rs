@@ -286,7 +286,7 @@ fn warnings(numbers: MotorNumbers, arcs: &StatorArcs, misfit: &Misfit) -> Vec<Wa
         let message = format!("the rotor does not close: a half-lobe {how} by {open}");
         warnings.push(Warning { name: "open", message });
     }
-    // A rotor curve with cusps would be refused for reasons that follow from the warnings above.
+    // With cusps the motor would be refused for reasons that only follow from the cusps.
     if !closure::is_smooth(numbers, arcs) {
         let message = "the rotor gets cusps, or the flanks become radial".to_owned();
         warnings.push(Warning { name: "not-smooth", message });

@@ -205,12 +205,12 @@ impl MadePorts {
         })
     }
 
-    /// What a maker has to mend.
-    /// The greatest change of the pressure in a closed chamber.
+    /// Greatest change of pressure in a closed chamber, in Pa; `None` without a bulk modulus.
     pub(in crate::motor::answer) fn greatest_change(&self) -> Option<f64> {
         self.closed.iter().filter_map(|one| one.change_pa.map(f64::abs)).reduce(f64::max)
     }
 
+    /// Warnings about faults of the ports that the manufacturer has to correct.
     pub(in crate::motor::answer) fn warnings(&self, most_trapped: Option<Pressure>) -> Vec<Warning> {
         let degrees = |rad: f64| format::quantity(Angle::from_si(rad), 4);
         let short = self.states.iter().filter(|state| state.open_to == OpenTo::Both);
