@@ -1,34 +1,34 @@
-//! A gearbox in motion by a scenario: shifts, starts, heat of its shift elements.
+//! Simulation of a gearbox by a scenario: shifts, starts, heat of the shift elements.
 //!
 //! Speeds and torques are positive along the axis; torques act on links from outside.
 //!
 //! # Peaks
-//! Powers and torques are looked for at the start and end, right before and right after every event, and at
-//! even instants between, at least two thousand of them; what is greater only between two instants is not
-//! seen.
+//! Peaks of powers and torques are searched at the start, at the end, and immediately before and after every
+//! event. They are also searched at equally spaced instants, at least two thousand. A larger value between
+//! two instants is not detected.
 //!
 //! # Temperature
-//! What takes the heat of an element is one body over the temperature of the oil, with heat capacity `C` and
-//! conductance `G`:
-//!
-//! ```text
+//! The heat of an element goes into one body with heat capacity `C` and conductance `G` to the oil. Its
+//! temperature `θ` is that above the oil:
 //! C·dθ/dt = P − G·θ       θ(t + Δt) = θ·e + (ΔQ/Δt)/G·(1 − e)     e = exp(−G·Δt/C)     G = 0: θ + ΔQ/C
 //! ```
 //!
-//! over the same instants, with the heat `ΔQ` between two of them, which is integrated with the motion. It
-//! starts at the oil's temperature.
+//! over the same instants. The heat `ΔQ` between two of them is integrated with the motion. The body starts
+//! at the temperature of the oil.
 //!
 //! # Shifts
-//! A shift ends, *locked*, when all elements that it applies hold, and go on to hold up to the next shift or
-//! the end. Its torque phase is from when the first applied element carries to when the first released one,
-//! or a one-way clutch, lets go; its inertia phase from there to the lock. The torque of the output is what
-//! sets and shift elements exert on it:
+//! A shift ends (*locked*) when all elements that it applies hold, and continue to hold up to the next shift
+//! or the end. Its torque phase begins when the first applied element carries torque. Its inertia phase
+//! begins when the first released element, or a one-way clutch, lets go, and lasts up to the lock.
+//!
+//! The output torque is the one that sets and shift elements exert on the output. `J` and `T_applied` include
+//! all links that are one piece with the output:
 //!
 //! ```text
-//! T = J·ω̇ − Σ T_applied      J, T_applied of the output with what is one piece with it
+//! T = J·ω̇ − Σ T_applied
 //! ```
 //!
-//! Drags of the gearbox count as applied, but for those of shift elements.
+//! Drags of the gearbox count as applied, except those of shift elements.
 
 mod build;
 mod drags;
