@@ -177,8 +177,8 @@ pub fn answer(subject: &Subject<'_>, gear: Option<&str>) -> Result<Front, Error>
 
 /// Set at rest.
 struct Shape {
-    /// Gears, each with its speed ratio to the first central gear relative to the carrier, `(ω − ω_H)/(ω_1 −
-    /// ω_H)`.
+    /// Gears, each with its speed ratio to the first central gear relative to the carrier,
+    /// `(ω − ω_H)/(ω_1 − ω_H)`.
     gears: Vec<(FrontGear, f64)>,
     planets: Vec<FrontPlanet>,
 }

@@ -3,9 +3,9 @@
 //! | module | is |
 //! |---|---|
 //! | [`families`] | gearboxes with equal formulas |
-//! | [`explain`] | a given gearbox beside the search |
-//! | [`page`] | what a page of a search draws |
-//! | [`rating`] | what a solution is worth by the solver |
+//! | [`explain`] | comparison of a given gearbox with the search |
+//! | [`page`] | drawings for the page of a search |
+//! | [`rating`] | rating of a solution by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
 //! | [`shared_planets`] | sets that share planets |
@@ -78,27 +78,25 @@ pub struct Synthesis {
     pub tolerance: f64,
     /// Range of the ring-to-sun ratios k of every simple set.
     pub k_range: [f64; 2],
-    /// Range of the ring-to-sun ratios k of every double-planet set; null if no such sets are searched.
+    /// Range of the ring-to-sun ratios k of every double-planet set; absent if none are searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub k_range_of_double_planets: Option<[f64; 2]>,
-    /// Minimum number of sets of one kind with equal k; null if not required.
+    /// Minimum number of sets of one kind with equal k; absent if not required.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equal_k: Option<usize>,
     /// Classes that were searched, in this order.
     pub searched: Vec<Searched>,
-    /// Pairs of sun and ring, of simple and of double-planet sets, that are left out because a tooth check
-    /// fails.
+    /// Pairs of sun and ring of simple and double-planet sets left out because a tooth check fails.
     pub teeth_left_out: Vec<TeethLeftOut>,
     /// Combinations of shift elements that have all gears but were left out, by reason.
     pub left_out: Vec<LeftOut>,
     /// Limits of a usable gearbox; null if the search ended at the first class with gearboxes, usable or not.
     pub limits_of_use: Option<LimitsOfUse>,
-    /// Gearboxes that are not listed because larger classes have usable ones, by the first limit that they
-    /// exceed.
+    /// Gearboxes not listed because larger classes have usable ones, by the first limit that they exceed.
     pub left_behind: Vec<LeftOut>,
     /// Number of solutions within all limits of a usable gearbox.
     pub of_use: usize,
-    /// Parts of the time in the required gears, for the weighted mean efficiency; null if none are given.
+    /// Parts of the time in the required gears, for the weighted mean efficiency; absent if none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shares: Option<Vec<f64>>,
     /// Whether all structures of these classes were searched.
@@ -212,7 +210,7 @@ pub struct Solution {
     pub multiple_shifts: usize,
     /// Least efficiency of a forward gear; without forward gears, of any gear.
     pub forward_efficiency: f64,
-    /// Mean efficiency of the forward gears, weighted by their parts of the time; null if none are given.
+    /// Mean efficiency of the forward gears, weighted by their parts of the time; absent if none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_efficiency: Option<f64>,
     /// Least efficiency of a reverse gear; null if there is none.
@@ -226,9 +224,8 @@ pub struct Solution {
     pub greatest_slip: f64,
     /// Greatest speed of a link in a gear, relative to the input speed.
     pub greatest_link_speed: f64,
-    /// Greatest planet speed relative to its carrier in a gear, relative to the input speed. For
-    /// double-planet sets, whose planet speeds depend on tooth numbers, a lower bound: `2·|ω_sun −
-    /// ω_carrier|/(k − 1)`.
+    /// Greatest planet speed relative to its carrier in a gear, relative to the input speed; for double-planet
+    /// sets a lower bound that holds for any tooth numbers, `2·|ω_sun − ω_carrier|/(k − 1)`.
     pub greatest_planet_speed: f64,
     /// Values of the objectives.
     pub rating: Rating,
@@ -254,7 +251,7 @@ pub struct Set {
     pub k_range: [f64; 2],
     /// Whether k is required to be equal to that of other sets, which have this mark as well.
     pub has_equal_k: bool,
-    /// End of the search range that k reaches; null if none. A wider range may then have better solutions.
+    /// End of the search range that k reaches; absent if none. A wider range may then have better solutions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_edge: Option<Edge>,
 }
@@ -287,19 +284,19 @@ pub struct ShiftElement {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// Required ratio; null if any ratio within bounds is accepted.
+    /// Required ratio; absent if any ratio within bounds is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wanted_ratio: Option<f64>,
     /// Ratio with the k of the sets, as computed by the solver.
     pub ratio: f64,
-    /// Relative deviation from the required ratio; null if any ratio within bounds is accepted.
+    /// Relative deviation from the required ratio; absent if any ratio within bounds is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<f64>,
     /// Formula of the ratio in the k of the sets; for a double-planet set in k′ = k − 1.
     pub formula: String,
     /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
-    /// Efficiency with the given efficiency of the sets; null if the losses hold the gear.
+    /// Efficiency with the given efficiency of the sets; absent if the losses hold the gear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
 }

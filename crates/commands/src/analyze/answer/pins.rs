@@ -1,7 +1,8 @@
 //! Practical limits for planets on their pins, checked if the input speed and the bearing are known.
 //!
 //! ```text
-//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers        a·ω_H² ≤ 150 g, caged needles 3000 g
+//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers
+//! a·ω_H² ≤ 150 g, caged needles 3000 g
 //! ```
 //!
 //! | symbol | meaning | unit |

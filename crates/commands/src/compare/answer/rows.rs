@@ -4,8 +4,8 @@
 //! Otherwise they are paired by ratio. The gears of one gearbox after the other are aligned with the rows of
 //! those before. Both lists are sorted by decreasing absolute ratio, separately for each sign.
 //!
-//! The alignment minimizes the sum of `|ln(i/i')|` over all pairs; a gear without a partner costs half of `ln
-//! 1.2`. Gears whose ratios differ by more than a fifth are never paired.
+//! The alignment minimizes the sum of `|ln(i/i')|` over all pairs; a gear without a partner costs half of
+//! `ln 1.2`. Gears whose ratios differ by more than a fifth are never paired.
 
 use crate::analyze::answer::overview::{Gear, Overview};
 use crate::error::Error;

@@ -110,7 +110,7 @@ pub struct SelectTeeth {
     pub required: Required,
     /// Limits of the size of a set.
     pub size_limits: RequiredSize,
-    /// Requirements of the profile shifts; null for sets without profile shift.
+    /// Requirements of the profile shifts; absent for sets without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<RequiredShifts>,
     /// Extent of the search.
@@ -184,7 +184,7 @@ pub struct SetTeeth {
     pub ring_diameter_m: Option<f64>,
     /// Module that follows from this diameter, in m; null without a torque and a load factor.
     pub module_m: Option<f64>,
-    /// Profile shifts of the set; null for a set without profile shift.
+    /// Profile shifts of the set; absent for a set without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shifts: Option<SetShifts>,
 }

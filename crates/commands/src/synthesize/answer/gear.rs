@@ -8,7 +8,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct WantedGear {
-    /// Required ratio, input speed over output speed; null if any ratio within the bounds is accepted.
+    /// Required ratio, input speed over output speed; absent if any ratio within the bounds is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wanted_ratio: Option<f64>,
     /// Lower bound of the ratio.

@@ -42,7 +42,7 @@ pub struct Teeth {
     pub found: u64,
     /// Whether all choices were counted; the count stops at a large limit.
     pub complete: bool,
-    /// Requirements of the profile shifts; null for sets without profile shift.
+    /// Requirements of the profile shifts; absent for sets without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<RequiredShifts>,
     /// Best choices, the best first.
@@ -72,7 +72,7 @@ pub struct TeethOfSet {
     pub sun: u32,
     /// Tooth number of a planet; for a double-planet set that of the planet in mesh with the sun.
     pub planet: u32,
-    /// Tooth number of the planet in mesh with the ring of a double-planet set; null for a simple set.
+    /// Tooth number of the planet in mesh with the ring of a double-planet set; absent for a simple set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outer_planet: Option<u32>,
     /// Tooth number of the ring.
@@ -80,7 +80,7 @@ pub struct TeethOfSet {
     /// Maximum number of planets, for a double-planet set of pairs, that can be assembled equally spaced and
     /// clear each other.
     pub planets: u32,
-    /// Profile shifts of the set; null for a set without.
+    /// Profile shifts of the set; absent for a set without.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shifts: Option<SetShifts>,
 }
@@ -134,9 +134,10 @@ impl Teeth {
     /// Tooth numbers of a solution, with these ranges of `k` for each set (`k′` for a double-planet set).
     /// Neighbouring free gears are given by their places among the gears. Returns the best choices in the
     /// form of the search as well.
+    ///
     /// # Errors
-    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) where the solver's fraction of a ratio is
-    /// another than the search's; else those of the solver. None are known for tooth numbers of a search.
+    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) if the solver's fraction of a ratio differs
+    /// from that of the search; otherwise errors of the solver. None are known for tooth numbers of a search.
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],
