@@ -64,13 +64,13 @@ pub struct ComparedElement {
     /// Name, kind and links of the shift element.
     #[serde(flatten)]
     pub element: ShiftElement,
-    /// Largest torque with losses over all gears, relative to the input torque; null if there is none.
+    /// Largest torque with losses over all gears, relative to the input torque; null if none exists.
     pub torque_of_input: Option<f64>,
-    /// Gear in which the largest torque occurs; null if there is none.
+    /// Gear in which the largest torque occurs; null if none exists.
     pub torque_gear: Option<String>,
-    /// Largest slip over all gears, relative to the input speed; null if there is none.
+    /// Largest slip over all gears, relative to the input speed; null if none exists.
     pub slip_of_input: Option<f64>,
-    /// Gear in which the largest slip occurs; null if there is none.
+    /// Gear in which the largest slip occurs; null if none exists.
     pub slip_gear: Option<String>,
     /// Largest torque at the operating point, in N·m; null without a load.
     pub torque_n_m: Option<f64>,
@@ -109,7 +109,7 @@ pub struct ComparedGear {
 pub struct GearFigure {
     /// Name of the figure.
     pub figure: FigureName,
-    /// Value for the gear of each gearbox; null if there is none.
+    /// Value for the gear of each gearbox; null if none exists.
     pub values: Vec<Option<f64>>,
     /// Differences between the values.
     #[serde(flatten)]
@@ -145,7 +145,7 @@ impl Differs {
 pub struct ComparedFigure {
     /// Name of the figure.
     pub figure: FigureName,
-    /// Value for each gearbox; null if there is none.
+    /// Value for each gearbox; null if none exists.
     pub values: Vec<Option<Value>>,
     /// Differences between the values.
     #[serde(flatten)]

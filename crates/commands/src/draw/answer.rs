@@ -46,7 +46,7 @@ pub struct Drawing {
 pub struct Subject {
     /// Origin of the gearbox or motor.
     pub origin: Origin,
-    /// Name of the gearbox, or title of the motor's file; null if there is none.
+    /// Name of the gearbox, or title of the motor's file; null if none exists.
     pub name: Option<String>,
     /// Planetary sets of a gearbox; empty for a motor.
     pub sets: Vec<Set>,
@@ -102,7 +102,7 @@ pub enum View {
     Centrodes,
     /// Construction of a motor's arcs and of the point where the rotor's arcs meet.
     Construction,
-    /// All teeth in mesh, of a motor or of the simple sets of a gearbox.
+    /// Teeth in mesh, of a motor or of the simple sets of a gearbox.
     Teeth,
     /// Motor in its housing with its ports.
     Motor,

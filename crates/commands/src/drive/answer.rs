@@ -216,13 +216,13 @@ pub struct Shaft {
     pub needed_diameter_m: f64,
     /// Next standard diameter, in m.
     pub standard_diameter_m: f64,
-    /// Smallest bearing of the series for the standard diameter; null if there is none.
+    /// Smallest bearing of the series for the standard diameter; null if none exists.
     pub standard_bearing: Option<Bearing>,
     /// Diameter used, in m: as given, or else the standard one.
     pub diameter_m: f64,
     /// Torsional stress at the diameter used, in Pa.
     pub stress_pa: f64,
-    /// Bearing used; null if there is none.
+    /// Bearing used; null if none exists.
     pub bearing: Option<Bearing>,
 }
 

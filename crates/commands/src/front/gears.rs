@@ -8,8 +8,8 @@
 //! internal   z_B·(φ − t_B) − z_A·(φ − t_A) = π
 //! ```
 //!
-//! up to turns of 2π. `t` is the angle of the centre line of a tooth. In an internal mesh `B` is the ring, and
-//! `φ` is the angle of the planet's centre about the axis.
+//! up to turns of 2π. `t` is the angle of the centre line of a tooth. In an internal mesh `B` is the ring,
+//! and `φ` is the angle of the planet's centre about the axis.
 //!
 //! The first central gear has a tooth along the first axis; every other gear follows from one with which it
 //! meshes. The second gear of a planet that meshes with no placed gear is turned like the first.

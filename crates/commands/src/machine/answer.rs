@@ -147,7 +147,7 @@ pub struct Series {
     pub regime: Regime,
     /// Ratios, the fastest speed first.
     pub ratios: Vec<f64>,
-    /// Series that the source prints for this place; null if there is none.
+    /// Series that the source prints for this place; null if none exists.
     pub printed: Option<Printed>,
 }
 

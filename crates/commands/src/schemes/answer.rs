@@ -201,7 +201,7 @@ pub struct Parameters {
 pub struct Gear {
     /// Name of the gear.
     pub gear: GearName,
-    /// Ratio, input speed over output speed; null if there is none.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
     /// Efficiency when driven from the input; null if the gear is self-locking.
     pub efficiency: Option<f64>,

@@ -58,7 +58,7 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
-    /// Number of the candidate that tables show in full; null if there is none with that number, or none is
+    /// Number of the candidate that tables show in full; null if none exists with that number, or none is
     /// accepted and none was asked for.
     pub shown_in_full: Option<u32>,
     /// Speeds of that candidate, required and reached, the slowest first; empty without such a candidate.

@@ -79,9 +79,9 @@ pub struct Wanted {
 }
 
 impl Default for Wanted {
-    /// Default space. Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3
-    /// to 6 planets, centre distances in steps of 0.5 mm; bearings of the table, single and in pairs; least
-    /// mass.
+    /// Default space: modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3
+    /// to 6 planets. Centre distances are in steps of 0.5 mm, bearings are those of the table, single and in
+    /// pairs. The mass is minimized.
     fn default() -> Self {
         let mm = Length::from_mm;
         Self {

@@ -131,7 +131,7 @@ pub struct Synthesis {
 pub enum Listed {
     /// Best solution of each family.
     BestOfFamilies,
-    /// All solutions.
+    /// Complete list of the solutions.
     AllGearboxes,
 }
 
@@ -191,7 +191,7 @@ pub struct Solution {
     pub family: usize,
     /// Number of gearboxes in the family.
     pub gearboxes_of_family: usize,
-    /// Equal scheme of the document; null if there is none.
+    /// Equal scheme of the document; null if none exists.
     pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
     /// others. A star marks a double-planet set.
@@ -213,7 +213,7 @@ pub struct Solution {
     /// Mean efficiency of the forward gears, weighted by their parts of the time; absent if none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_efficiency: Option<f64>,
-    /// Least efficiency of a reverse gear; null if there is none.
+    /// Least efficiency of a reverse gear; null if none exists.
     pub reverse_efficiency: Option<f64>,
     /// First limit of a usable gearbox that the solution exceeds; null if it exceeds none.
     pub beyond_limit: Option<Reason>,
@@ -224,8 +224,8 @@ pub struct Solution {
     pub greatest_slip: f64,
     /// Greatest speed of a link in a gear, relative to the input speed.
     pub greatest_link_speed: f64,
-    /// Greatest planet speed relative to its carrier in a gear, relative to the input speed; for double-planet
-    /// sets a lower bound that holds for any tooth numbers, `2·|ω_sun − ω_carrier|/(k − 1)`.
+    /// Greatest planet speed relative to its carrier, relative to the input speed; for double-planet sets a
+    /// lower bound for any tooth numbers, `2·|ω_sun − ω_carrier|/(k − 1)`.
     pub greatest_planet_speed: f64,
     /// Values of the objectives.
     pub rating: Rating,

@@ -1,4 +1,4 @@
-//! All combinations of shift elements, each with its state.
+//! Combinations of shift elements, each with its state.
 
 use super::records::{Indeterminate, State, concerned, is_same, state};
 use super::{engaged, moving, warnings};
@@ -30,7 +30,7 @@ pub struct Combinations {
 pub struct Combination {
     /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
-    /// Name of the gear that engages exactly these shift elements; null if there is none.
+    /// Name of the gear that engages exactly these shift elements; null if none exists.
     pub gear: Option<String>,
     /// State of the gearbox in this combination.
     pub state: State,
@@ -40,11 +40,11 @@ pub struct Combination {
     pub missing_speeds: Option<usize>,
     /// Redundant parts if the torques are indeterminate; otherwise null.
     pub indeterminate: Option<Indeterminate>,
-    /// Ratio, input speed over output speed; null if there is none.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
     /// Exact ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,
-    /// Efficiency when driven from the input; null if there is none or the mesh losses hold the gearbox.
+    /// Efficiency when driven from the input; null if none exists or the mesh losses hold the gearbox.
     pub efficiency: Option<f64>,
 }
 

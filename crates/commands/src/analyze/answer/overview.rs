@@ -64,7 +64,7 @@ pub struct Gear {
     /// progression. Null if there are no gears between them.
     pub geometric_deviation: Option<f64>,
     /// Relative deviation of the ratio from the progressive progression between the first and last gear of
-    /// its progression; null if there is none.
+    /// its progression; null if none exists.
     pub progressive_deviation: Option<f64>,
     /// Circulating power relative to the entering power; null if it cannot be computed.
     pub circulating_of_entering: Option<f64>,

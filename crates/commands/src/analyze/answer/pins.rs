@@ -69,7 +69,7 @@ pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<W
     })
 }
 
-/// What rolls in the bearing of a planet, and its mean diameter.
+/// Rolling elements and mean diameter of a planet's bearing, from the file.
 fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
     if let Some(entry) = file.sets.iter().find(|entry| entry.id == set) {
         return Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)));

@@ -98,7 +98,7 @@ pub struct Published {
     pub unverified: bool,
     /// Computed ratio in the published form; null if the gear has no ratio.
     pub computed: Option<f64>,
-    /// Whether the published digits, rounded or truncated, match the computed ratio; null if there is no ratio.
+    /// Whether the published digits, rounded or truncated, match the computed ratio; null without a ratio.
     pub agrees: Option<bool>,
 }
 
@@ -138,7 +138,7 @@ pub struct GearFacts {
     pub indeterminate: Option<Indeterminate>,
     /// Links whose speeds the file gives for this gear.
     pub links_with_given_speeds: Vec<String>,
-    /// Ratio, input speed over output speed; null if there is none.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
     /// Exact ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,

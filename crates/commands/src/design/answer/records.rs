@@ -100,7 +100,7 @@ pub struct SchemeStep {
     pub k: Vec<f64>,
     /// Better schemes that were passed over, because none of their tooth numbers has sufficient sizes.
     pub passed_over: Vec<String>,
-    /// Next best scheme that meets the criteria; null if there is none.
+    /// Next best scheme that meets the criteria; null if none exists.
     pub next: Option<String>,
 }
 
@@ -146,9 +146,9 @@ pub struct TeethStep {
     pub accepted: u64,
     /// Number of tooth designs for which sizes were searched.
     pub tried: usize,
-    /// Chosen tooth design; null if there is none, or fewer than the number asked for.
+    /// Chosen tooth design; null if none exists, or fewer than the number asked for.
     pub taken: Option<TeethTaken>,
-    /// Next best of the designs with searched sizes; null if there is none.
+    /// Next best of the designs with searched sizes; null if none exists.
     pub next: Option<TeethTaken>,
 }
 

@@ -135,7 +135,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Gearbox with these limits; `None` if there is none.
+    /// Gearbox with these limits; `None` if none exists.
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOut, Design)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| limit.relax(&mut wanted));

@@ -73,7 +73,7 @@ pub struct Designed {
     pub chosen: Chosen,
     /// Form of the teeth.
     pub form: ToothForm,
-    /// Tooth profile, or the reason why there is none.
+    /// Tooth profile, or the reason why none exists.
     pub profile: Result<Profile, MotorError>,
     /// Width of the wheels.
     pub width: Option<Length>,

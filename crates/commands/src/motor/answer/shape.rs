@@ -78,7 +78,7 @@ pub struct CosineLaw {
     pub second_amplitude: f64,
     /// Relative amplitude at which the stator gets cusps; null with a second harmonic.
     pub cusp_amplitude: Option<f64>,
-    /// Range of `ε₂` in which motors of these numbers close without cusps; null if there is none.
+    /// Range of `ε₂` in which motors of these numbers close without cusps; null if none exists.
     pub second_harmonics: Option<HarmonicRange>,
 }
 

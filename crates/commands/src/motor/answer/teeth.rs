@@ -177,7 +177,7 @@ pub struct Clearance {
     pub clearance_m: f64,
     /// Least distance over the module.
     pub clearance_in_modules: f64,
-    /// Part of the wheel's tooth at the least distance; null if there is none.
+    /// Part of the wheel's tooth at the least distance; null if none exists.
     pub part: Option<ToothPart>,
     /// Rotor angle of the least distance, in rad. Null for flanks in mesh, which are equally close
     /// everywhere, and if the distance is equal at every angle.

@@ -77,11 +77,11 @@ pub struct Misfit {
     pub closes: bool,
     /// Closure error of a half-lobe in rad caused by an error of 0.01 modules in `a`.
     pub opened_by_a_hundredth_module_rad: f64,
-    /// Distance `a` in m with which the rotor closes at this `l`; null if there is none.
+    /// Distance `a` in m with which the rotor closes at this `l`; null if none exists.
     pub a_that_closes_m: Option<f64>,
-    /// Distance `l` in m with which the rotor closes at this `a`; null if there is none.
+    /// Distance `l` in m with which the rotor closes at this `a`; null if none exists.
     pub l_that_closes_m: Option<f64>,
-    /// Ranges of the distance `l` for which a motor of these numbers closes; empty if there is none.
+    /// Ranges of the distance `l` for which a motor of these numbers closes; empty if none exists.
     pub family: Vec<Interval>,
 }
 

@@ -46,7 +46,7 @@ pub struct MotorSatellites {
     /// Tooth numbers of satellites below the upper limit with which there is no such motor.
     pub without: Vec<SatellitesWithout>,
     /// Recommended tooth number of a satellite: of the motors whose teeth are within their limits, the one of
-    /// greatest displacement. Null if there is none.
+    /// greatest displacement. Null if none exists.
     pub next_satellite_teeth: Option<u32>,
     /// Warning if no motor is found, or none whose teeth are within their limits.
     pub warnings: Vec<Warning>,

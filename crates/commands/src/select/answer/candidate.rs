@@ -202,7 +202,7 @@ pub struct Verdict {
     pub met: bool,
     /// Whether a candidate that does not meet the criterion is rejected.
     pub required: bool,
-    /// Worst value found; 1 or 0 for yes or no. Null if there is none.
+    /// Worst value found; 1 or 0 for yes or no. Null if none exists.
     pub value: Option<f64>,
     /// Least value that meets the criterion.
     pub least: f64,

@@ -482,7 +482,7 @@ fn a_fault_of_a_scenario_is_at_its_value_and_has_a_name() {
     }
 }
 
-/// Such a fault belongs to no single line: it is reported at a part that it names, in the scenario or in the
+/// Faults that belong to no single line are reported at a part that they name, in the scenario or in the
 /// gearbox, and never at the first line.
 #[test]
 fn a_motion_that_cannot_go_on_is_at_a_part_of_it() {

@@ -274,7 +274,7 @@ impl File<'_> {
         Ok(shared(&forces, sharing).zip(turning))
     }
 
-    /// Adds `a_ISO` to each step; the error gives the reason why there is none.
+    /// Adds `a_ISO` to each step; the error gives the reason why none exists.
     fn modify(
         &self,
         rolling: Rolling,

@@ -26,7 +26,7 @@ use serde::Serialize;
 pub struct Explanation {
     /// The name of the gearbox.
     pub gearbox: String,
-    /// Structure of the gearbox in the notation of the search; null if there is none.
+    /// Structure of the gearbox in the notation of the search; null if none exists.
     pub structure: Option<String>,
     /// Shift elements in the notation of the search: the link of a brake, or the two links of a clutch.
     pub shift_elements: Vec<String>,
@@ -95,15 +95,15 @@ pub enum Obstacle {
     TerminalOnNoMember,
     /// The sets are not all joined: class `core` requires this.
     SetsNotJoined,
-    /// This number of planetary sets was not searched.
+    /// Number of planetary sets that was not searched.
     Sets,
-    /// This number of shift elements was not searched; equivalent elements count once.
+    /// Number of shift elements that was not searched; equivalent elements count once.
     ShiftElements,
-    /// Gears with this number of engaged shift elements were not searched.
+    /// Number of engaged shift elements that was not searched.
     Engaged,
     /// The search ended before this number of sets and shift elements.
     EndedBefore,
-    /// This number of double-planet sets was not searched.
+    /// Number of double-planet sets that was not searched.
     DoublePlanets,
     /// A `k` of a simple set beyond the range.
     KOutOfRange,

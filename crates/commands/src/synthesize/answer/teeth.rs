@@ -136,8 +136,9 @@ impl Teeth {
     /// form of the search as well.
     ///
     /// # Errors
-    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) if the solver's fraction of a ratio differs
-    /// from that of the search; otherwise errors of the solver. None are known for tooth numbers of a search.
+    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) if the solver's fraction of a ratio
+    /// differs from that of the search; otherwise errors of the solver. None are known for tooth numbers of a
+    /// search.
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],

@@ -2,15 +2,15 @@
 //!
 //! In coordinates on the carrier, the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`.
 //! The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if the sun
-//! drives the planets, and `d = −1` if they drive it, the errors are
+//! drives the planets, and `d = −1` if they drive it, the errors are:
 //!
 //! ```text
 //! e_s,n = a_s·cos(ω·t − d·l·z_s·ψ_n)     e_r,n = a_r·cos(ω·t − d·l·z_s·ψ_n + π·l·(z_p + 1))
 //! ```
 //!
-//! because from the sun's pitch point to the ring's a planet has half its teeth and, from one flank to the
-//! other, half a pitch. The number of planets divides `z_s + z_r`, so the phases at the ring are those at the
-//! sun.
+//! The last term follows because from the sun's pitch point to the ring's a planet has half its teeth and,
+//! from one flank to the other, half a pitch. The number of planets divides `z_s + z_r`, so the phases at the
+//! ring are those at the sun.
 //!
 //! If the carrier turns, the matrices are those at its speed ([`epicyclic_vibration::response`]), with the
 //! damping of the modes at rest. The model has the flanks that carry at a positive torque on the sun. At a

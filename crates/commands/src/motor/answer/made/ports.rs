@@ -102,7 +102,7 @@ pub struct ClosedStretch {
     pub from_rad: f64,
     /// Phase at which the chamber opens, in rad, 0 at the greatest area.
     pub to_rad: f64,
-    /// Extreme of the chamber's area within this part; null if there is none.
+    /// Extreme of the chamber's area within this part; null if none exists.
     pub extreme: Option<Extreme>,
     /// Closed angle before the extreme, in rad.
     pub before_rad: f64,

@@ -63,7 +63,7 @@ fn contact(profile: &Profile, drop: Pressure) -> Option<f64> {
     practice::greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
 }
 
-/// Tooth profile of a design, or the reason why there is none.
+/// Tooth profile of a design, or the reason why none exists.
 fn profile(design: &search::Design, form: ToothForm) -> Result<Profile, String> {
     let size = shown_size(design).ok_or_else(|| "no size is within the limits".to_owned())?;
     let motor = design.motor(size.module).map_err(|error| error.to_string())?;
