@@ -385,6 +385,7 @@ impl Drive {
             tooth_numbers: ToothNumbers::of(&design.teeth),
             efficiencies: Efficiencies {
                 basic: design.efficiency.basic,
+                // Values of differences may end as −0.0, which `plain` turns to 0.0.
                 overall: plain(design.efficiency.overall),
             },
             speeds: Speeds {
@@ -527,6 +528,7 @@ impl Motion {
             Start::After(time) => (Outcome::Starts, Some(time)),
             Start::InBalance => (Outcome::InBalance, None),
             Start::Held => (Outcome::Held, None),
+            // The time of a backward start is not that to the nominal speed, so it is left out.
             Start::Backward(_) => (Outcome::RunsBackward, None),
         };
         let [from, to] = motion.held;

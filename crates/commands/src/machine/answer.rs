@@ -89,6 +89,7 @@ pub fn list(name: Option<&str>) -> Result<Machines, Error> {
         Some(name) => vec![Machine::of(tables::machine(name)?)],
         None => tables::machines().iter().map(Machine::of).collect(),
     };
+    // `as_recommended` is only known for bucket wheels with a number of steps, so both counts refer to these.
     let alike = || machines.iter().filter_map(|machine| machine.as_recommended);
     Ok(Machines {
         bucket_wheels_with_steps: alike().count(),
@@ -184,6 +185,7 @@ impl Answer for MachineSpeeds {
 /// # Errors
 /// [`Error::Design`] for speeds that form no series.
 pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
+    // With direct drive as the fastest speed, the second ratio equals the first step of speeds.
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let (count, range) = (speeds.len(), fastest_direct.speed_range());
     let series = (1..=count)
@@ -432,6 +434,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
         optimal_speed(wheel.boom_radius, wheel.slewing, wheel.chip_width, wheel.buckets, wheel.boom_angle)?;
     let greatest = greatest_speed(optimal)?;
     let found = discharges(&wheel.throw)?;
+    // Of the raised and the lowered boom, the source takes the smaller parameter.
     let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
     let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
     let rad_s = |speed: AngularVelocity| speed.si();

@@ -54,6 +54,7 @@ pub fn sized(scheme: CatalogueScheme, sizes: Sizes, eta0: MeshEfficiency) -> Res
     let first = match (sizes.k1, sizes.ratio1) {
         (Some(k1), _) => k(SizeName::K1, k1)?,
         (None, Some(ratio)) => of_ratio(SizeName::Ratio1, scheme.first_stage().ring_to_sun_ratio(ratio))?,
+        // The second set follows from the first one, so it cannot be given alone.
         (None, None) if sizes.k2.is_some() => return refuse(SizeName::K2, SizeProblem::FirstMissing),
         (None, None) if sizes.ratio2.is_some() => return refuse(SizeName::Ratio2, SizeProblem::FirstMissing),
         (None, None) => return Ok(None),
@@ -276,6 +277,7 @@ fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearForm
             greatest_ratio,
         }
     };
+    // Gear 1 of every scheme is that of its first set alone, with T1 braked.
     let mut all = vec![of(GearName::First, Link::T1, CatalogueScheme::Two(scheme.first_stage()))];
     if matches!(scheme, CatalogueScheme::Three(_)) {
         all.push(of(GearName::Second, Link::T2, scheme));
@@ -294,6 +296,7 @@ fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearForm
 fn gears(gearbox: &Gearbox) -> Result<Vec<Gear>, Error> {
     let mut found = vec![];
     for gear in gearbox.gears() {
+        // A gearbox of the catalogue has no other gears; the name only has to become a record.
         let Some(name) = GearName::named(gear.name()) else { continue };
         let analysis = gearbox.analyze(gear.name())?;
         let driving = analysis.driving();

@@ -309,6 +309,7 @@ pub fn answer_watched(
     };
     let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
     let built = scenario.built()?;
+    // The run is sampled more finely than the answer, because peaks are searched among its samples.
     let every = scenario.sampling()?;
     let whole = file.duration.0.si();
     let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
@@ -433,6 +434,7 @@ impl ChangeRecord {
                 to: None,
                 is_rising: Some(*is_rising),
             },
+            // The enum is non-exhaustive in its crate; a kind unknown here has no record.
             _ => return None,
         })
     }
@@ -464,6 +466,7 @@ fn warnings(
         let message = format!("the energies miss {:.1e} of the largest of them", energies.residual.abs());
         all.push(Warning { name: "residual", message });
     }
+    // One warning suffices: the split lasts as long as the redundant elements hold.
     let samples = run.samples.iter().chain(run.events.iter().map(|event| &event.after));
     if let Some(sample) = samples.into_iter().find(|sample| !sample.is_split_unique) {
         let message = format!(

@@ -198,6 +198,7 @@ pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inpu
         (None, Some(inputs)) => task.links(Origin::File(Given::Speeds), &stated(&inputs.speeds))?,
         (None, None) => vec![],
     };
+    // The file gives its torques for its own speeds, so they are only used together.
     let torques = task.torques(wanted.torques.as_deref(), wanted.speeds.is_none())?;
     let at =
         if wanted.speeds.is_some() { Origin::Question(Given::Speeds) } else { Origin::File(Given::Speeds) };
@@ -406,12 +407,14 @@ impl<'a> Task<'a> {
         let load = state.load.as_ref();
         let torques =
             load.into_iter().flat_map(|load| load.terminals.iter().map(|end| end.torque.si().abs()));
+        // The limit scales with the load, because the clutch torque is a difference of larger torques.
         let nothing_n_m = ROUNDED * torques.fold(0.0, f64::max);
         let of = |(place, element): (usize, &train::ShiftElement)| {
             let is_engaged = self.gear.engaged().contains(&place);
             let torque = load.and_then(|load| load.shift_elements[place]).map(Physical::si);
             let clutch = element.id();
             let message = if is_engaged {
+                // By convention a one-way clutch transmits only positive torque on its first link.
                 (torque? < -nothing_n_m).then(|| {
                     format!("the one-way clutch {clutch} would overrun at these torques: the one on its first link is reversed")
                 })

@@ -85,6 +85,7 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
         .collect();
     let message = match held[..] {
         [] => return None,
+        // In the answer for a single gear its name would be redundant.
         [_] if gears.len() == 1 => "the gear is self-locking when driven from its output".to_owned(),
         [one] => format!("gear {one} is self-locking when driven from its output"),
         _ => format!("{} are self-locking when driven from their output", named(&held)),
@@ -95,6 +96,7 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
 /// Warnings about gears whose output is not driven, one for each state. Gears for which the file gives speeds
 /// of several links are left out.
 pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    // A gear with several given speeds is underdetermined on purpose.
     let is_told = |gear: &&&Analysis<'_>| {
         !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
     };
@@ -126,6 +128,7 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
 /// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the
 /// axial forces.
 pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
+    // Without radius and number of planets there are no forces that could leave out the moment.
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
         own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())

@@ -205,6 +205,7 @@ pub struct GoverningSet {
 
 impl SizesStep {
     pub(super) fn of(size: Size) -> Self {
+        // One set without a size leaves the governing requirement unknown, so `collect` yields `None`.
         let best: Option<Vec<GoverningSet>> = size
             .sets
             .iter()
@@ -213,6 +214,7 @@ impl SizesStep {
                 Some(GoverningSet { set: set.set.clone(), requirement })
             })
             .collect();
+        // Safeties and load ratios have different required values; only the quotient compares them.
         let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
         let governing =
             best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));

@@ -229,6 +229,7 @@ pub fn search(wanted: &Wanted, watch: &Watch) -> Result<Searched, Error> {
         return Err(Error::NoMotorForm(Box::new(Funnel::of(&found))));
     }
     let order = wanted.order;
+    // The sort is stable, so equal designs keep the order of the search and their numbers are reproducible.
     found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
     Ok(Searched { wanted: wanted.clone(), found })
 }
@@ -336,6 +337,7 @@ impl Form {
 
 impl Flanks {
     fn of(flanks: &FlankFigures, has_limits: bool) -> Self {
+        // A loaded satellite without a path of contact has an infinite stress, which JSON cannot hold.
         let finite = |stress: &f64| stress.is_finite();
         let allowed = &flanks.allowed;
         let of_limits = || Allowed {

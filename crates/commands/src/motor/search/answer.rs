@@ -187,6 +187,7 @@ pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error>
     }
     let order = wanted.order;
     if order.of_search().is_of_flanks() {
+        // The search computes flanks only if they are an objective; the order needs them for all designs.
         for design in &mut found.designs {
             design.at_flanks = design.at_flanks.or_else(|| teeth::at_flanks(design, form));
         }
@@ -262,6 +263,7 @@ impl Searched {
             Ok(at_flanks) => (Some(at_flanks), None),
             Err(why) => (None, Some(why)),
         };
+        // The ratio of least to mean flow does not depend on the module, so the shown size serves for it.
         let ripple = design.motor(size.module).ok()?.ripple();
         let found = &self.found;
         Some(Design {
@@ -291,6 +293,7 @@ impl Searched {
 
     /// Improvements limited to the objectives of the search.
     fn error(&self, error: search::SpacingError) -> SpacingError {
+        // An estimate is meaningless for a value that the search did not optimize.
         let of = |objective, value| self.wanted.search.objectives.contains(&objective).then(|| plain(value));
         SpacingError {
             displacement_by_volume: of(search::Objective::DisplacementByVolume, error.displacement_by_volume),

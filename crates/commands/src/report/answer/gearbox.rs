@@ -125,6 +125,7 @@ pub fn answer<'g>(
         overview: overview::answer(subject, input, None)?,
         gears: names().map(|gear| gear::answer(subject, gear, input)).collect::<Result<_, Error>>()?,
         shifts: match shifts::answer(subject, input.speed) {
+            // A page without the shifts is better than no page.
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
@@ -141,6 +142,7 @@ pub fn answer<'g>(
 
 fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
     let of_set = |(place, set): (usize, &PlanetSet)| {
+        // Only a set with two central gears has a `k`; a pair on fixed axes has no carrier that turns.
         let kind = set.kind().filter(|_| !set.is_pair())?;
         let own_k = set.basic_ratio().get().abs();
         let k = with_own(values(gearbox, range(kind, own_k)), own_k);
@@ -206,6 +208,7 @@ fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
     let id = gearbox.sets()[set].id();
     let change = |spec: SetSpec| {
         if spec.id == id {
+            // Tooth numbers of the planets belong to the original `k`, so they are dropped.
             SetSpec { gearing: Gearing::BasicRatio(k), planet: None, second_planet: None, ..spec }
         } else {
             spec

@@ -283,6 +283,7 @@ impl GearSheet {
         let is_helical = gear.profile().is_helical();
         let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
         let base_helix = gear.profile().base_helix_rad();
+        // Only a helical external gear needs a minimum width for the measurement of its span.
         let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;
         let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
         let both = match allowance {
@@ -290,6 +291,7 @@ impl GearSheet {
             None => None,
         };
         let over = |gear: &InvoluteGear| gear.over_balls(ball_m / module_m).map(|measure| measure * module_m);
+        // If the balls fall through the spaces at one limit, no range can be given.
         let over_limits = both.and_then(|[lower, upper]| Some([over(&lower)?, over(&upper)?]));
         Ok(Self {
             toothed_gear,
@@ -324,7 +326,7 @@ impl GearSheet {
         })
     }
 
-    /// Adds the material and the tool that the file gives.
+    /// Adds the material that the file gives.
     fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
         let material = entry.strength.as_ref().map(|strength| strength.materials[place].clone());
         Self { material, ..self }
@@ -357,6 +359,7 @@ impl MeshSheet {
             active_root_diameter_m: module_m * roots[place],
             tip_clearance_m: module_m * clearances[place],
             sliding_at_tip: sliding[place][0],
+            // Sliding at the base circle is infinite, which JSON cannot hold.
             sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
         });
         Ok(Self {

@@ -301,6 +301,7 @@ pub struct SizedDesign {
 
 impl SizedDesign {
     fn of(materials: &[String; 3], design: &Design) -> Self {
+        // A bearing given only by its load rating has lengths of 0 in the search, which are unknown in fact.
         let positive = |length: Length| Some(length.si()).filter(|si| *si > 0.0);
         let bearing = design.bearing.as_ref().map(|bearing| SizedBearing {
             designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
@@ -399,6 +400,7 @@ impl SizedSet {
         if !self.found.is_empty() {
             return None;
         }
+        // The remedy follows from the requirement that the closest design fails.
         let why = match &self.nearest_miss {
             None => "no gears of the space run together with a bearing that fits".to_owned(),
             Some(miss) => {

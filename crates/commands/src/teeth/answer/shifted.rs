@@ -107,6 +107,7 @@ impl SetShifts {
         Ok(Self {
             ring_offset: teeth.ring_offset(),
             centre_distance_in_modules: choice.set.centre_distance(),
+            // A sum of shifts that should be 0 leaves a rounding error, which is set to 0.
             profile_shifts: gears.map(|gear| rounded(gear.shift())),
             tip_alterations: gears.map(|gear| rounded(gear.tip_alteration())),
             aim_met: choice.limited_by.is_none(),
@@ -225,6 +226,7 @@ pub fn answer(
     let search = shifts.within(bounds).within(bounds);
     let Ranked { found, first, left_out } =
         search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    // The list is refused only if it would be longer; a large maximum alone is harmless.
     if most > MOST_SETS && found > MOST_SETS as u64 {
         return Err(Error::TooMany { found, most: MOST_SETS });
     }
@@ -282,6 +284,7 @@ impl ShiftedNumbers {
             aim_met: found.choice.limited_by.is_none(),
             equal_spacing: spacing.is_equal(),
             planet_angles_rad: spacing.angles().into_iter().map(Physical::si).collect(),
+            // Vectors of equally spaced planets cancel except for a rounding error.
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }
     }

@@ -76,6 +76,7 @@ impl Of<'_> {
             ));
         }
         let sized = toothed.as_ref().zip(entry.module.map(|module| module.0));
+        // Given values replace those of the teeth, so that sets without known teeth can be calculated.
         let radii = match vibration.base_radii {
             Some(radii) => Some(radii.map(|radius| radius.0)),
             None => sized.map(|(set, module)| set.gears().map(|gear| module * (gear.base_diameter() / 2.0))),
@@ -128,6 +129,7 @@ impl Of<'_> {
             }));
         }
         let teeth = missing_teeth(entry);
+        // Of the data for a shape, the message names the first that is missing: teeth, module, face width.
         let has = |is_known: bool, in_their_place: &str| {
             let missing = match (toothed.is_some(), entry.module.is_some()) {
                 (false, _) => teeth,
@@ -148,6 +150,7 @@ impl Of<'_> {
         .into_iter()
         .flatten()
         .collect();
+        // Several values may lack the same key, which is then named once.
         missing.dedup();
         Ok(Err(missing))
     }
@@ -346,6 +349,7 @@ impl Prepared {
         let mut missing = vec![];
         let [sun, ring, carrier] = [0, 1, 2].map(|member| {
             let (own, held) = (&self.members[member], held[member]);
+            // A member that is held rotates only against an elastic support.
             let rotates = !held || own.tangential.is_some();
             if rotates && own.inertia.is_none() {
                 missing.push(own.needed("inertia"));

@@ -188,6 +188,7 @@ impl ModeKind {
             Kind::Rotational => Self::Rotational,
             Kind::Translational => Self::Translational,
             Kind::Planet => Self::Planet,
+            // The enum is non-exhaustive in its crate, so a match needs this arm.
             _ => Self::Mixed,
         }
     }

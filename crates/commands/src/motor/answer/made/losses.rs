@@ -169,6 +169,7 @@ impl Losses {
                 let whole = si(motor.theoretical_torque(width, drop)?);
                 let [least, most] = range.ends();
                 Some(Friction {
+                    // The worst case comes first, as in all pairs of this answer.
                     coefficients: [most, least],
                     torque_n_m: [si(high), si(low)],
                     share: [si(high) / whole, si(low) / whole],
@@ -185,6 +186,7 @@ impl Losses {
                 missing.push(key.to_owned());
             }
         };
+        // All keys are checked, so that one message lists everything that is missing.
         lacks(inputs.gaps.is_none(), "gaps");
         for key in fluid.as_ref().err().into_iter().flatten() {
             lacks(true, key);
@@ -252,6 +254,7 @@ impl EfficiencyMap {
         drop: Pressure,
     ) -> Result<Self, Error> {
         let part = |place: u32| f64::from(place) / f64::from(PARTS);
+        // The map begins at the first step, because no efficiency is defined at speed or pressure 0.
         let speeds: Vec<AngularVelocity> = (1..=PARTS).map(|place| speed * part(place)).collect();
         let drops: Vec<Pressure> = (1..=PARTS).map(|place| drop * part(place)).collect();
         let map = motor.efficiency_map(inputs, &speeds, &drops)?;

@@ -163,6 +163,7 @@ impl MadePorts {
         let trapped = inputs.bulk_modulus.map(|modulus| plate.trapped(timing, modulus, inputs.dead_area));
         let trapped = trapped.transpose()?;
         let extremes = motor.extremes_of_chambers();
+        // Incompressible oil neither needs a charge nor a closed angle to reach the pressure.
         let compression = inputs.bulk_modulus.zip(point.pressure);
         let extreme = |one: &epicyclic_hydromotor::ports::trapped::Extreme| {
             let angle =
@@ -224,6 +225,7 @@ impl MadePorts {
                 ),
             })
             .collect();
+        // Without a given limit, the practical limits of the motor apply instead.
         let Some(most) = most_trapped.map(si) else { return all };
         for one in self.closed.iter().filter(|one| one.change_pa.is_some_and(|change| change.abs() > most)) {
             let change = one.change_pa.unwrap_or_default();
@@ -296,6 +298,7 @@ fn states(timing: &Timing) -> Vec<PortState> {
     all.extend(timing.low.iter().map(state(OpenTo::Low)));
     all.extend(timing.short_circuits.iter().map(state(OpenTo::Both)));
     all.extend(timing.closed.iter().map(|one| state(OpenTo::Neither)(&one.stretch)));
+    // The four kinds were collected separately; by phase they form the cycle of a chamber.
     all.sort_by(|one, other| one.from_rad.total_cmp(&other.from_rad));
     all
 }

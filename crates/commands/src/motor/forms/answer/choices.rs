@@ -109,10 +109,12 @@ impl Objective {
 
     /// Cost of a design by this objective, the less the better; a missing value comes last.
     pub(crate) fn cost(self, design: &FormDesign) -> f64 {
+        // A design without flanks under load must not win by a missing value, so it costs infinity.
         let of = |figure: &dyn Fn(&FlankFigures) -> Option<f64>| {
             design.flanks.as_ref().and_then(figure).unwrap_or(f64::INFINITY)
         };
         match self {
+            // Values to be maximized are negated, so that the least cost is always the best.
             Self::Volume => -design.displacement_by_volume,
             Self::Ripple => design.ripple,
             Self::Radius => -design.least_radius,
