@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// From this line on the page is made here.
+/// The page is generated from this line on.
 const MARK: &str = "<!-- From here on made from the schemas: UPDATE_BOOK=1 cargo test -p epicyclic -->\n";
 
 fn printed(args: &[&str]) -> String {
@@ -59,10 +59,10 @@ fn keys(part: &Value) -> BTreeSet<String> {
     own.map(|(key, _)| key.clone()).filter(|key| key != "schema_version" && key != "answer").collect()
 }
 
-/// Answers by their keys: where one is part of another, the page names it instead of telling its keys again.
+/// Answers by their keys: if one is part of another, the page names it instead of listing its keys again.
 type Answers = BTreeMap<BTreeSet<String>, String>;
 
-/// A line for each key below a part of a schema: `[]` stands for each entry of a list, `*` for each name of a
+/// Writes a line for each key below a part of a schema: `[]` for each entry of a list, `*` for each name of a
 /// map.
 fn lines(schema: &Value, part: &Value, path: &str, answers: &Answers, page: &mut String) {
     for choice in choices(schema, part) {
